@@ -1,0 +1,333 @@
+//! The structs of a body: itself, its parameters, its inputs; and how it is built.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::mechanics::Equations;
+use crate::model::{Declared, Inertia, Meaning, Model, Outline};
+use crate::symbolic::{Cost, Id, Node, Stage};
+
+use super::code::{Fields, Source, Writer, number_literal};
+use super::docs::{Documentation, declared_doc};
+
+/// What a body is built from and keeps.
+pub struct Constructor {
+    /// Fields beside `params`: what depends on the parameters alone.
+    pub stored: Vec<Ident>,
+    /// Checks and computations of `new`.
+    pub body: TokenStream,
+    pub cost: Cost,
+}
+
+/// The expressions of the equations that depend on parameters alone, each with the name of its field.
+pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) -> Fields {
+    let writer = Writer {
+        model,
+        outline,
+        fields: &Fields::default(),
+        private: private(outline),
+    };
+    let hoisted = writer.schedule(&equations.roots(), Stage::State).hoisted;
+    let mut taken: Vec<String> = vec!["params".to_owned()];
+    let fields = hoisted.into_iter().map(|id| {
+        let wanted = model
+            .frames
+            .labels
+            .get(id)
+            .map_or_else(|| field_name(outline, model, id), str::to_owned);
+        let repeated = |name: &String| taken.contains(name);
+        let name = core::iter::once(wanted.clone())
+            .chain((1..).map(|n| format!("{wanted}_{n}")))
+            .find(|name| !repeated(name))
+            .unwrap_or(wanted);
+        taken.push(name.clone());
+        (id, Ident::new(&name, Span::mixed_site()))
+    });
+    Fields(fields.collect())
+}
+
+/// A constant is called after the parameters that it is computed from.
+fn field_name(outline: &Outline, model: &Model, id: Id) -> String {
+    let graph = &model.frames.graph;
+    let mut words: Vec<String> = Vec::new();
+    for symbol in graph.reachable(&[id], |_| true) {
+        let Node::Symbol(symbol) = graph.node(symbol) else {
+            continue;
+        };
+        if let Meaning::Param(index, _) = model.meanings.of(*symbol) {
+            words.push(outline.params[index].name.to_string());
+        }
+    }
+    words.dedup();
+    words.truncate(3);
+    format!("from_{}", words.join("_"))
+}
+
+/// The path of what generated code may name.
+pub fn private(outline: &Outline) -> TokenStream {
+    let runtime = &outline.runtime;
+    quote!(#runtime::private)
+}
+
+impl Constructor {
+    /// `new` checks the parameters, and computes and stores what depends on them alone.
+    pub fn write(outline: &Outline, model: &Model, fields: &Fields) -> Self {
+        let private = private(outline);
+        let none = Fields::default();
+        let writer = Writer {
+            model,
+            outline,
+            fields: &none,
+            private: private.clone(),
+        };
+        let is_open = |id: &Id| model.frames.graph.stage(*id) == Stage::Parameter;
+        let mass: Vec<Id> = model.mass.into_iter().filter(is_open).collect();
+        let inertia = if model.inertia_entries().iter().any(is_open) {
+            model.inertia_entries()
+        } else {
+            Vec::new()
+        };
+        let outputs: Vec<Id> = mass
+            .iter()
+            .chain(&inertia)
+            .copied()
+            .chain(fields.0.iter().map(|(id, _)| *id))
+            .collect();
+        let code = writer.function(&outputs, Stage::Parameter);
+        let (mass_value, rest) = code.outputs.split_at(mass.len());
+        let (inertia_values, values) = rest.split_at(inertia.len());
+
+        let given = finite_checks(outline, model);
+        let mass_check = mass_value
+            .iter()
+            .map(|mass| quote!(#private::check_mass(#mass)?;));
+        let inertia_check = match (model.inertia, inertia_values) {
+            (_, []) => TokenStream::new(),
+            (Inertia::Planar(_), [moment, ..]) => quote!(#private::check_planar_inertia(#moment)?;),
+            (_, entries) => quote!(#private::check_inertia([#(#entries),*])?;),
+        };
+        let stored: Vec<Ident> = fields.0.iter().map(|(_, name)| name.clone()).collect();
+        let words = stored.iter().map(ToString::to_string);
+        let derived = (!stored.is_empty())
+            .then(|| quote!(#private::check_finite(&[#((#words, #stored)),*])?;));
+        let reads = if code.reads.contains(&Source::Params) {
+            code.statements
+        } else {
+            TokenStream::new()
+        };
+        let reads = rename_params(&reads);
+        let body = quote! {
+            #private::check_finite(&[#(#given),*])?;
+            #reads
+            #(#mass_check)*
+            #inertia_check
+            #(let #stored = #values;)*
+            #derived
+            Ok(Self { params, #(#stored),* })
+        };
+        Self {
+            stored,
+            body,
+            cost: code.cost,
+        }
+    }
+
+    pub fn stub(outline: &Outline) -> Self {
+        let private = private(outline);
+        let _ = &private;
+        Self {
+            stored: Vec::new(),
+            body: quote!(Ok(Self { params })),
+            cost: Cost::default(),
+        }
+    }
+}
+
+/// In the constructor the parameters are not a field yet.
+fn rename_params(tokens: &TokenStream) -> TokenStream {
+    use proc_macro2::TokenTree;
+    let mut renamed: Vec<TokenTree> = Vec::new();
+    for token in tokens.clone() {
+        let is_params = matches!(&token, TokenTree::Ident(name) if name == "params");
+        let after_self = renamed.len() >= 2
+            && matches!(&renamed[renamed.len() - 2], TokenTree::Ident(name) if name == "self");
+        if is_params && after_self {
+            renamed.truncate(renamed.len() - 2);
+        }
+        renamed.push(token);
+    }
+    renamed.into_iter().collect()
+}
+
+/// `("arm", params.arm)` of every parameter, by component.
+fn finite_checks(outline: &Outline, model: &Model) -> Vec<TokenStream> {
+    let axes = ["x", "y", "z"];
+    let checks = outline.params.iter().flat_map(|param| {
+        let (name, word) = (&param.name, param.name.to_string());
+        match param.frame {
+            None => vec![quote!((#word, params.#name))],
+            Some(_) => axes[..model.motion.axes()]
+                .iter()
+                .map(|axis| {
+                    let axis = Ident::new(axis, Span::call_site());
+                    quote!((#word, params.#name.#axis))
+                })
+                .collect(),
+        }
+    });
+    checks.collect()
+}
+
+/// The type of a declared quantity.
+fn declared_type(outline: &Outline, declared: &Declared) -> TokenStream {
+    let private = private(outline);
+    match (declared.frame, outline.motion.axes()) {
+        (None, _) => quote!(f64),
+        (Some(_), 2) => quote!(#private::Vector2<f64>),
+        (Some(_), _) => quote!(#private::Vector3<f64>),
+    }
+}
+
+fn emit_struct(
+    outline: &Outline,
+    suffix: &str,
+    doc: &str,
+    derives: &TokenStream,
+    declared: &[Declared],
+) -> TokenStream {
+    let name = format_ident!("{}{suffix}", outline.name);
+    let docs = declared.iter().map(declared_doc);
+    let names = declared.iter().map(|declared| &declared.name);
+    let types = declared
+        .iter()
+        .map(|declared| declared_type(outline, declared));
+    let lints = lints(declared);
+    quote! {
+        #[doc = #doc]
+        #lints
+        #derives
+        pub struct #name { #(#[doc = #docs] pub #names: #types),* }
+    }
+}
+
+/// Users may call a parameter `J`.
+fn lints(declared: &[Declared]) -> Option<TokenStream> {
+    let unusual = declared.iter().any(|declared| {
+        declared
+            .name
+            .to_string()
+            .contains(|letter: char| letter.is_uppercase())
+    });
+    unusual.then(|| quote!(#[allow(non_snake_case)]))
+}
+
+fn default_value(outline: &Outline, declared: &Declared) -> Option<TokenStream> {
+    let private = private(outline);
+    let numbers = declared
+        .default
+        .as_ref()?
+        .iter()
+        .map(|number| number_literal(number.to_f64()));
+    Some(match (declared.frame, outline.motion.axes()) {
+        (None, _) => quote!(#(#numbers)*),
+        (Some(_), 2) => quote!(#private::Vector2::new(#(#numbers),*)),
+        (Some(_), _) => quote!(#private::Vector3::new(#(#numbers),*)),
+    })
+}
+
+pub fn emit_items(
+    outline: &Outline,
+    constructor: &Constructor,
+    documentation: &Documentation,
+) -> TokenStream {
+    let name = &outline.name;
+    let docs = documentation.lines.iter();
+    let constants = &documentation.constants;
+    let inputs = (!outline.inputs.is_empty()).then(|| {
+        let derives = quote!(#[derive(Clone, Copy, Debug, Default, PartialEq)]);
+        emit_struct(
+            outline,
+            "Input",
+            &format!(" What [`{name}`] is given at each evaluation, in SI units."),
+            &derives,
+            &outline.inputs,
+        )
+    });
+    if outline.params.is_empty() {
+        return quote! {
+            #(#[doc = #docs])*
+            #[derive(Clone, Copy, Debug, Default, PartialEq)]
+            pub struct #name {}
+            #inputs
+            impl #name { #constants }
+        };
+    }
+    let params = format_ident!("{name}Params");
+    let derives = quote!(#[derive(Clone, Copy, Debug, PartialEq)]);
+    let param_struct = emit_struct(
+        outline,
+        "Params",
+        &format!(" Parameters of [`{name}`], in SI units."),
+        &derives,
+        &outline.params,
+    );
+    let private = private(outline);
+    let Constructor { stored, body, .. } = constructor;
+    let lints = lints(&outline.params);
+    let default = outline.has_default().then(|| emit_default(outline));
+    let new_doc = " Checks the parameters, and computes what depends on them alone.";
+    quote! {
+        #(#[doc = #docs])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct #name { params: #params, #(#stored: f64),* }
+        #param_struct
+        #inputs
+        #lints
+        impl #name {
+            #constants
+            #[doc = #new_doc]
+            #[doc = ""]
+            #[doc = " # Errors"]
+            #[doc = " A parameter is not finite, or no body has the mass or inertia they make."]
+            pub fn new(params: #params) -> Result<Self, #private::InvalidBody> { #body }
+            /// The parameters this body was built from.
+            #[must_use]
+            pub fn params(&self) -> &#params { &self.params }
+        }
+        #default
+    }
+}
+
+fn emit_default(outline: &Outline) -> TokenStream {
+    let name = &outline.name;
+    let params = format_ident!("{name}Params");
+    let names = outline.params.iter().map(|param| &param.name);
+    let values = outline
+        .params
+        .iter()
+        .filter_map(|param| default_value(outline, param));
+    quote! {
+        impl Default for #params {
+            fn default() -> Self { Self { #(#names: #values),* } }
+        }
+        impl Default for #name {
+            fn default() -> Self {
+                Self::new(#params::default()).expect("the defaults were checked at expansion")
+            }
+        }
+    }
+}
+
+/// What lets the compiler and editors see the words of the description: its keys, and the names
+/// that nothing refers to, which get the compiler's own warning.
+pub fn emit_checks(outline: &Outline) -> TokenStream {
+    let runtime = &outline.runtime;
+    let keys = outline.keys.iter();
+    let schema =
+        quote!(const _: fn(&#runtime::schema::Body) = |body| { #(let _ = &body.#keys;)* };);
+    let unused = (!outline.unused.is_empty()).then(|| {
+        let names = outline.unused.iter();
+        quote!(const _: fn() = || { #(let #names = ();)* };)
+    });
+    quote!(#schema #unused)
+}

@@ -1,0 +1,43 @@
+//! From equations to tokens. Nothing can fail here.
+//!
+//! The only room that names the runtime: everything goes through the path that the wrapper of the
+//! macro passes, so that a renamed dependency or a re-export works.
+
+mod code;
+mod docs;
+mod implementations;
+mod items;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::mechanics::Equations;
+use crate::model::{Model, Outline};
+
+use implementations::Bodies;
+use items::Constructor;
+
+/// The type of a body, its parameters and inputs, and all that it implements.
+pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> TokenStream {
+    let fields = items::stored_fields(outline, model, equations);
+    let bodies = Bodies::write(outline, model, equations, &fields);
+    let constructor = Constructor::write(outline, model, &fields);
+    let documentation = docs::Documentation::write(outline, &bodies, &constructor, equations);
+    let items = items::emit_items(outline, &constructor, &documentation);
+    let implementations = implementations::emit_implementations(outline, &bodies);
+    let checks = items::emit_checks(outline);
+    quote!(#items #implementations #checks)
+}
+
+/// The same items for a description with mistakes, so that nothing else turns red: they compile
+/// and do nothing.
+pub fn emit_stub(outline: &Outline) -> TokenStream {
+    let items = items::emit_items(
+        outline,
+        &Constructor::stub(outline),
+        &docs::Documentation::stub(),
+    );
+    let implementations = implementations::emit_implementations(outline, &Bodies::stub(outline));
+    let checks = items::emit_checks(outline);
+    quote!(#items #implementations #checks)
+}

@@ -1,0 +1,31 @@
+//! The driver: one call for each phase.
+
+use proc_macro2::TokenStream;
+
+use crate::errors::Errors;
+use crate::mechanics::derive_equations;
+use crate::{emit, model, syntax};
+
+/// Expands `(runtime) Name { key: value, .. }`.
+pub fn expand(tokens: TokenStream) -> TokenStream {
+    let mut errors = Errors::default();
+    let Some(description) = syntax::parse_description(tokens, &mut errors) else {
+        return errors.finish().unwrap_or_default();
+    };
+    let mut outline = model::outline(&description, &mut errors);
+    let model = model::lower_description(&description, &mut outline, &mut errors);
+    // what is wrong with a sound description: rank, solvability, range
+    let solved = model.filter(|_| errors.is_empty()).and_then(|mut model| {
+        let equations = derive_equations(&mut model, &mut errors)?;
+        model::check_range(&mut model, &outline, &equations.roots(), &mut errors);
+        Some((model, equations))
+    });
+    match (errors.finish(), solved) {
+        (None, Some((model, equations))) => emit::emit_body(&outline, &model, &equations),
+        (mistakes, _) => {
+            outline.unused.clear();
+            let stub = emit::emit_stub(&outline);
+            mistakes.into_iter().chain([stub]).collect()
+        }
+    }
+}

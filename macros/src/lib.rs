@@ -1,0 +1,18 @@
+//! The proc macro behind `newton_euler::rigid_body!`: a small compiler from the description of a
+//! rigid body to its equations of motion. ARCHITECTURE.md has the map; users want `newton-euler`.
+
+#![forbid(unsafe_code)]
+
+mod emit;
+mod errors;
+mod expand;
+mod mechanics;
+mod model;
+mod symbolic;
+mod syntax;
+
+/// Expands a description behind the path of the runtime, as the macro of `newton-euler` passes it.
+#[proc_macro]
+pub fn rigid_body(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    expand::expand(input.into()).into()
+}

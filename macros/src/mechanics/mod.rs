@@ -1,0 +1,83 @@
+//! The physics: from a model to the equations of motion and what else is asked for.
+//!
+//! Conventions as in EQUATIONS: position, velocity and linear acceleration of G in world axes;
+//! angular velocity and acceleration in body axes; moments about G unless a pole is named.
+
+mod balance;
+mod energy;
+mod momentum;
+mod newton_euler;
+mod skipped;
+
+use crate::errors::Errors;
+use crate::model::{Model, Output};
+use crate::symbolic::{Components, Id};
+
+pub use balance::{Balance, Resultant};
+pub use energy::Energy;
+pub use momentum::Momentum;
+
+/// All that is generated for a body, as expressions.
+pub struct Equations {
+    /// Acceleration of G, world axes.
+    pub linear: Components,
+    /// Angular acceleration, body axes.
+    pub angular: Components,
+    pub energy: Option<Energy>,
+    pub momentum: Option<Momentum>,
+    pub balance: Option<Balance>,
+    /// What does not appear in the equations, and why.
+    pub skipped: Vec<String>,
+}
+
+/// Derives the equations of motion and the outputs.
+pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equations> {
+    let asked = |output: Output, model: &Model| model.outputs.contains(&output);
+    let (linear, angular) = newton_euler::derive_accelerations(model, errors)?;
+    let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));
+    let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model));
+    let balance = asked(Output::Balance, model).then(|| balance::derive_balance(model));
+    let skipped = skipped::list_skipped(model, &linear, &angular);
+    Some(Equations {
+        linear,
+        angular,
+        energy,
+        momentum,
+        balance,
+        skipped,
+    })
+}
+
+impl Equations {
+    /// All expressions that code is generated for.
+    pub fn roots(&self) -> Vec<Id> {
+        let mut roots: Vec<Id> = self.linear.into_iter().chain(self.angular).collect();
+        if let Some(energy) = &self.energy {
+            roots.extend([energy.kinetic, energy.potential]);
+        }
+        if let Some(momentum) = &self.momentum {
+            roots.extend(
+                momentum
+                    .linear
+                    .into_iter()
+                    .chain(momentum.angular)
+                    .chain(momentum.about_pole),
+            );
+        }
+        if let Some(balance) = &self.balance {
+            let wrenches = [&balance.applied, &balance.residual];
+            roots.extend(
+                wrenches
+                    .into_iter()
+                    .flat_map(|wrench| wrench.force.into_iter().chain(wrench.moment)),
+            );
+            roots.extend(
+                balance
+                    .loads
+                    .iter()
+                    .flat_map(|load| load.force.into_iter().chain(load.point).chain(load.moment)),
+            );
+        }
+        roots
+    }
+}

@@ -1,0 +1,42 @@
+//! Linear and angular momentum, in world axes.
+
+use crate::model::{Frame, Inertia, Model};
+use crate::symbolic::Components;
+
+use super::balance::from_pole;
+
+/// The expressions of `outputs: [momentum]`, of absolute velocities, in world axes.
+pub struct Momentum {
+    /// `P = m v`
+    pub linear: Components,
+    /// About G: `R J w`.
+    pub angular: Components,
+    /// About the pole O: `R J w + (G - O) x m v`; `dL_O/dt = M_O - v_O x P`.
+    pub about_pole: Components,
+}
+
+pub fn derive_momentum(model: &mut Model) -> Momentum {
+    let w = model.state.angular_velocity;
+    let graph = &mut model.frames.graph;
+    let linear = match model.mass {
+        Some(mass) => graph.scale_vector(mass, model.state.velocity),
+        None => graph.zeros(),
+    };
+    let spin = match model.inertia {
+        Inertia::Absent => graph.zeros(),
+        Inertia::Planar(inertia) => graph.scale_vector(inertia, w),
+        Inertia::Spatial(rows) => graph.transform(&rows, w),
+    };
+    let spin = model.frames.vector(Frame::Body, spin);
+    let angular = model.frames.components(spin, Frame::World);
+    let arm = from_pole(model);
+    let moving = model.frames.vector(Frame::World, linear);
+    let orbital = model.frames.cross(arm, moving);
+    let orbital = model.frames.components(orbital, Frame::World);
+    let about_pole = model.frames.graph.add_vectors(angular, orbital);
+    Momentum {
+        linear,
+        angular,
+        about_pole,
+    }
+}

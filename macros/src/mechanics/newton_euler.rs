@@ -1,0 +1,288 @@
+//! The force balance (1.3) and the moment balance (1.4), solved for the accelerations.
+//!
+//! ```text
+//! m a = sum of F                          world axes
+//! J w' = sum of M_G - w x J w             body axes
+//! ```
+
+use crate::errors::Errors;
+use crate::model::{Frame, Inertia, Load, LoadKind, Model, Point, Vector};
+use crate::symbolic::{Components, Id};
+
+/// Linear acceleration of G in world axes and angular acceleration in body axes.
+pub fn derive_accelerations(
+    model: &mut Model,
+    errors: &mut Errors,
+) -> Option<(Components, Components)> {
+    let linear = linear_acceleration(model);
+    let moments = moments_about_center(model);
+    let angular = if model.motion.has_attitude() {
+        angular_acceleration(model, moments)
+    } else {
+        check_moment_free(model, &moments, errors)?;
+        model.frames.graph.zeros()
+    };
+    Some((linear, angular))
+}
+
+/// (1.3): `a = F / m`. All that is fixed in the body is added before it is turned.
+fn linear_acceleration(model: &mut Model) -> Components {
+    let (true, Some(mass)) = (model.motion.has_position(), model.mass) else {
+        return model.frames.graph.zeros();
+    };
+    let resultant = resultant(model);
+    let one = model.frames.graph.one();
+    let inverse_mass = model.frames.graph.divide(one, mass);
+    model.frames.labels.name(inverse_mass, "inverse_mass");
+    let mut specific = |force: Components| {
+        force.map(|component| model.frames.graph.distribute(inverse_mass, component))
+    };
+    let specific = Vector {
+        body: specific(resultant.body),
+        world: specific(resultant.world),
+    };
+    model.frames.labels.describe(
+        "specific_force",
+        "what is fixed in the body: sum of F / m, body axes",
+    );
+    model.frames.labels.vector("specific_force", specific.body);
+    let acceleration = model.frames.components(specific, Frame::World);
+    let acceleration = model.frames.graph.quantities(acceleration);
+    model
+        .frames
+        .labels
+        .describe("linear", "(1.3), world axes: a = sum of F / m");
+    model.frames.labels.vector("linear", acceleration);
+    acceleration
+}
+
+/// The sum of all forces.
+pub fn resultant(model: &mut Model) -> Vector {
+    let forces: Vec<Vector> = model
+        .loads
+        .iter()
+        .filter(|load| load.kind == LoadKind::Force)
+        .map(|load| load.vector)
+        .collect();
+    model.frames.sum(forces)
+}
+
+/// The moment of each load about G.
+pub fn moments_about_center(model: &mut Model) -> Vec<Vector> {
+    let loads: Vec<(LoadKind, Vector, Point)> = model
+        .loads
+        .iter()
+        .map(|load| (load.kind, load.vector, load.point))
+        .collect();
+    loads
+        .into_iter()
+        .map(|(kind, vector, point)| match kind {
+            LoadKind::Moment => vector,
+            LoadKind::Force => {
+                let arm = arm_from_center(model, point);
+                model.frames.cross(arm, vector)
+            }
+        })
+        .collect()
+}
+
+/// `P - G`. For a point of the body it does not depend on where the body is (H9).
+pub fn arm_from_center(model: &mut Model, point: Point) -> Vector {
+    match point {
+        Point::Body(offset) => model.frames.vector(Frame::Body, offset),
+        Point::World(position) => {
+            let arm = model
+                .frames
+                .graph
+                .subtract_vectors(position, model.state.position);
+            model.frames.vector(Frame::World, arm)
+        }
+    }
+}
+
+/// (1.4) about G: `w' = J^-1 (M - w x J w)`.
+fn angular_acceleration(model: &mut Model, moments: Vec<Vector>) -> Components {
+    let moment = model.frames.sum(moments);
+    let moment = model.frames.components(moment, Frame::Body);
+    let angular = match model.inertia {
+        Inertia::Absent => model.frames.graph.zeros(),
+        Inertia::Planar(inertia) => {
+            let graph = &mut model.frames.graph;
+            let one = graph.one();
+            let inverse = graph.divide(one, inertia);
+            model.frames.labels.name(inverse, "inverse_inertia");
+            let zero = graph.zero();
+            [zero, zero, graph.distribute(inverse, moment[2])]
+        }
+        Inertia::Spatial(rows) if is_diagonal(model, &rows) => {
+            euler(model, [rows[0][0], rows[1][1], rows[2][2]], moment)
+        }
+        Inertia::Spatial(rows) => general(model, &rows, moment),
+    };
+    let angular = model.frames.graph.quantities(angular);
+    model
+        .frames
+        .labels
+        .describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
+    if model.motion.is_planar() {
+        model.frames.labels.name(angular[2], "angular");
+    }
+    model.frames.labels.vector("angular", angular);
+    angular
+}
+
+fn is_diagonal(model: &Model, rows: &[Components; 3]) -> bool {
+    [(0, 1), (1, 2), (2, 0)]
+        .iter()
+        .all(|(i, j)| model.frames.graph.is_zero(rows[*i][*j]))
+}
+
+/// Euler's equations in principal axes: `w_1' = M_1 / J_1 + (J_2 - J_3) / J_1 w_2 w_3`, and so on.
+///
+/// Where two moments of inertia are equal, both products hold the rate at which the angular
+/// velocity precesses in the body, which is then computed once.
+fn euler(model: &mut Model, inertia: [Id; 3], moment: Components) -> Components {
+    let w = model.state.angular_velocity;
+    let graph = &mut model.frames.graph;
+    let one = graph.one();
+    let inverse = inertia.map(|moment| graph.divide(one, moment));
+    model.frames.labels.vector("inverse_inertia", inverse);
+    model.frames.labels.describe(
+        "precession",
+        "rate at which w turns in the body: (J_1 - J_3) / J_1 w_3",
+    );
+    let axis = [0, 1, 2]
+        .into_iter()
+        .find(|k| inertia[(k + 1) % 3] == inertia[(k + 2) % 3]);
+    let precession = axis.map(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let coupling = coupling(model, inertia, inverse, i, j, k);
+        let rate = model.frames.graph.multiply(coupling, w[k]);
+        let rate = model.frames.graph.quantity(rate);
+        model.frames.labels.name(rate, "precession");
+        (i, j, rate)
+    });
+    [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let gyroscopic = match precession {
+            Some((first, second, rate)) if i == first => {
+                model.frames.graph.multiply(rate, w[second])
+            }
+            Some((first, second, rate)) if i == second => {
+                let product = model.frames.graph.multiply(rate, w[first]);
+                model.frames.graph.negate(product)
+            }
+            Some(_) => model.frames.graph.zero(),
+            None => {
+                let coupling = coupling(model, inertia, inverse, i, j, k);
+                let product = model.frames.graph.multiply(w[j], w[k]);
+                model.frames.graph.multiply(coupling, product)
+            }
+        };
+        let graph = &mut model.frames.graph;
+        let driven = graph.distribute(inverse[i], moment[i]);
+        graph.add(driven, gyroscopic)
+    })
+}
+
+/// `(J_j - J_k) / J_i`
+fn coupling(
+    model: &mut Model,
+    inertia: [Id; 3],
+    inverse: [Id; 3],
+    i: usize,
+    j: usize,
+    k: usize,
+) -> Id {
+    let graph = &mut model.frames.graph;
+    let difference = graph.subtract(inertia[j], inertia[k]);
+    let coupling = graph.multiply(difference, inverse[i]);
+    model
+        .frames
+        .labels
+        .name(coupling, format!("coupling_{}", crate::model::AXES[i]));
+    coupling
+}
+
+/// The full tensor. A multiple of the unit matrix changes nothing in `w x J w` and is taken off
+/// first: exact where the body is nearly spherical (H7), and cheaper.
+fn general(model: &mut Model, rows: &[Components; 3], moment: Components) -> Components {
+    let w = model.state.angular_velocity;
+    let gauged = |model: &mut Model, axis: usize| {
+        let graph = &mut model.frames.graph;
+        let mut deviatoric = *rows;
+        for (i, row) in deviatoric.iter_mut().enumerate() {
+            row[i] = graph.subtract(row[i], rows[axis][axis]);
+        }
+        let relative = graph.transform(&deviatoric, w);
+        let relative = graph.quantities(relative);
+        let torque = graph.cross(w, relative);
+        (
+            graph.late_cost(&torque).total(),
+            relative,
+            torque,
+            deviatoric,
+        )
+    };
+    let candidates = [2, 1, 0].map(|axis| gauged(model, axis));
+    let [first, second, third] = candidates;
+    let cheapest =
+        [second, third].into_iter().fold(
+            first,
+            |best, next| if next.0 < best.0 { next } else { best },
+        );
+    let (_, relative, gyroscopic, deviatoric) = cheapest;
+
+    let labels = &mut model.frames.labels;
+    for (i, row) in deviatoric.iter().enumerate() {
+        labels.vector(&format!("deviator_{}", crate::model::AXES[i]), *row);
+    }
+    labels.describe("relative_momentum", "(J - lambda 1) w, body axes");
+    labels.vector("relative_momentum", relative);
+    let graph = &mut model.frames.graph;
+    let torque = graph.subtract_vectors(moment, gyroscopic);
+    let torque = graph.quantities(torque);
+    labels.describe("torque", "M - w x J w about G, body axes");
+    labels.vector("torque", torque);
+    let inverse = inverse_inertia(model, rows);
+    model.frames.graph.transform(&inverse, torque)
+}
+
+/// `J^-1`, computed from `J` over its trace, so that no determinant leaves the range of doubles (H10).
+fn inverse_inertia(model: &mut Model, rows: &[Components; 3]) -> [Components; 3] {
+    let graph = &mut model.frames.graph;
+    let trace = graph.sum(&[rows[0][0], rows[1][1], rows[2][2]]);
+    let one = graph.one();
+    let scale = graph.divide(one, trace);
+    let relative = rows.map(|row| graph.scale_vector(scale, row));
+    let inverse = graph
+        .inverse_symmetric(&relative)
+        .map(|row| graph.scale_vector(scale, row));
+    for (i, row) in inverse.iter().enumerate() {
+        model
+            .frames
+            .labels
+            .vector(&format!("inverse_inertia_{}", crate::model::AXES[i]), *row);
+    }
+    inverse
+}
+
+/// A body that does not turn needs a moment balance of its own: nothing else could hold it.
+fn check_moment_free(model: &mut Model, moments: &[Vector], errors: &mut Errors) -> Option<()> {
+    let total = model.frames.sum(moments.iter().copied());
+    if model.frames.is_zero_vector(total) {
+        return Some(());
+    }
+    let unbalanced: Vec<&Load> = model
+        .loads
+        .iter()
+        .zip(moments)
+        .filter(|(_, moment)| !model.frames.is_zero_vector(**moment))
+        .map(|(load, _)| load)
+        .collect();
+    for load in unbalanced {
+        let motion = model.motion.word();
+        errors.push(load.extent, format!("`{}` has a moment about G that nothing balances, and under `motion: {motion}` the body does not turn: let it act at G, balance it by a reaction, or let the body turn", load.name));
+    }
+    None
+}

@@ -1,0 +1,119 @@
+//! What the equations of a body do not contain, and why: the text of `SKIPPED`.
+
+use crate::model::{Family, Inertia, LoadKind, Meaning, Model, Motion, Output, Point};
+use crate::symbolic::{Components, Id, Node};
+
+use super::energy::is_uniform;
+
+pub fn list_skipped(model: &Model, linear: &Components, angular: &Components) -> Vec<String> {
+    let mut skipped = Vec::new();
+    skip_equations(model, &mut skipped);
+    skip_gyroscopic(model, &mut skipped);
+    skip_moments(model, &mut skipped);
+    skip_state(model, linear, angular, &mut skipped);
+    if model.outputs.contains(&Output::Energy) {
+        let others = model
+            .loads
+            .iter()
+            .filter(|load| load.family == Family::Field && !is_uniform(model, load.vector));
+        skipped.extend(others.map(|load| {
+            format!(
+                "`{}` in the potential energy: it is not a uniform field",
+                load.name
+            )
+        }));
+    }
+    skipped
+}
+
+fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
+    match model.motion {
+        Motion::Planar => {
+            skipped.push("three equations out of the plane: the motion is planar".to_owned())
+        }
+        Motion::PlanarTranslation | Motion::Translation => {
+            skipped.push("the moment balance: the body does not turn".to_owned())
+        }
+        Motion::Rotation => {
+            skipped.push("the force balance: the motion of G is not modelled".to_owned())
+        }
+        Motion::Spatial => {}
+    }
+}
+
+fn skip_gyroscopic(model: &Model, skipped: &mut Vec<String>) {
+    let Inertia::Spatial(rows) = model.inertia else {
+        return;
+    };
+    let graph = &model.frames.graph;
+    let vanishing: Vec<&str> = [("J_xy", 0, 1), ("J_yz", 1, 2), ("J_zx", 2, 0)]
+        .into_iter()
+        .filter(|(_, i, j)| graph.is_zero(rows[*i][*j]))
+        .map(|(name, ..)| name)
+        .collect();
+    let [x, y, z] = [rows[0][0], rows[1][1], rows[2][2]];
+    if vanishing.len() < 3 {
+        skipped.extend(
+            vanishing
+                .into_iter()
+                .map(|name| format!("terms of {name}: it is zero")),
+        );
+    } else if x == y && y == z {
+        skipped.push("w x J w: all moments of inertia are equal".to_owned());
+    } else {
+        skipped.push("products of inertia: the axes are principal".to_owned());
+        for (axis, equal) in [("x", y == z), ("y", z == x), ("z", x == y)] {
+            if equal {
+                skipped.push(format!(
+                    "(w x J w)_{axis}: the other two moments of inertia are equal"
+                ));
+            }
+        }
+    }
+}
+
+fn skip_moments(model: &Model, skipped: &mut Vec<String>) {
+    if !model.motion.has_attitude() {
+        return;
+    }
+    for load in model
+        .loads
+        .iter()
+        .filter(|load| load.kind == LoadKind::Force)
+    {
+        let Point::Body(offset) = load.point else {
+            continue;
+        };
+        let graph = &model.frames.graph;
+        if graph.is_zero_vector(&offset) {
+            skipped.push(format!("the moment of `{}`: it acts at G", load.name));
+        }
+    }
+}
+
+/// Parts of the state that the accelerations do not depend on.
+fn skip_state(model: &Model, linear: &Components, angular: &Components, skipped: &mut Vec<String>) {
+    let roots: Vec<Id> = linear.iter().chain(angular).copied().collect();
+    let graph = &model.frames.graph;
+    let depends = |wanted: fn(Meaning) -> bool| {
+        graph.depends_on(&roots, |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(model.meanings.of(*symbol))))
+    };
+    let mut skip = |there: bool, name: &str, wanted: fn(Meaning) -> bool| {
+        if there && !depends(wanted) {
+            skipped.push(format!("{name}: the accelerations do not depend on it"));
+        }
+    };
+    let (moves, turns) = (model.motion.has_position(), model.motion.has_attitude());
+    skip(moves, "position", |meaning| {
+        matches!(meaning, Meaning::Position(_))
+    });
+    skip(moves, "velocity", |meaning| {
+        matches!(meaning, Meaning::Velocity(_))
+    });
+    skip(turns, "attitude", |meaning| {
+        matches!(meaning, Meaning::Angle | Meaning::Quaternion(_))
+    });
+    skip(turns, "angular velocity", |meaning| {
+        matches!(meaning, Meaning::AngularVelocity(_))
+    });
+}

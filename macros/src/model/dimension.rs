@@ -1,0 +1,133 @@
+//! Physical dimensions: what can be added to what.
+
+use core::fmt;
+
+/// Base units, in the order of the exponents.
+const BASE: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
+/// Exponents are counted in twelfths, so that square and cubic roots stay whole.
+const WHOLE: i16 = 12;
+
+/// Products with a name of their own in messages and documentation.
+const NAMED: [(&str, [i16; 7]); 10] = [
+    ("N", [1, 1, -2, 0, 0, 0, 0]),
+    ("N * m", [1, 2, -2, 0, 0, 0, 0]),
+    ("W", [1, 2, -3, 0, 0, 0, 0]),
+    ("Pa", [1, -1, -2, 0, 0, 0, 0]),
+    ("N / m", [1, 0, -2, 0, 0, 0, 0]),
+    ("N * s / m", [1, 0, -1, 0, 0, 0, 0]),
+    ("N * m * s", [1, 2, -1, 0, 0, 0, 0]),
+    ("C", [0, 0, 1, 1, 0, 0, 0]),
+    ("V", [1, 2, -3, -1, 0, 0, 0]),
+    ("T", [1, 0, -2, -1, 0, 0, 0]),
+];
+
+/// Powers of the base units, or [`Dimension::ANY`] for what was written without a unit.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Dimension(Option<[i16; 7]>);
+
+impl Dimension {
+    /// Fits everything: no unit was written.
+    pub const ANY: Self = Self(None);
+    /// A pure number, an angle.
+    pub const NONE: Self = Self::base([0; 7]);
+    pub const MASS: Self = Self::base([1, 0, 0, 0, 0, 0, 0]);
+    pub const LENGTH: Self = Self::base([0, 1, 0, 0, 0, 0, 0]);
+    pub const TIME: Self = Self::base([0, 0, 1, 0, 0, 0, 0]);
+    pub const VELOCITY: Self = Self::base([0, 1, -1, 0, 0, 0, 0]);
+    pub const FREQUENCY: Self = Self::base([0, 0, -1, 0, 0, 0, 0]);
+    pub const FORCE: Self = Self::base([1, 1, -2, 0, 0, 0, 0]);
+    pub const MOMENT: Self = Self::base([1, 2, -2, 0, 0, 0, 0]);
+    pub const INERTIA: Self = Self::base([1, 2, 0, 0, 0, 0, 0]);
+
+    /// From whole powers of kg, m, s, A, K, mol, cd.
+    pub const fn base(exponents: [i16; 7]) -> Self {
+        let mut twelfths = [0; 7];
+        let mut i = 0;
+        while i < 7 {
+            twelfths[i] = exponents[i] * WHOLE;
+            i += 1;
+        }
+        Self(Some(twelfths))
+    }
+
+    pub fn times(self, other: Self) -> Self {
+        self.combine(other, |a, b| a.saturating_add(b))
+    }
+
+    pub fn over(self, other: Self) -> Self {
+        self.combine(other, |a, b| a.saturating_sub(b))
+    }
+
+    /// To the power `numerator / denominator`; unknown where an exponent is not in twelfths.
+    pub fn power(self, numerator: i32, denominator: i32) -> Self {
+        let scaled = |exponent: i16| {
+            let product = i32::from(exponent).checked_mul(numerator)?;
+            (product % denominator == 0).then(|| i16::try_from(product / denominator).ok())?
+        };
+        Self(self.0.and_then(|exponents| {
+            let scaled: Option<Vec<i16>> = exponents.into_iter().map(scaled).collect();
+            scaled?.try_into().ok()
+        }))
+    }
+
+    /// The dimension of both, if they can be the same.
+    pub fn unify(self, other: Self) -> Option<Self> {
+        match (self.0, other.0) {
+            (Some(a), Some(b)) => (a == b).then_some(self),
+            (Some(_), None) => Some(self),
+            _ => Some(other),
+        }
+    }
+
+    pub fn fits(self, other: Self) -> bool {
+        self.unify(other).is_some()
+    }
+
+    pub fn is_known(self) -> bool {
+        self.0.is_some()
+    }
+
+    fn combine(self, other: Self, operation: impl Fn(i16, i16) -> i16) -> Self {
+        match (self.0, other.0) {
+            (Some(a), Some(b)) => Self(Some(core::array::from_fn(|i| operation(a[i], b[i])))),
+            _ => Self::ANY,
+        }
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(exponents) = self.0 else {
+            return f.write_str("no unit");
+        };
+        if *self == Self::NONE {
+            return f.write_str("a pure number");
+        }
+        if let Some((name, _)) = NAMED.iter().find(|(_, named)| Self::base(*named) == *self) {
+            return f.write_str(name);
+        }
+        let part = |positive: bool| {
+            let factors = BASE
+                .iter()
+                .zip(exponents)
+                .filter(|(_, exponent)| (*exponent > 0) == positive && *exponent != 0);
+            let words = factors.map(|(unit, exponent)| match exponent.abs() {
+                WHOLE => (*unit).to_owned(),
+                power if power % WHOLE == 0 => format!("{unit} ^ {}", power / WHOLE),
+                power => format!("{unit} ^ ({power}/{WHOLE})"),
+            });
+            words.collect::<Vec<_>>()
+        };
+        let (above, below) = (part(true), part(false));
+        let numerator = if above.is_empty() {
+            "1".to_owned()
+        } else {
+            above.join(" * ")
+        };
+        match below.len() {
+            0 => f.write_str(&numerator),
+            1 => write!(f, "{numerator} / {}", below[0]),
+            _ => write!(f, "{numerator} / ({})", below.join(" * ")),
+        }
+    }
+}

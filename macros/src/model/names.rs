@@ -1,0 +1,68 @@
+//! Words: what the symbols of the graph stand for, and what its expressions are called.
+
+use std::collections::HashMap;
+
+use crate::symbolic::{Components, Id};
+
+/// Axes, as they are appended to names.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Names of expressions, for statements and documentation. An expression keeps its first name.
+#[derive(Default)]
+pub struct Labels {
+    names: HashMap<Id, String>,
+    notes: HashMap<&'static str, &'static str>,
+}
+
+impl Labels {
+    pub fn name(&mut self, id: Id, name: impl Into<String>) {
+        self.names.entry(id).or_insert_with(|| name.into());
+    }
+
+    /// Names the components `name_x`, `name_y`, `name_z`.
+    pub fn vector(&mut self, name: &str, components: Components) {
+        for (id, axis) in components.into_iter().zip(AXES) {
+            self.name(id, format!("{name}_{axis}"));
+        }
+    }
+
+    /// Says what the expressions called `name`, `name_x`, ... are.
+    pub fn describe(&mut self, name: &'static str, note: &'static str) {
+        self.notes.entry(name).or_insert(note);
+    }
+
+    /// The group that a name belongs to, and what it is.
+    pub fn note(&self, name: &str) -> Option<(&'static str, &'static str)> {
+        let group = AXES
+            .iter()
+            .find_map(|axis| name.strip_suffix(axis)?.strip_suffix('_'))
+            .unwrap_or(name);
+        self.notes
+            .get_key_value(group)
+            .map(|(group, note)| (*group, *note))
+    }
+
+    pub fn get(&self, id: Id) -> Option<&str> {
+        self.names.get(&id).map(String::as_str)
+    }
+}
+
+/// What a symbol stands for; the numbers are components, or indices of declarations.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Meaning {
+    Time,
+    Position(usize),
+    Velocity(usize),
+    /// The angle of a planar body.
+    Angle,
+    /// Components of the attitude quaternion: 0 is the scalar.
+    Quaternion(usize),
+    AngularVelocity(usize),
+    /// A parameter, and its component if it is a vector.
+    Param(usize, Option<usize>),
+    Input(usize, Option<usize>),
+    /// Acceleration of G, world axes.
+    LinearAcceleration(usize),
+    /// Angular acceleration, body axes.
+    AngularAcceleration(usize),
+}

@@ -1,0 +1,245 @@
+//! Parameters and inputs: their symbols, shapes, dimensions and defaults.
+
+use std::collections::HashMap;
+
+use crate::symbolic::{Components, Id, Number, Stage};
+use crate::syntax::{Declaration, Expression, Kind};
+
+use super::dimension::Dimension;
+use super::frame::Frame;
+use super::lower::{Lowering, dimension};
+use super::motion::Meanings;
+use super::names::Meaning;
+use super::outline::Declared;
+use super::unit::lower_unit;
+use super::value::Value;
+
+/// The values that parameters have when nothing else is said.
+pub type Defaults = HashMap<Id, Id>;
+
+impl Lowering<'_> {
+    /// A parameter: `arm`, `arm[m]`, `arm = 0.2[m]`, `tip = body(0.1, 0, 0)[m]`.
+    pub fn param(
+        &mut self,
+        index: usize,
+        written: &Declaration,
+        declared: &mut Declared,
+        meanings: &mut Meanings,
+        defaults: &mut Defaults,
+    ) -> Option<Value> {
+        let Some(value) = &written.value else {
+            declared.dimension = self.declared_unit(written)?;
+            let symbol = meanings.symbol(
+                &mut self.frames.graph,
+                Stage::Parameter,
+                Meaning::Param(index, None),
+            );
+            return Some(Value::Scalar(symbol, declared.dimension));
+        };
+        let value = value.as_ref()?;
+        if has_placeholder(value) {
+            return self.open_vector(value, declared, meanings, Stage::Parameter, |axis| {
+                Meaning::Param(index, Some(axis))
+            });
+        }
+        let default =
+            if declared.frame.is_some() && matches!(strip_unit(value).kind, Kind::Tuple(_)) {
+                self.point(value).map(|point| match point {
+                    super::value::Point::Body(components) => {
+                        Value::Components(Frame::Body, components, Dimension::LENGTH)
+                    }
+                    super::value::Point::World(components) => {
+                        Value::Components(Frame::World, components, Dimension::LENGTH)
+                    }
+                })?
+            } else {
+                self.value(value)?
+            };
+        declared.dimension = match dimension(default) {
+            Some(dimension) => dimension,
+            None => {
+                return self.report(
+                    value.extent,
+                    format!(
+                        "a default is a scalar or a vector, and this is {}",
+                        default.kind()
+                    ),
+                );
+            }
+        };
+        if let Value::Scalar(id, _) = default {
+            declared.default = Some(vec![self.constant(id, value)?]);
+            let symbol = meanings.symbol(
+                &mut self.frames.graph,
+                Stage::Parameter,
+                Meaning::Param(index, None),
+            );
+            defaults.insert(symbol, id);
+            return Some(Value::Scalar(symbol, declared.dimension));
+        }
+        let Some(frame) = declared.frame else {
+            return self.report(
+                value.extent,
+                "write a vector parameter with its components: `body(..)` or `world(..)`",
+            );
+        };
+        let vector = self.as_vector(default)?;
+        let components = if frame == Frame::Body {
+            vector.body
+        } else {
+            vector.world
+        };
+        let axes = self.motion.axes();
+        let numbers: Option<Vec<Number>> = components[..axes]
+            .iter()
+            .map(|id| self.constant(*id, value))
+            .collect();
+        declared.default = Some(numbers?);
+        let symbols = self.vector_symbols(meanings, Stage::Parameter, |axis| {
+            Meaning::Param(index, Some(axis))
+        });
+        defaults.extend(symbols.into_iter().zip(components));
+        Some(Value::Vector(
+            self.frames.vector(frame, symbols),
+            declared.dimension,
+        ))
+    }
+
+    /// An input: `thrust`, `thrust[N]`, `wind = world(_, _, _)[m / s]`.
+    pub fn input(
+        &mut self,
+        index: usize,
+        written: &Declaration,
+        declared: &mut Declared,
+        meanings: &mut Meanings,
+    ) -> Option<Value> {
+        let Some(value) = &written.value else {
+            declared.dimension = self.declared_unit(written)?;
+            let symbol = meanings.symbol(
+                &mut self.frames.graph,
+                Stage::State,
+                Meaning::Input(index, None),
+            );
+            return Some(Value::Scalar(symbol, declared.dimension));
+        };
+        let value = value.as_ref()?;
+        if !has_placeholder(value) {
+            let name = &written.name;
+            return self.report(value.extent, format!("an input is given at each evaluation and has no value here: write `{name}[unit]`, or make it a param"));
+        }
+        self.open_vector(value, declared, meanings, Stage::State, |axis| {
+            Meaning::Input(index, Some(axis))
+        })
+    }
+
+    fn declared_unit(&mut self, written: &Declaration) -> Option<Dimension> {
+        let Some(unit) = &written.unit else {
+            return Some(Dimension::ANY);
+        };
+        let (factor, dimension) = lower_unit(unit, self.errors)?;
+        if factor != Number::one() {
+            let name = &written.name;
+            return self.report(unit.extent, format!("`{name}` is a number of the generated struct, which are in SI units: write `[{dimension}]`, and convert where it is used"));
+        }
+        Some(dimension)
+    }
+
+    /// `world(_, _, _)[unit]`: a vector given from outside.
+    fn open_vector(
+        &mut self,
+        value: &Expression,
+        declared: &mut Declared,
+        meanings: &mut Meanings,
+        stage: Stage,
+        meaning: impl Fn(usize) -> Meaning,
+    ) -> Option<Value> {
+        if let Kind::Unit(_, unit) = &value.kind {
+            let (factor, dimension) = lower_unit(unit, self.errors)?;
+            if factor != Number::one() {
+                return self.report(
+                    unit.extent,
+                    format!(
+                        "components of the generated struct are in SI units: write `[{dimension}]`"
+                    ),
+                );
+            }
+            declared.dimension = dimension;
+        }
+        let (Some(frame), Kind::Call(_, parts)) = (declared.frame, &strip_unit(value).kind) else {
+            return self.report(value.extent, "write `body(_, _, _)` or `world(_, _, _)`: it is a vector whose components are given from outside");
+        };
+        let axes = self.motion.axes();
+        if parts.len() != axes {
+            return self.report(
+                value.extent,
+                format!(
+                    "a vector has {axes} components under `motion: {}`, and this has {}",
+                    self.motion.word(),
+                    parts.len()
+                ),
+            );
+        }
+        if let Some(fixed) = parts
+            .iter()
+            .find(|part| !matches!(part.kind, Kind::Placeholder))
+        {
+            return self.report(
+                fixed.extent,
+                "all components of an open vector are open: write `_`",
+            );
+        }
+        let symbols = self.vector_symbols(meanings, stage, meaning);
+        Some(Value::Vector(
+            self.frames.vector(frame, symbols),
+            declared.dimension,
+        ))
+    }
+
+    fn vector_symbols(
+        &mut self,
+        meanings: &mut Meanings,
+        stage: Stage,
+        meaning: impl Fn(usize) -> Meaning,
+    ) -> Components {
+        let axes = self.motion.axes();
+        let graph = &mut self.frames.graph;
+        [0, 1, 2].map(|axis| {
+            if axis < axes {
+                meanings.symbol(graph, stage, meaning(axis))
+            } else {
+                graph.zero()
+            }
+        })
+    }
+
+    fn constant(&mut self, id: Id, place: &Expression) -> Option<Number> {
+        match self.frames.graph.as_number(id) {
+            Some(number) if number.fits_f64() => Some(number.clone()),
+            Some(_) => self.report(
+                place.extent,
+                "this is out of the range of `f64`, which is about 5e-324 to 1.8e308",
+            ),
+            None => self.report(
+                place.extent,
+                "a default is a constant: what follows from other names is a local",
+            ),
+        }
+    }
+}
+
+fn strip_unit(value: &Expression) -> &Expression {
+    match &value.kind {
+        Kind::Unit(inner, _) => inner,
+        _ => value,
+    }
+}
+
+fn has_placeholder(value: &Expression) -> bool {
+    match &strip_unit(value).kind {
+        Kind::Call(_, parts) | Kind::Tuple(parts) => parts
+            .iter()
+            .any(|part| matches!(part.kind, Kind::Placeholder)),
+        Kind::Placeholder => true,
+        _ => false,
+    }
+}

@@ -1,0 +1,24 @@
+//! Expressions: a hash-consed graph with simplifying constructors over exact numbers.
+//!
+//! This room knows no mechanics and no words: symbols are numbers, and what they stand for is the
+//! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
+//! vectors, a schedule and a cost; and for those who check the equations, so far only tests,
+//! derivatives and a reference interpreter.
+
+mod build;
+mod cost;
+#[cfg(test)]
+mod derivative;
+#[cfg(test)]
+mod evaluate;
+mod graph;
+mod number;
+mod program;
+mod substitute;
+mod vector;
+
+pub use cost::Cost;
+pub use graph::{Comparison, Graph, Id, Node, Stage, Symbol};
+pub use number::{Function, Number};
+pub use program::Program;
+pub use vector::Components;

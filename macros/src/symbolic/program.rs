@@ -1,0 +1,89 @@
+//! From a graph to straight-line code: which expressions become statements, and in which order.
+
+use super::graph::{Graph, Id, Node, Stage};
+
+/// Operations that one statement may hold before it is split.
+const STATEMENT: u32 = 14;
+
+/// Straight-line code that computes `outputs`.
+pub struct Program {
+    /// The expressions that get a name, in order: an operand comes before its use.
+    pub statements: Vec<Id>,
+    /// What is computed.
+    pub outputs: Vec<Id>,
+    /// Expressions of an earlier stage that the code reads; symbols and numbers are not among them.
+    pub hoisted: Vec<Id>,
+    /// Symbols that the code reads.
+    pub symbols: Vec<Id>,
+    /// All nodes that are computed by this program, children first.
+    pub nodes: Vec<Id>,
+}
+
+impl Graph {
+    /// Schedules `outputs` for evaluation at `stage`. An expression becomes a statement if it is
+    /// a quantity, if it is used more than once, or if the statement it stands in would grow too long.
+    pub fn schedule(&self, outputs: &[Id], stage: Stage) -> Program {
+        let is_leaf = |id: Id| {
+            matches!(
+                self.node(id),
+                Node::Number(_) | Node::Truth(_) | Node::Undefined | Node::Symbol(_)
+            )
+        };
+        let computed = |id: Id| !is_leaf(id) && self.stage(id) == stage;
+        let reached = self.reachable(outputs, computed);
+        let (nodes, rest): (Vec<Id>, Vec<Id>) = reached.into_iter().partition(|id| computed(*id));
+        let (symbols, rest): (Vec<Id>, Vec<Id>) = rest
+            .into_iter()
+            .partition(|id| matches!(self.node(*id), Node::Symbol(_)));
+        let hoisted = rest.into_iter().filter(|id| !is_leaf(*id)).collect();
+
+        let mut uses = vec![0_u32; nodes.last().map_or(0, |last| last.index() + 1)];
+        let mut weights = vec![0_u32; uses.len()];
+        for id in nodes
+            .iter()
+            .flat_map(|id| self.node(*id).operands())
+            .filter(|id| computed(*id))
+        {
+            uses[id.index()] += 1;
+        }
+        for id in outputs.iter().filter(|id| computed(**id)) {
+            uses[id.index()] += 1;
+        }
+        let mut statements = Vec::new();
+        for &id in &nodes {
+            let inlined: u32 = self
+                .node(id)
+                .operands()
+                .filter(|id| computed(*id))
+                .map(|id| weights[id.index()])
+                .sum();
+            let (is_quantity, negates) = (
+                matches!(self.node(id), Node::Quantity(_)),
+                matches!(self.node(id), Node::Negate(_)),
+            );
+            weights[id.index()] = inlined + u32::from(!negates && !is_quantity);
+            let shared = uses[id.index()] > 1 && !negates;
+            if is_quantity
+                && self
+                    .node(id)
+                    .operands()
+                    .any(|inner| statements.binary_search(&inner).is_ok())
+            {
+                // another name for what is a statement already
+                weights[id.index()] = 0;
+                continue;
+            }
+            if is_quantity || shared || weights[id.index()] > STATEMENT {
+                weights[id.index()] = 0;
+                statements.push(id);
+            }
+        }
+        Program {
+            statements,
+            outputs: outputs.to_vec(),
+            hoisted,
+            symbols,
+            nodes,
+        }
+    }
+}

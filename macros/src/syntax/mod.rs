@@ -1,0 +1,87 @@
+//! What was written: the keys, entries and expressions of a description, with their places.
+//!
+//! Each bracket is split at its commas and every entry is parsed alone, so that a bad entry hides
+//! nothing: it is reported, and what it would have named stays known, without a value. Nothing is
+//! looked up here and nothing has a meaning yet.
+
+mod expression;
+mod parse;
+mod unit;
+
+use proc_macro2::{Ident, TokenStream};
+
+use crate::errors::Extent;
+
+pub use expression::{Expression, Kind, Operator, Prefix};
+pub use parse::parse_description;
+pub use unit::UnitExpression;
+
+/// A whole description.
+pub struct Description {
+    pub name: Ident,
+    /// The path of the runtime, as the wrapper of the macro passes it.
+    pub runtime: TokenStream,
+    /// Keys that were written without a value, or in a wrong form, and are reported.
+    pub refused: Vec<Ident>,
+    /// All other keys, known or not, as they were written.
+    pub keys: Vec<Ident>,
+    pub doc: Vec<String>,
+    pub motion: Option<Ident>,
+    pub mass: Option<Written>,
+    pub inertia: Option<Written>,
+    pub params: Vec<Declaration>,
+    pub inputs: Vec<Declaration>,
+    pub points: Vec<Definition>,
+    pub locals: Vec<Definition>,
+    pub loads: Vec<Load>,
+    pub pole: Option<Written>,
+    pub outputs: Vec<Ident>,
+}
+
+/// The value of a key, or of an entry: `None` was reported and stays silent from here on.
+pub type Value = Option<Expression>;
+
+/// `key: value` of a key that was given.
+pub struct Written {
+    pub value: Value,
+}
+
+/// `name`, `name[unit]` or `name = value`: a parameter or an input.
+pub struct Declaration {
+    pub name: Ident,
+    pub unit: Option<UnitExpression>,
+    /// What stands behind the `=`, if there is one.
+    pub value: Option<Value>,
+}
+
+/// `name = value`: a point or a local.
+pub struct Definition {
+    pub name: Ident,
+    pub value: Value,
+}
+
+/// The families of loads of (1.3) and (1.4), by their keys.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Family {
+    Reaction,
+    Joint,
+    External,
+    Field,
+}
+
+/// A force or a moment.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LoadKind {
+    Force,
+    Moment,
+}
+
+/// `name = vector`, `name = vector.at(point)` or `name = moment(vector)`.
+pub struct Load {
+    pub name: Ident,
+    pub family: Family,
+    pub kind: LoadKind,
+    pub vector: Value,
+    pub point: Option<Expression>,
+    pub extent: Extent,
+}

@@ -1,0 +1,176 @@
+//! What a rigid body answers: its acceleration, its balance, its energy and its momenta.
+//!
+//! [`rigid_body!`](crate::rigid_body) implements these traits; by hand they are implemented just as well.
+//!
+//! The balance is D'Alembert's: loads of the four families and the inertial load sum to zero,
+//!
+//! ```text
+//! (1.3)  Σ R_v + Σ F_s + Σ F_ext + Σ F_f + F_iG = 0
+//! (1.4)  Σ (P - O) × (R_v, F_s, F_ext, F_f) + (G - O) × F_iG + Σ M_v + Σ M_s + Σ M_ext + Σ M_f + M_i = 0
+//! ```
+//!
+//! with `F_iG = -m a_G`, and `M_i` of the completed (1.9): see [`gyroscopic`](crate::gyroscopic). The pole O is any point,
+//! moving in any way: (1.4) is an identity between vectors at one instant and has no term in its velocity. Where the
+//! source prints (1.4), the second sum has `R_s` for `F_s`: a misprint, no such symbol exists.
+
+use core::fmt;
+
+use crate::inertia::InvalidInertia;
+use crate::state::State;
+
+/// A rigid body whose motion is determined: given time, state and input, it has one acceleration.
+///
+/// ```
+/// use newton_euler::prelude::*;
+/// use nalgebra::Vector3;
+///
+/// /// A body that falls through still air.
+/// struct Ball { mass: f64, drag: f64 }
+///
+/// impl RigidBody for Ball {
+///     type Scalar = f64;
+///     type State = Translation;
+///     type Input = ();
+///
+///     fn acceleration(&self, _time: f64, state: &Translation, (): &()) -> Vector3<f64> {
+///         Vector3::new(0.0, 0.0, -9.80665) - state.velocity * (self.drag / self.mass)
+///     }
+/// }
+///
+/// let ball = Ball { mass: 0.5, drag: 0.1 };
+/// assert_eq!(ball.acceleration(0.0, &Translation::default(), &()).z, -9.80665);
+/// ```
+pub trait RigidBody {
+    /// The number type.
+    type Scalar;
+    /// The coordinates and velocities that this motion has.
+    type State: State<Scalar = Self::Scalar>;
+    /// What is given anew at each evaluation, such as controls; the default is zero.
+    type Input: Default;
+
+    /// The acceleration: of G in world axes \[m/s²\], angular in body axes \[rad/s²\].
+    fn acceleration(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> <Self::State as State>::Acceleration;
+}
+
+/// The balances (1.3) and (1.4), open to inspection; wrenches in world axes.
+pub trait Balance: RigidBody {
+    /// [`Wrench`](crate::wrench::Wrench), [`PlanarWrench`](crate::wrench::PlanarWrench) or, for `motion: rotation`, the
+    /// moment alone.
+    type Wrench;
+    /// The unknown reactions; `()` where there are none.
+    type Reactions;
+    /// An array of [`Load`](crate::load::Load) or [`PlanarLoad`](crate::load::PlanarLoad).
+    type Loads;
+
+    /// The resultant of the given loads (all but unknown reactions), its moment about G, world axes \[N, N m\].
+    fn applied(&self, time: Self::Scalar, state: &Self::State, input: &Self::Input)
+    -> Self::Wrench;
+
+    /// The left sides of (1.3) and (1.4), about the pole, world axes \[N, N m\]: zero on a true motion.
+    fn residual(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        acceleration: &<Self::State as State>::Acceleration,
+        reactions: &Self::Reactions,
+        input: &Self::Input,
+    ) -> Self::Wrench;
+
+    /// Each given load by itself.
+    fn loads(&self, time: Self::Scalar, state: &Self::State, input: &Self::Input) -> Self::Loads;
+}
+
+/// Kinetic and potential energy \[J\].
+///
+/// Their sum is conserved if the potential contains neither time nor input and no other load does work; in general
+/// dE/dt is the derivative of the potential in time at fixed state, plus the power of the other loads.
+pub trait Energy: RigidBody {
+    /// `½ m v² + ½ ω·Jω`, of the degrees of freedom that the motion has.
+    fn kinetic_energy(&self, state: &Self::State) -> Self::Scalar;
+
+    /// The sum of potentials and of the potentials of uniform fields; zero for weight with G at the world origin.
+    fn potential_energy(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Scalar;
+}
+
+/// Momenta of the absolute velocities, world axes.
+///
+/// About a pole O moving with `v_O`, the angular momentum obeys `dL_O/dt = M_O - v_O × P`.
+pub trait Momentum: RigidBody {
+    /// A vector in space or in the plane.
+    type Linear;
+    /// A vector, or in the plane a scalar.
+    type Angular;
+
+    /// `P = m v_G` \[kg m/s\].
+    fn linear_momentum(&self, state: &Self::State) -> Self::Linear;
+
+    /// Angular momentum about G \[kg m²/s\].
+    fn angular_momentum(&self, state: &Self::State) -> Self::Angular;
+
+    /// Angular momentum about the pole, `L_O = L_G + (G - O) × P` \[kg m²/s\].
+    fn angular_momentum_about_pole(&self, time: Self::Scalar, state: &Self::State)
+    -> Self::Angular;
+}
+
+/// Why a body cannot be built from these parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum InvalidBody {
+    /// A parameter is infinite or not a number.
+    NotFinite {
+        /// Its name in the description.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// The mass is not a positive finite number.
+    Mass {
+        /// What was given \[kg\].
+        value: f64,
+    },
+    /// The moment of inertia `J_G` of a planar body is not a positive finite number.
+    PlanarInertia {
+        /// What was given \[kg m²\].
+        value: f64,
+    },
+    /// No body that can turn has this inertia tensor.
+    Inertia(InvalidInertia),
+}
+
+impl fmt::Display for InvalidBody {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { name, value } => write!(f, "`{name}` must be finite, is {value}"),
+            Self::Mass { value } => write!(f, "mass must be positive and finite, is {value} kg"),
+            Self::PlanarInertia { value } => {
+                write!(f, "inertia must be positive and finite, is {value} kg m²")
+            }
+            Self::Inertia(error) => write!(f, "impossible inertia: {error}"),
+        }
+    }
+}
+
+impl core::error::Error for InvalidBody {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Inertia(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<InvalidInertia> for InvalidBody {
+    fn from(error: InvalidInertia) -> Self {
+        Self::Inertia(error)
+    }
+}

@@ -1,0 +1,54 @@
+//! The equations of motion of a rigid body, derived at compile time from a declarative description.
+//!
+//! [`rigid_body!`] reads what a body is (mass, inertia, points) and what acts on it (forces, moments, fields,
+//! reactions), writes the force balance (1.3) and the moment balance (1.4), drops what is zero or never asked for, and
+//! leaves straight-line Rust that `cargo expand` shows as a page of a textbook. Generated types implement the traits of
+//! [`body`] on the states of [`state`]; [`integrate`] moves them.
+//!
+//! What the macro uses is here for use by hand as well: [`inertia`] tensors that cannot be impossible, the
+//! [`gyroscopic`] term, [`wrench`]es and their change of pole, maps of [`attitude`]. Plain SI numbers, right-handed
+//! axes; every vector says in whose axes its components are. No `std`, no `unsafe`.
+//!
+//! # An erratum
+//!
+//! The moment of the inertial forces is often given as (1.9): minus the inertia matrix times the angular acceleration,
+//! plus a matrix times the *squares* of the angular velocities. As printed it is incomplete: a second matrix, times
+//! their *products*, is missing, and with it the whole gyroscopic moment in principal axes. Bodies then do not
+//! flip and precess wrongly, and their energy and angular momentum are not conserved. This library uses the completed equation; [`gyroscopic`] has
+//! both matrices, what goes wrong without the second, and how the gap was found.
+//!
+//! # Features
+//!
+//! `serde`: serialisation of states, accelerations, wrenches and inertia tensors. What cannot be (an attitude that is not
+//! unit, an impossible inertia) is refused on reading. Numbers are passed on bit for bit; `serde_json` reads them so with
+//! its feature `float_roundtrip`.
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+pub mod attitude;
+pub mod body;
+pub mod gyroscopic;
+pub mod inertia;
+pub mod integrate;
+pub mod load;
+pub mod operations;
+pub mod prelude;
+pub mod principal;
+#[doc(hidden)]
+pub mod private;
+#[doc(hidden)]
+pub mod schema;
+pub mod state;
+pub mod wrench;
+
+pub use nalgebra;
+
+#[doc = include_str!("rigid_body.md")]
+#[macro_export]
+macro_rules! rigid_body {
+    ($($description:tt)*) => {
+        $crate::private::rigid_body! { ($crate) $($description)* }
+    };
+}

@@ -1,0 +1,11 @@
+//! What most programs need: `use newton_euler::prelude::*;`.
+
+pub use crate::body::{Balance, Energy, InvalidBody, Momentum, RigidBody};
+pub use crate::inertia::InertiaTensor;
+pub use crate::load::{Family, Load, PlanarLoad};
+pub use crate::rigid_body;
+pub use crate::state::{
+    Planar, PlanarAcceleration, PlanarTranslation, Rotation, Spatial, SpatialAcceleration, State,
+    Translation,
+};
+pub use crate::wrench::{PlanarWrench, Wrench};

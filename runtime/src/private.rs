@@ -1,0 +1,60 @@
+//! All that generated code may name. Not for users: no promise of stability.
+
+pub use nalgebra::{UnitQuaternion, Vector2, Vector3};
+pub use newton_euler_macros::rigid_body;
+
+pub use crate::body::{Balance, Energy, InvalidBody, Momentum, RigidBody};
+pub use crate::inertia::InertiaTensor;
+pub use crate::load::{Family, Load, PlanarLoad};
+pub use crate::operations::{Operations, Stage};
+pub use crate::state::{
+    Planar, PlanarAcceleration, PlanarTranslation, Rotation, Spatial, SpatialAcceleration, State,
+    Translation,
+};
+pub use crate::wrench::{PlanarWrench, Wrench};
+
+pub mod math;
+
+/// Every parameter by its name: all must be finite.
+///
+/// # Errors
+/// [`InvalidBody::NotFinite`] with the first that is not.
+pub fn check_finite(params: &[(&'static str, f64)]) -> Result<(), InvalidBody> {
+    match params.iter().find(|(_, value)| !value.is_finite()) {
+        Some(&(name, value)) => Err(InvalidBody::NotFinite { name, value }),
+        None => Ok(()),
+    }
+}
+
+/// The mass \[kg\]: finite and positive.
+///
+/// # Errors
+/// [`InvalidBody::Mass`].
+pub fn check_mass(value: f64) -> Result<(), InvalidBody> {
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(InvalidBody::Mass { value })
+    }
+}
+
+/// The moment of inertia of a planar body \[kg m²\]: finite and positive.
+///
+/// # Errors
+/// [`InvalidBody::PlanarInertia`].
+pub fn check_planar_inertia(value: f64) -> Result<(), InvalidBody> {
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(InvalidBody::PlanarInertia { value })
+    }
+}
+
+/// The entries xx, yy, zz, xy, yz, zx of an inertia tensor \[kg m²\]: that of a possible body, and invertible.
+///
+/// # Errors
+/// [`InvalidBody::Inertia`] with the violated condition.
+pub fn check_inertia([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> Result<(), InvalidBody> {
+    InertiaTensor::tensor(xx, yy, zz, xy, yz, zx)?.inverse()?;
+    Ok(())
+}

@@ -37,9 +37,9 @@ pub struct Operations {
     pub div: u32,
     /// Square roots.
     pub sqrt: u32,
-    /// Sines, cosines and other trigonometric functions.
+    /// Sines, cosines, exponentials and other transcendental functions.
     pub trig: u32,
-    /// Everything else: comparisons, selections, other functions.
+    /// Everything else: comparisons, choices, absolute values, roundings.
     pub other: u32,
 }
 
@@ -59,9 +59,19 @@ impl Operations {
         }
     }
 
-    /// From the counts of mul, add, div, sqrt, trig and other, in this order.
+    /// Counts of mul, add, div, sqrt, trig and other, in this order, once in the constructor.
     #[must_use]
-    pub const fn counted(function: &'static str, stage: Stage, counts: [u32; 6]) -> Self {
+    pub const fn parameter(function: &'static str, counts: [u32; 6]) -> Self {
+        Self::counted(function, Stage::Parameter, counts)
+    }
+
+    /// The same at every evaluation.
+    #[must_use]
+    pub const fn state(function: &'static str, counts: [u32; 6]) -> Self {
+        Self::counted(function, Stage::State, counts)
+    }
+
+    const fn counted(function: &'static str, stage: Stage, counts: [u32; 6]) -> Self {
         let [mul, add, div, sqrt, trig, other] = counts;
         Self {
             function,

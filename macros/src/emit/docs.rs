@@ -7,13 +7,14 @@ use crate::mechanics::Equations;
 use crate::model::{Declared, Frame, Outline};
 use crate::symbolic::Cost;
 
-use super::implementations::Bodies;
+use super::functions::Functions;
 use super::items::{Constructor, private};
 
 /// The rustdoc of the type, and its inherent constants.
 pub struct Documentation {
-    /// Lines of the type's documentation.
-    pub lines: Vec<String>,
+    /// The type's documentation. Its equations are there for rustdoc alone: who reads the expansion
+    /// reads the code.
+    pub lines: TokenStream,
     /// `EQUATIONS`, `OPERATIONS`, `SKIPPED`.
     pub constants: TokenStream,
 }
@@ -21,27 +22,27 @@ pub struct Documentation {
 impl Documentation {
     pub fn write(
         outline: &Outline,
-        bodies: &Bodies,
+        functions: &Functions,
         constructor: &Constructor,
         equations: &Equations,
     ) -> Self {
-        let mut functions: Vec<(&str, &str, Cost)> = bodies
-            .functions(outline)
+        let by_name = functions.by_name(outline);
+        let mut costs: Vec<(&str, &str, Cost)> = by_name
             .into_iter()
-            .map(|(name, function)| (name, "State", function.cost))
+            .map(|(name, function)| (name, "state", function.cost))
             .collect();
         if !constructor.stored.is_empty() {
-            functions.insert(0, ("new", "Parameter", constructor.cost));
+            costs.insert(0, ("new", "parameter", constructor.cost));
         }
         Self {
-            lines: lines(outline, bodies, &functions, equations),
-            constants: constants(outline, bodies, &functions, equations),
+            lines: lines(outline, functions, &costs, equations),
+            constants: constants(outline, functions, &costs, equations),
         }
     }
 
     pub fn stub() -> Self {
         Self {
-            lines: vec![" A description with errors.".to_owned()],
+            lines: quote!(#[doc = " A description with errors."]),
             constants: TokenStream::new(),
         }
     }
@@ -49,39 +50,43 @@ impl Documentation {
 
 fn lines(
     outline: &Outline,
-    bodies: &Bodies,
-    functions: &[(&str, &str, Cost)],
+    functions: &Functions,
+    costs: &[(&str, &str, Cost)],
     equations: &Equations,
-) -> Vec<String> {
+) -> TokenStream {
     let motion = outline.motion.word();
-    let mut lines = if outline.doc.is_empty() {
+    let title = if outline.doc.is_empty() {
         vec![format!("A rigid body in `{motion}` motion.")]
     } else {
         outline.doc.clone()
     };
-    lines.push(String::new());
-    lines.push("```text".to_owned());
-    lines.extend(bodies.equations.iter().cloned());
-    lines.push("```".to_owned());
-    let costs: Vec<String> = functions
+    let title = title.iter().map(|line| spaced(line));
+    let text = functions.acceleration.text.iter().map(|line| spaced(line));
+    let costs: Vec<String> = costs
         .iter()
         .map(|(name, _, cost)| format!("`{name}` {}", describe(*cost)))
         .collect();
-    lines.push(format!("Operations: {}.", costs.join("; ")));
-    if !equations.skipped.is_empty() {
-        lines.push(String::new());
-        lines.push(format!("Skipped: {}.", equations.skipped.join("; ")));
+    let operations = format!(" Operations: {}.", costs.join("; "));
+    let skipped = (!equations.skipped.is_empty())
+        .then(|| format!(" Skipped: {}.", equations.skipped.join("; ")));
+    let skipped = skipped.iter();
+    quote! {
+        #(#[doc = #title])*
+        #[cfg_attr(doc, doc = "", doc = " ```text")]
+        #(#[cfg_attr(doc, doc = #text)])*
+        #[cfg_attr(doc, doc = " ```")]
+        #[doc = ""]
+        #[doc = #operations]
+        #(#[doc = ""] #[doc = #skipped])*
     }
-    lines
-        .into_iter()
-        .map(|line| {
-            if line.is_empty() {
-                line
-            } else {
-                format!(" {line}")
-            }
-        })
-        .collect()
+}
+
+fn spaced(line: &str) -> String {
+    if line.is_empty() {
+        String::new()
+    } else {
+        format!(" {line}")
+    }
 }
 
 fn describe(cost: Cost) -> String {
@@ -107,19 +112,19 @@ fn describe(cost: Cost) -> String {
 
 fn constants(
     outline: &Outline,
-    bodies: &Bodies,
-    functions: &[(&str, &str, Cost)],
+    functions: &Functions,
+    costs: &[(&str, &str, Cost)],
     equations: &Equations,
 ) -> TokenStream {
     let private = private(outline);
-    let text = bodies.equations.join("\n");
-    let rows = functions.iter().map(|(name, stage, cost)| {
+    let text = functions.acceleration.text.join("\n");
+    let rows = costs.iter().map(|(name, stage, cost)| {
         let stage = Ident::new(stage, Span::call_site());
         let counts = [
             cost.mul, cost.add, cost.div, cost.sqrt, cost.trig, cost.other,
         ]
         .map(Literal::u32_unsuffixed);
-        quote!(#private::Operations::counted(#name, #private::Stage::#stage, [#(#counts),*]))
+        quote!(#private::Operations::#stage(#name, [#(#counts),*]))
     });
     let skipped = &equations.skipped;
     quote! {

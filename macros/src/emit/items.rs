@@ -7,8 +7,9 @@ use crate::mechanics::Equations;
 use crate::model::{Declared, Inertia, Meaning, Model, Outline};
 use crate::symbolic::{Cost, Id, Node, Stage};
 
-use super::code::{Fields, Source, Writer, number_literal};
+use super::code::{Fields, Writer};
 use super::docs::{Documentation, declared_doc};
+use super::expression::number_literal;
 
 /// What a body is built from and keeps.
 pub struct Constructor {
@@ -25,21 +26,20 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
         model,
         outline,
         fields: &Fields::default(),
+        stage: Stage::State,
         private: private(outline),
     };
-    let hoisted = writer.schedule(&equations.roots(), Stage::State).hoisted;
+    let hoisted = writer.schedule(&equations.roots()).hoisted;
     let mut taken: Vec<String> = vec!["params".to_owned()];
     let fields = hoisted.into_iter().map(|id| {
-        let wanted = model
-            .frames
-            .labels
-            .get(id)
-            .map_or_else(|| field_name(outline, model, id), str::to_owned);
-        let repeated = |name: &String| taken.contains(name);
-        let name = core::iter::once(wanted.clone())
-            .chain((1..).map(|n| format!("{wanted}_{n}")))
-            .find(|name| !repeated(name))
-            .unwrap_or(wanted);
+        let label = model.frames.labels.get(id).map(str::to_owned);
+        let wanted = label.unwrap_or_else(|| field_name(outline, model, id));
+        let mut name = wanted.clone();
+        let mut repeated = 0;
+        while taken.contains(&name) {
+            repeated += 1;
+            name = format!("{wanted}_{repeated}");
+        }
         taken.push(name.clone());
         (id, Ident::new(&name, Span::mixed_site()))
     });
@@ -78,6 +78,7 @@ impl Constructor {
             model,
             outline,
             fields: &none,
+            stage: Stage::Parameter,
             private: private.clone(),
         };
         let is_open = |id: &Id| model.frames.graph.stage(*id) == Stage::Parameter;
@@ -93,7 +94,7 @@ impl Constructor {
             .copied()
             .chain(fields.0.iter().map(|(id, _)| *id))
             .collect();
-        let code = writer.function(&outputs, Stage::Parameter);
+        let code = writer.function(&outputs);
         let (mass_value, rest) = code.outputs.split_at(mass.len());
         let (inertia_values, values) = rest.split_at(inertia.len());
 
@@ -110,12 +111,7 @@ impl Constructor {
         let words = stored.iter().map(ToString::to_string);
         let derived = (!stored.is_empty())
             .then(|| quote!(#private::check_finite(&[#((#words, #stored)),*])?;));
-        let reads = if code.reads.contains(&Source::Params) {
-            code.statements
-        } else {
-            TokenStream::new()
-        };
-        let reads = rename_params(&reads);
+        let reads = &code.statements;
         let body = quote! {
             #private::check_finite(&[#(#given),*])?;
             #reads
@@ -132,31 +128,13 @@ impl Constructor {
         }
     }
 
-    pub fn stub(outline: &Outline) -> Self {
-        let private = private(outline);
-        let _ = &private;
+    pub fn stub() -> Self {
         Self {
             stored: Vec::new(),
             body: quote!(Ok(Self { params })),
             cost: Cost::default(),
         }
     }
-}
-
-/// In the constructor the parameters are not a field yet.
-fn rename_params(tokens: &TokenStream) -> TokenStream {
-    use proc_macro2::TokenTree;
-    let mut renamed: Vec<TokenTree> = Vec::new();
-    for token in tokens.clone() {
-        let is_params = matches!(&token, TokenTree::Ident(name) if name == "params");
-        let after_self = renamed.len() >= 2
-            && matches!(&renamed[renamed.len() - 2], TokenTree::Ident(name) if name == "self");
-        if is_params && after_self {
-            renamed.truncate(renamed.len() - 2);
-        }
-        renamed.push(token);
-    }
-    renamed.into_iter().collect()
 }
 
 /// `("arm", params.arm)` of every parameter, by component.
@@ -241,7 +219,7 @@ pub fn emit_items(
     documentation: &Documentation,
 ) -> TokenStream {
     let name = &outline.name;
-    let docs = documentation.lines.iter();
+    let documentation_lines = &documentation.lines;
     let constants = &documentation.constants;
     let inputs = (!outline.inputs.is_empty()).then(|| {
         let derives = quote!(#[derive(Clone, Copy, Debug, Default, PartialEq)]);
@@ -255,8 +233,8 @@ pub fn emit_items(
     });
     if outline.params.is_empty() {
         return quote! {
-            #(#[doc = #docs])*
-            #[derive(Clone, Copy, Debug, Default, PartialEq)]
+            #documentation_lines
+            #[derive(Clone, Debug, Default)]
             pub struct #name {}
             #inputs
             impl #name { #constants }
@@ -277,8 +255,8 @@ pub fn emit_items(
     let default = outline.has_default().then(|| emit_default(outline));
     let new_doc = " Checks the parameters, and computes what depends on them alone.";
     quote! {
-        #(#[doc = #docs])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #documentation_lines
+        #[derive(Clone, Debug)]
         pub struct #name { params: #params, #(#stored: f64),* }
         #param_struct
         #inputs
@@ -322,9 +300,12 @@ fn emit_default(outline: &Outline) -> TokenStream {
 /// that nothing refers to, which get the compiler's own warning.
 pub fn emit_checks(outline: &Outline) -> TokenStream {
     let runtime = &outline.runtime;
-    let keys = outline.keys.iter();
-    let schema =
-        quote!(const _: fn(&#runtime::schema::Body) = |body| { #(let _ = &body.#keys;)* };);
+    let body = Ident::new("body", Span::mixed_site());
+    let lines = outline
+        .keys
+        .chunks(5)
+        .map(|keys| quote!(let _ = [#(&#body.#keys),*];));
+    let schema = quote!(const _: fn(&#runtime::schema::Body) = |#body| { #(#lines)* };);
     let unused = (!outline.unused.is_empty()).then(|| {
         let names = outline.unused.iter();
         quote!(const _: fn() = || { #(let #names = ();)* };)

@@ -5,8 +5,14 @@
 
 mod code;
 mod docs;
+mod expression;
+mod functions;
 mod implementations;
 mod items;
+mod naming;
+mod reads;
+mod shapes;
+mod text;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -14,17 +20,17 @@ use quote::quote;
 use crate::mechanics::Equations;
 use crate::model::{Model, Outline};
 
-use implementations::Bodies;
+use functions::Functions;
 use items::Constructor;
 
 /// The type of a body, its parameters and inputs, and all that it implements.
 pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> TokenStream {
     let fields = items::stored_fields(outline, model, equations);
-    let bodies = Bodies::write(outline, model, equations, &fields);
+    let functions = Functions::write(outline, model, equations, &fields);
     let constructor = Constructor::write(outline, model, &fields);
-    let documentation = docs::Documentation::write(outline, &bodies, &constructor, equations);
+    let documentation = docs::Documentation::write(outline, &functions, &constructor, equations);
     let items = items::emit_items(outline, &constructor, &documentation);
-    let implementations = implementations::emit_implementations(outline, &bodies);
+    let implementations = implementations::emit_implementations(outline, &functions);
     let checks = items::emit_checks(outline);
     quote!(#items #implementations #checks)
 }
@@ -32,12 +38,8 @@ pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> Tok
 /// The same items for a description with mistakes, so that nothing else turns red: they compile
 /// and do nothing.
 pub fn emit_stub(outline: &Outline) -> TokenStream {
-    let items = items::emit_items(
-        outline,
-        &Constructor::stub(outline),
-        &docs::Documentation::stub(),
-    );
-    let implementations = implementations::emit_implementations(outline, &Bodies::stub(outline));
+    let items = items::emit_items(outline, &Constructor::stub(), &docs::Documentation::stub());
+    let implementations = implementations::emit_implementations(outline, &Functions::stub());
     let checks = items::emit_checks(outline);
     quote!(#items #implementations #checks)
 }

@@ -107,6 +107,8 @@ fn inertial_moment(model: &mut Model) -> Vector {
         Inertia::Spatial(rows) => {
             let momentum = graph.transform(&rows, w);
             let momentum = graph.quantities(momentum);
+            model.frames.labels.describe("momentum", "J w, body axes");
+            model.frames.labels.vector("momentum", momentum);
             let gyroscopic = graph.cross(w, momentum);
             let driven = graph.transform(&rows, rate);
             graph.add_vectors(driven, gyroscopic)

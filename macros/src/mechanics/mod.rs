@@ -13,7 +13,7 @@ use crate::errors::Errors;
 use crate::model::{Model, Output};
 use crate::symbolic::{Components, Id};
 
-pub use balance::{Balance, Resultant};
+pub use balance::{Balance, LoadExpressions, Resultant};
 pub use energy::Energy;
 pub use momentum::Momentum;
 

@@ -242,8 +242,8 @@ fn general(model: &mut Model, rows: &[Components; 3], moment: Components) -> Com
     let graph = &mut model.frames.graph;
     let torque = graph.subtract_vectors(moment, gyroscopic);
     let torque = graph.quantities(torque);
-    labels.describe("torque", "M - w x J w about G, body axes");
-    labels.vector("torque", torque);
+    labels.describe("net_moment", "M - w x J w about G, body axes");
+    labels.vector("net_moment", torque);
     let inverse = inverse_inertia(model, rows);
     model.frames.graph.transform(&inverse, torque)
 }
@@ -254,7 +254,11 @@ fn inverse_inertia(model: &mut Model, rows: &[Components; 3]) -> [Components; 3]
     let trace = graph.sum(&[rows[0][0], rows[1][1], rows[2][2]]);
     let one = graph.one();
     let scale = graph.divide(one, trace);
-    let relative = rows.map(|row| graph.scale_vector(scale, row));
+    let scale = graph.quantity(scale);
+    let relative = rows
+        .map(|row| graph.scale_vector(scale, row))
+        .map(|row| graph.quantities(row));
+    model.frames.labels.name(scale, "inverse_trace");
     let inverse = graph
         .inverse_symmetric(&relative)
         .map(|row| graph.scale_vector(scale, row));

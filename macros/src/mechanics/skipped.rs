@@ -27,18 +27,15 @@ pub fn list_skipped(model: &Model, linear: &Components, angular: &Components) ->
 }
 
 fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
-    match model.motion {
-        Motion::Planar => {
-            skipped.push("three equations out of the plane: the motion is planar".to_owned())
-        }
+    let missing = match model.motion {
+        Motion::Planar => "three equations out of the plane: the motion is planar",
         Motion::PlanarTranslation | Motion::Translation => {
-            skipped.push("the moment balance: the body does not turn".to_owned())
+            "the moment balance: the body does not turn"
         }
-        Motion::Rotation => {
-            skipped.push("the force balance: the motion of G is not modelled".to_owned())
-        }
-        Motion::Spatial => {}
-    }
+        Motion::Rotation => "the force balance: the motion of G is not modelled",
+        Motion::Spatial => return,
+    };
+    skipped.push(missing.to_owned());
 }
 
 fn skip_gyroscopic(model: &Model, skipped: &mut Vec<String>) {
@@ -91,6 +88,9 @@ fn skip_moments(model: &Model, skipped: &mut Vec<String>) {
     }
 }
 
+/// A part of the state: whether the motion has it, its name, and its symbols.
+type Part = (bool, &'static str, fn(Meaning) -> bool);
+
 /// Parts of the state that the accelerations do not depend on.
 fn skip_state(model: &Model, linear: &Components, angular: &Components, skipped: &mut Vec<String>) {
     let roots: Vec<Id> = linear.iter().chain(angular).copied().collect();
@@ -98,22 +98,30 @@ fn skip_state(model: &Model, linear: &Components, angular: &Components, skipped:
     let depends = |wanted: fn(Meaning) -> bool| {
         graph.depends_on(&roots, |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(model.meanings.of(*symbol))))
     };
-    let mut skip = |there: bool, name: &str, wanted: fn(Meaning) -> bool| {
-        if there && !depends(wanted) {
-            skipped.push(format!("{name}: the accelerations do not depend on it"));
-        }
-    };
     let (moves, turns) = (model.motion.has_position(), model.motion.has_attitude());
-    skip(moves, "position", |meaning| {
-        matches!(meaning, Meaning::Position(_))
-    });
-    skip(moves, "velocity", |meaning| {
-        matches!(meaning, Meaning::Velocity(_))
-    });
-    skip(turns, "attitude", |meaning| {
-        matches!(meaning, Meaning::Angle | Meaning::Quaternion(_))
-    });
-    skip(turns, "angular velocity", |meaning| {
-        matches!(meaning, Meaning::AngularVelocity(_))
-    });
+    let parts: [Part; 4] = [
+        (moves, "position", |meaning| {
+            matches!(meaning, Meaning::Position(_))
+        }),
+        (moves, "velocity", |meaning| {
+            matches!(meaning, Meaning::Velocity(_))
+        }),
+        (turns, "attitude", |meaning| {
+            matches!(meaning, Meaning::Angle | Meaning::Quaternion(_))
+        }),
+        (turns, "angular velocity", |meaning| {
+            matches!(meaning, Meaning::AngularVelocity(_))
+        }),
+    ];
+    let unread: Vec<&str> = parts
+        .into_iter()
+        .filter(|(there, _, wanted)| *there && !depends(*wanted))
+        .map(|(_, name, _)| name)
+        .collect();
+    if !unread.is_empty() {
+        skipped.push(format!(
+            "{}: the accelerations do not depend on it",
+            unread.join(", ")
+        ));
+    }
 }

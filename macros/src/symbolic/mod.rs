@@ -8,13 +8,17 @@
 mod build;
 mod cost;
 #[cfg(test)]
+#[allow(dead_code, reason = "used where the rooms are mounted: tests/compiler")]
 mod derivative;
 #[cfg(test)]
+#[allow(dead_code, reason = "used where the rooms are mounted: tests/compiler")]
 mod evaluate;
 mod graph;
 mod number;
+mod product;
 mod program;
 mod substitute;
+mod sum;
 mod vector;
 
 pub use cost::Cost;

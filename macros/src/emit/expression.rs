@@ -1,0 +1,184 @@
+//! Expressions of the graph as expressions of Rust, with the parentheses they need and no others.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{ToTokens, quote};
+
+use crate::symbolic::{Comparison, Function, Id, Node, Number};
+
+use super::code::Body;
+
+/// How tightly an expression binds, from the loosest to the tightest.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Precedence {
+    Lowest,
+    Or,
+    And,
+    Comparison,
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+impl Body<'_> {
+    /// The right-hand side of a statement.
+    pub fn definition(&self, id: Id) -> TokenStream {
+        match *self.writer.model.frames.graph.node(id) {
+            Node::Quantity(inner) => self.expression(inner, Precedence::Lowest),
+            _ => self.operation(id).0,
+        }
+    }
+
+    /// An expression where something binding as tightly as `outer` is expected.
+    pub fn expression(&self, id: Id, outer: Precedence) -> TokenStream {
+        let (tokens, precedence) = self.operand(id);
+        if precedence < outer {
+            quote!((#tokens))
+        } else {
+            tokens
+        }
+    }
+
+    fn operand(&self, id: Id) -> (TokenStream, Precedence) {
+        if let Some(name) = self.names.get(&id) {
+            return (name.into_token_stream(), Precedence::Atom);
+        }
+        if let Some(field) = self.writer.fields.get(id) {
+            return (quote!(self.#field), Precedence::Atom);
+        }
+        match self.writer.model.frames.graph.node(id) {
+            // another name for what is a statement already
+            Node::Quantity(inner) => self.operand(*inner),
+            _ => self.operation(id),
+        }
+    }
+
+    fn operation(&self, id: Id) -> (TokenStream, Precedence) {
+        let infix =
+            |a: Id, operator: TokenStream, b: Id, precedence: Precedence, tighter: Precedence| {
+                let (a, b) = (self.expression(a, precedence), self.expression(b, tighter));
+                (quote!(#a #operator #b), precedence)
+            };
+        let graph = &self.writer.model.frames.graph;
+        match *graph.node(id) {
+            Node::Number(ref number) => number_tokens(number),
+            Node::Truth(value) => (value.into_token_stream(), Precedence::Atom),
+            Node::Undefined | Node::Symbol(_) => (quote!(f64::NAN), Precedence::Atom),
+            Node::Quantity(inner) => self.operand(inner),
+            Node::Negate(a) => match *graph.node(a) {
+                // -(x - y), written as it is read
+                Node::Subtract(x, y) if !self.names.contains_key(&a) => {
+                    infix(y, quote!(-), x, Precedence::Sum, Precedence::Product)
+                }
+                _ => {
+                    let a = self.expression(a, Precedence::Sign);
+                    (quote!(-#a), Precedence::Sign)
+                }
+            },
+            Node::Add(a, b) => {
+                let (a, b) = if self.comes_second(a, b) {
+                    (b, a)
+                } else {
+                    (a, b)
+                };
+                match graph.as_number(b).filter(|number| number.is_negative()) {
+                    Some(number) => {
+                        let (a, b) = (
+                            self.expression(a, Precedence::Sum),
+                            number_tokens(&number.abs()).0,
+                        );
+                        (quote!(#a - #b), Precedence::Sum)
+                    }
+                    None => infix(a, quote!(+), b, Precedence::Sum, Precedence::Product),
+                }
+            }
+            Node::Subtract(a, b) => infix(a, quote!(-), b, Precedence::Sum, Precedence::Product),
+            Node::Multiply(a, b) => infix(a, quote!(*), b, Precedence::Product, Precedence::Sign),
+            Node::Divide(a, b) => infix(a, quote!(/), b, Precedence::Product, Precedence::Sign),
+            Node::Unary(function, a) => (self.call(function, &[a]), Precedence::Atom),
+            Node::Binary(function, a, b) => (self.call(function, &[a, b]), Precedence::Atom),
+            Node::Compare(comparison, a, b) => {
+                let operator = match comparison {
+                    Comparison::Less => quote!(<),
+                    Comparison::LessOrEqual => quote!(<=),
+                    Comparison::Equal => quote!(==),
+                    Comparison::NotEqual => quote!(!=),
+                };
+                infix(a, operator, b, Precedence::Comparison, Precedence::Sum)
+            }
+            Node::And(a, b) => infix(a, quote!(&&), b, Precedence::And, Precedence::Comparison),
+            Node::Or(a, b) => infix(a, quote!(||), b, Precedence::Or, Precedence::And),
+            Node::Not(a) => {
+                let a = self.expression(a, Precedence::Atom);
+                (quote!(!#a), Precedence::Sign)
+            }
+            Node::Select(condition, a, b) => {
+                let condition = self.expression(condition, Precedence::Lowest);
+                let (a, b) = (
+                    self.expression(a, Precedence::Lowest),
+                    self.expression(b, Precedence::Lowest),
+                );
+                // alone on the right of a statement, or in parentheses
+                (quote!(if #condition { #a } else { #b }), Precedence::Lowest)
+            }
+        }
+    }
+
+    /// In a sum of which the order does not matter: what is known early stands last, and what is
+    /// itself a sum stands first, so that it needs no parentheses.
+    fn comes_second(&self, a: Id, b: Id) -> bool {
+        let graph = &self.writer.model.frames.graph;
+        let is_sum = |id: Id| {
+            !self.names.contains_key(&id)
+                && matches!(graph.node(id), Node::Add(..) | Node::Subtract(..))
+        };
+        if graph.is_early(a) == graph.is_early(b) {
+            is_sum(b) && !is_sum(a)
+        } else {
+            graph.is_early(a)
+        }
+    }
+
+    fn call(&self, function: Function, arguments: &[Id]) -> TokenStream {
+        let name = Ident::new(function.name(), Span::call_site());
+        let arguments = arguments
+            .iter()
+            .map(|argument| self.expression(*argument, Precedence::Lowest));
+        let private = &self.writer.private;
+        quote!(#private::math::#name(#(#arguments),*))
+    }
+}
+
+/// A double, as the shortest literal that reads back as it.
+pub fn number_literal(value: f64) -> TokenStream {
+    let magnitude = value.abs();
+    let plain = magnitude == 0.0 || (1e-5..1e16).contains(&magnitude);
+    let mut text = if plain {
+        format!("{magnitude}")
+    } else {
+        format!("{magnitude:e}")
+    };
+    if !text.contains(['.', 'e']) {
+        text.push_str(".0");
+    }
+    let literal: Literal = text
+        .parse()
+        .unwrap_or_else(|_| Literal::f64_unsuffixed(0.0));
+    if value < 0.0 {
+        quote!(-#literal)
+    } else {
+        quote!(#literal)
+    }
+}
+
+fn number_tokens(number: &Number) -> (TokenStream, Precedence) {
+    let value = number.to_f64();
+    (
+        number_literal(value),
+        if value < 0.0 {
+            Precedence::Sign
+        } else {
+            Precedence::Atom
+        },
+    )
+}

@@ -1,0 +1,215 @@
+//! The bodies of all functions that are generated for a body.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use crate::mechanics::{Balance, Equations, Resultant};
+use crate::model::{Family, Model, Outline, Output};
+use crate::symbolic::{Components, Cost, Id, Stage};
+
+use super::code::{Fields, Source, Writer};
+use super::items::private;
+use super::shapes::{Shapes, Values};
+use super::text::to_text;
+
+/// The generated functions; those that are not asked for are empty.
+#[derive(Default)]
+pub struct Functions {
+    pub acceleration: Function,
+    pub kinetic_energy: Function,
+    pub potential_energy: Function,
+    pub linear_momentum: Function,
+    pub angular_momentum: Function,
+    pub angular_momentum_about_pole: Function,
+    pub applied: Function,
+    pub residual: Function,
+    pub loads: Function,
+    /// Number of loads.
+    pub load_count: usize,
+}
+
+/// The body of one function.
+#[derive(Default)]
+pub struct Function {
+    pub body: TokenStream,
+    pub cost: Cost,
+    /// The statements as text, and then what is returned.
+    pub text: Vec<String>,
+    reads: Vec<Source>,
+    has_notes: bool,
+}
+
+impl Function {
+    /// Computes `outputs` and returns what `fill` makes of their values.
+    fn write(
+        writer: &Writer<'_>,
+        outputs: &[Id],
+        fill: impl FnOnce(&mut Values<'_>) -> TokenStream,
+    ) -> Self {
+        let code = writer.function(outputs);
+        let (statements, value) = (&code.statements, fill(&mut code.outputs.iter()));
+        Self {
+            body: quote!(#statements #value),
+            cost: code.cost,
+            text: code.text,
+            reads: code.reads,
+            has_notes: code.has_notes,
+        }
+    }
+
+    /// An argument, with a leading underscore if it is not read.
+    pub fn argument(&self, source: Source, name: &str) -> Ident {
+        let underscore = if self.reads.contains(&source) {
+            ""
+        } else {
+            "_"
+        };
+        Ident::new(&format!("{underscore}{name}"), Span::mixed_site())
+    }
+
+    /// Statements carry notes, which the compiler has no use for.
+    pub fn lints(&self) -> Option<TokenStream> {
+        self.has_notes
+            .then(|| quote!(#[allow(unused_doc_comments)]))
+    }
+}
+
+impl Functions {
+    pub fn write(outline: &Outline, model: &Model, equations: &Equations, fields: &Fields) -> Self {
+        let shapes = Shapes::of(outline);
+        let writer = Writer {
+            model,
+            outline,
+            fields,
+            stage: Stage::State,
+            private: private(outline),
+        };
+        let mut functions = Self {
+            acceleration: write_acceleration(&writer, &shapes, equations),
+            ..Self::default()
+        };
+        if let Some(energy) = &equations.energy {
+            let scalar = |id: Id| Function::write(&writer, &[id], |values| quote!(#(#values)*));
+            functions.kinetic_energy = scalar(energy.kinetic);
+            functions.potential_energy = scalar(energy.potential);
+        }
+        if let Some(momentum) = &equations.momentum {
+            let moment = |components: &Components| {
+                Function::write(&writer, shapes.moment_part(components), |values| {
+                    shapes.moment(values)
+                })
+            };
+            functions.angular_momentum = moment(&momentum.angular);
+            functions.angular_momentum_about_pole = moment(&momentum.about_pole);
+            if model.motion.has_position() {
+                let linear = shapes.vector_part(&momentum.linear);
+                functions.linear_momentum =
+                    Function::write(&writer, linear, |values| shapes.vector(values));
+            }
+        }
+        if let Some(balance) = &equations.balance {
+            let wrench = |resultant: &Resultant| {
+                let outputs = shapes.wrench_part(&resultant.force, &resultant.moment);
+                Function::write(&writer, &outputs, |values| shapes.wrench(values))
+            };
+            functions.applied = wrench(&balance.applied);
+            functions.residual = wrench(&balance.residual);
+            functions.loads = write_loads(&writer, &shapes, balance);
+            functions.load_count = balance.loads.len();
+        }
+        functions
+    }
+
+    /// Functions that are never run.
+    pub fn stub() -> Self {
+        let never = || Function {
+            body: quote!(::core::unreachable!("the description has errors")),
+            ..Function::default()
+        };
+        Self {
+            acceleration: never(),
+            kinetic_energy: never(),
+            potential_energy: never(),
+            linear_momentum: never(),
+            angular_momentum: never(),
+            angular_momentum_about_pole: never(),
+            applied: never(),
+            residual: never(),
+            loads: never(),
+            load_count: 0,
+        }
+    }
+
+    /// The functions that are there, by name.
+    pub fn by_name(&self, outline: &Outline) -> Vec<(&'static str, &Function)> {
+        let mut functions = vec![("acceleration", &self.acceleration)];
+        for output in &outline.outputs {
+            match output {
+                Output::Energy => functions.extend([
+                    ("kinetic_energy", &self.kinetic_energy),
+                    ("potential_energy", &self.potential_energy),
+                ]),
+                Output::Momentum => functions.extend([
+                    ("linear_momentum", &self.linear_momentum),
+                    ("angular_momentum", &self.angular_momentum),
+                    (
+                        "angular_momentum_about_pole",
+                        &self.angular_momentum_about_pole,
+                    ),
+                ]),
+                Output::Balance => functions.extend([
+                    ("applied", &self.applied),
+                    ("residual", &self.residual),
+                    ("loads", &self.loads),
+                ]),
+            }
+        }
+        functions
+    }
+}
+
+fn write_acceleration(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) -> Function {
+    let outputs = shapes.pair_part(&equations.linear, &equations.angular);
+    let mut text = Vec::new();
+    let mut function = Function::write(writer, &outputs, |values| {
+        // what is known early is no statement, and stands in the text all the same
+        for (name, value) in shapes
+            .pair_names()
+            .into_iter()
+            .zip(values.clone().map(to_text))
+        {
+            text.extend((name != value).then(|| format!("{name} = {value}")));
+        }
+        shapes.acceleration(values)
+    });
+    function.text.extend(text);
+    function
+}
+
+/// `[Load { name, family, force, point, moment }, ..]`
+fn write_loads(writer: &Writer<'_>, shapes: &Shapes, balance: &Balance) -> Function {
+    let parts = |load: &crate::mechanics::LoadExpressions| {
+        let (force, point, moment) = (
+            shapes.vector_part(&load.force),
+            shapes.vector_part(&load.point),
+            shapes.moment_part(&load.moment),
+        );
+        [force, point, moment].concat()
+    };
+    let outputs: Vec<Id> = balance.loads.iter().flat_map(parts).collect();
+    let (private, kind) = (&shapes.private, shapes.load_type());
+    Function::write(writer, &outputs, |values| {
+        let loads = balance.loads.iter().map(|load| {
+            let name = &load.name;
+            let family = match load.family {
+                Family::Reaction => quote!(Reaction),
+                Family::Joint => quote!(Joint),
+                Family::External => quote!(External),
+                Family::Field => quote!(Field),
+            };
+            let (force, point, moment) = (shapes.vector(values), shapes.vector(values), shapes.moment(values));
+            quote!(#kind { name: #name, family: #private::Family::#family, force: #force, point: #point, moment: #moment })
+        });
+        quote!([#(#loads),*])
+    })
+}

@@ -1,0 +1,75 @@
+//! Names of statements: the words of the description and of mechanics where there are some, and
+//! else what is computed.
+
+use proc_macro2::{Ident, Span};
+
+use crate::symbolic::{Id, Node};
+
+use super::code::Body;
+
+/// Longer names than this are replaced by the kind of operation.
+const LENGTH: usize = 24;
+
+/// A local of generated code: it does not see, and is not seen by, the names of the user.
+pub fn local(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+impl Body<'_> {
+    /// A name that no other local has.
+    pub fn unique(&mut self, wanted: &str) -> Ident {
+        let mut name = wanted.to_owned();
+        let mut suffix = 0;
+        while !self.taken.insert(name.clone()) {
+            suffix += 1;
+            name = format!("{wanted}_{suffix}");
+        }
+        local(&name)
+    }
+
+    pub fn statement_name(&mut self, id: Id) -> Ident {
+        let frames = &self.writer.model.frames;
+        let inner = match frames.graph.node(id) {
+            Node::Quantity(inner) => *inner,
+            _ => id,
+        };
+        let label = |id: Id| frames.labels.get(id).map(str::to_owned);
+        let opposite = || label(frames.graph.negation_of(id)?).map(|name| format!("minus_{name}"));
+        let wanted = label(inner).or_else(|| label(id)).or_else(opposite);
+        let wanted = wanted.unwrap_or_else(|| self.describe(inner));
+        self.unique(&wanted)
+    }
+
+    /// A name made of what is computed.
+    fn describe(&self, id: Id) -> String {
+        let graph = &self.writer.model.frames.graph;
+        let operand = |id: Id| self.names.get(&id).map(ToString::to_string);
+        let (name, kind) = match *graph.node(id) {
+            Node::Multiply(a, b) if a == b => {
+                (operand(a).map(|a| format!("{a}_squared")), "square")
+            }
+            Node::Multiply(a, b) => (
+                operand(a).zip(operand(b)).map(|(a, b)| format!("{a}_{b}")),
+                "product",
+            ),
+            Node::Unary(function, a) => {
+                let name = function.name();
+                (operand(a).map(|a| format!("{name}_{a}")), name)
+            }
+            Node::Binary(function, ..) => (None, function.name()),
+            Node::Add(..) => (None, "sum"),
+            Node::Subtract(..) => (None, "difference"),
+            Node::Divide(..) => (None, "ratio"),
+            Node::Select(..) => (None, "choice"),
+            _ => (None, "condition"),
+        };
+        name.filter(|name| name.len() <= LENGTH)
+            .unwrap_or_else(|| kind.to_owned())
+    }
+
+    /// What the group of a name is, where its first member is computed.
+    pub fn note(&mut self, name: &Ident) -> Option<&'static str> {
+        let (group, note) = self.writer.model.frames.labels.note(&name.to_string())?;
+        self.noted.insert(group).then_some(note)
+    }
+}

@@ -1,0 +1,238 @@
+//! The first lines of a function: they read the parameters, inputs and parts of the state that it
+//! needs, and no others.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use crate::model::{AXES, Declared, Meaning, Motion};
+use crate::symbolic::{Id, Node, Program};
+
+use super::code::{Body, Source};
+use super::naming::local;
+
+/// Components that are read together.
+struct Place {
+    source: Source,
+    path: TokenStream,
+    /// The name of each component; a scalar has one.
+    names: Vec<String>,
+    component: fn(Meaning) -> Option<usize>,
+}
+
+/// Where the parts of a state and of an acceleration are.
+fn places(motion: Motion) -> Vec<Place> {
+    let (state, acceleration) = (local("state"), local("acceleration"));
+    let axes = &AXES[..motion.axes()];
+    let vector = |prefix: &str| {
+        axes.iter()
+            .map(|axis| format!("{prefix}{axis}"))
+            .collect::<Vec<_>>()
+    };
+    let angular = |name: &str, prefix: &str| {
+        if motion.is_planar() {
+            vec![name.to_owned()]
+        } else {
+            vector(prefix)
+        }
+    };
+    // the acceleration of a motion with one kind of coordinates is not a struct
+    let part = |name: &str| {
+        let name = format_ident!("{name}");
+        if motion.has_position() && motion.has_attitude() {
+            quote!(#acceleration.#name)
+        } else {
+            quote!((*#acceleration))
+        }
+    };
+    let place = |source: Source,
+                 path: TokenStream,
+                 names: Vec<String>,
+                 component: fn(Meaning) -> Option<usize>| Place {
+        source,
+        path,
+        names,
+        component,
+    };
+    vec![
+        place(
+            Source::State,
+            quote!(#state.position),
+            vector(""),
+            |meaning| match meaning {
+                Meaning::Position(axis) => Some(axis),
+                _ => None,
+            },
+        ),
+        place(
+            Source::State,
+            quote!(#state.angle),
+            vec!["angle".to_owned()],
+            |meaning| (meaning == Meaning::Angle).then_some(0),
+        ),
+        place(
+            Source::State,
+            quote!(#state.attitude.coords),
+            ["qx", "qy", "qz", "qw"].map(str::to_owned).to_vec(),
+            |meaning| match meaning {
+                Meaning::Quaternion(part) => Some((part + 3) % 4),
+                _ => None,
+            },
+        ),
+        place(
+            Source::State,
+            quote!(#state.velocity),
+            vector("v"),
+            |meaning| match meaning {
+                Meaning::Velocity(axis) => Some(axis),
+                _ => None,
+            },
+        ),
+        place(
+            Source::State,
+            quote!(#state.angular_velocity),
+            angular("w", "w"),
+            |meaning| match meaning {
+                Meaning::AngularVelocity(axis) => Some(axis),
+                _ => None,
+            },
+        ),
+        place(
+            Source::Acceleration,
+            part("linear"),
+            vector("a"),
+            |meaning| match meaning {
+                Meaning::LinearAcceleration(axis) => Some(axis),
+                _ => None,
+            },
+        ),
+        place(
+            Source::Acceleration,
+            part("angular"),
+            angular("alpha", "alpha_"),
+            |meaning| match meaning {
+                Meaning::AngularAcceleration(axis) => Some(axis),
+                _ => None,
+            },
+        ),
+    ]
+}
+
+impl Body<'_> {
+    /// Reads the symbols of `program`, and gives them names.
+    pub fn read(&mut self, program: &Program) -> TokenStream {
+        let model = self.writer.model;
+        let meaning = |id: Id| match model.frames.graph.node(id) {
+            Node::Symbol(symbol) => Some((id, model.meanings.of(*symbol))),
+            _ => None,
+        };
+        let symbols: Vec<(Id, Meaning)> = program
+            .symbols
+            .iter()
+            .filter_map(|id| meaning(*id))
+            .collect();
+        let outline = self.writer.outline;
+        let mut tokens = self.read_declared(&symbols, Source::Params, &outline.params);
+        tokens.extend(self.read_declared(&symbols, Source::Input, &outline.inputs));
+        for (id, _) in symbols
+            .iter()
+            .filter(|(_, meaning)| *meaning == Meaning::Time)
+        {
+            self.reads.push(Source::Time);
+            self.names.insert(*id, local("time"));
+        }
+        for place in places(model.motion) {
+            let found: Vec<(usize, Id)> = symbols
+                .iter()
+                .filter_map(|(id, meaning)| Some(((place.component)(*meaning)?, *id)))
+                .collect();
+            if !found.is_empty() {
+                self.reads.push(place.source);
+                tokens.extend(self.read_components(&found, &place.path, &place.names));
+            }
+        }
+        tokens
+    }
+
+    /// `let [x, _, z]: [f64; 3] = path.into();`, or `let angle = path;` of a scalar.
+    fn read_components(
+        &mut self,
+        found: &[(usize, Id)],
+        path: &TokenStream,
+        names: &[String],
+    ) -> TokenStream {
+        if let ([wanted], [(_, id)]) = (names, found) {
+            let name = self.unique(wanted);
+            self.names.insert(*id, name.clone());
+            return quote!(let #name = #path;);
+        }
+        let mut pattern = Vec::new();
+        for (component, wanted) in names.iter().enumerate() {
+            // planar angular quantities are along z and have one name
+            let Some((_, id)) = found.iter().find(|(found, _)| *found == component) else {
+                pattern.push(quote!(_));
+                continue;
+            };
+            let name = self.unique(wanted);
+            self.names.insert(*id, name.clone());
+            pattern.push(name.into_token_stream());
+        }
+        let count = Literal::usize_unsuffixed(names.len());
+        quote!(let [#(#pattern),*]: [f64; #count] = #path.into();)
+    }
+
+    /// `let Params { arm, .. } = self.params;`, and the components of the vectors among them.
+    fn read_declared(
+        &mut self,
+        symbols: &[(Id, Meaning)],
+        source: Source,
+        declared: &[Declared],
+    ) -> TokenStream {
+        let component = |meaning: Meaning, wanted: usize| match (meaning, source) {
+            (Meaning::Param(index, component), Source::Params)
+            | (Meaning::Input(index, component), Source::Input) => {
+                (index == wanted).then_some(component.unwrap_or(0))
+            }
+            _ => None,
+        };
+        let (mut pattern, mut components) = (Vec::new(), TokenStream::new());
+        for (index, declaration) in declared.iter().enumerate() {
+            let used: Vec<(usize, Id)> = symbols
+                .iter()
+                .filter_map(|(id, meaning)| Some((component(*meaning, index)?, *id)))
+                .collect();
+            if used.is_empty() {
+                continue;
+            }
+            let word = declaration.name.to_string();
+            let (name, field) = (self.unique(&word), Ident::new(&word, Span::mixed_site()));
+            pattern.push(if name == field {
+                quote!(#field)
+            } else {
+                quote!(#field: #name)
+            });
+            if declaration.frame.is_some() {
+                let axes = &AXES[..self.writer.model.motion.axes()];
+                let names: Vec<String> = axes.iter().map(|axis| format!("{name}_{axis}")).collect();
+                components.extend(self.read_components(&used, &name.into_token_stream(), &names));
+            } else {
+                self.names.insert(used[0].1, name);
+            }
+        }
+        if pattern.is_empty() {
+            return TokenStream::new();
+        }
+        self.reads.push(source);
+        if pattern.len() < declared.len() {
+            pattern.push(quote!(..));
+        }
+        let (body, input) = (&self.writer.outline.name, local("input"));
+        let (suffix, place) = match (source, self.writer.stage) {
+            (Source::Input, _) => ("Input", quote!(*#input)),
+            // in the constructor the parameters are not stored yet
+            (_, crate::symbolic::Stage::Parameter) => ("Params", quote!(params)),
+            _ => ("Params", quote!(self.params)),
+        };
+        let kind = Ident::new(&format!("{body}{suffix}"), body.span());
+        quote!(let #kind { #(#pattern),* } = #place; #components)
+    }
+}

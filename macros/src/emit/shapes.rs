@@ -1,0 +1,176 @@
+//! Shapes: the types of the runtime that a kind of motion has, and how they are filled.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use crate::model::{AXES, Motion, Outline};
+use crate::symbolic::{Components, Id};
+
+use super::items::private;
+
+/// The shapes of one body.
+pub struct Shapes {
+    pub motion: Motion,
+    pub private: TokenStream,
+}
+
+/// Values of components, taken in the order in which they were asked for.
+pub type Values<'a> = std::slice::Iter<'a, TokenStream>;
+
+impl Shapes {
+    pub fn of(outline: &Outline) -> Self {
+        Self {
+            motion: outline.motion,
+            private: private(outline),
+        }
+    }
+
+    pub fn state_type(&self) -> TokenStream {
+        let private = &self.private;
+        let name = match self.motion {
+            Motion::Planar => format_ident!("Planar"),
+            Motion::PlanarTranslation => format_ident!("PlanarTranslation"),
+            Motion::Spatial => format_ident!("Spatial"),
+            Motion::Translation => format_ident!("Translation"),
+            Motion::Rotation => format_ident!("Rotation"),
+        };
+        quote!(#private::#name)
+    }
+
+    pub fn vector_type(&self) -> TokenStream {
+        let private = &self.private;
+        if self.motion.is_planar() {
+            quote!(#private::Vector2<f64>)
+        } else {
+            quote!(#private::Vector3<f64>)
+        }
+    }
+
+    /// In the plane a moment is a scalar.
+    pub fn moment_type(&self) -> TokenStream {
+        if self.motion.is_planar() {
+            quote!(f64)
+        } else {
+            self.vector_type()
+        }
+    }
+
+    pub fn acceleration_type(&self) -> TokenStream {
+        let private = &self.private;
+        match self.motion {
+            Motion::Planar => quote!(#private::PlanarAcceleration),
+            Motion::Spatial => quote!(#private::SpatialAcceleration),
+            _ => self.vector_type(),
+        }
+    }
+
+    pub fn wrench_type(&self) -> TokenStream {
+        let private = &self.private;
+        match self.motion {
+            Motion::Rotation => self.moment_type(),
+            Motion::Planar | Motion::PlanarTranslation => quote!(#private::PlanarWrench),
+            Motion::Spatial | Motion::Translation => quote!(#private::Wrench),
+        }
+    }
+
+    pub fn load_type(&self) -> TokenStream {
+        let private = &self.private;
+        if self.motion.is_planar() {
+            quote!(#private::PlanarLoad)
+        } else {
+            quote!(#private::Load)
+        }
+    }
+
+    /// The components that a vector has.
+    pub fn vector_part<'c>(&self, components: &'c Components) -> &'c [Id] {
+        &components[..self.motion.axes()]
+    }
+
+    /// The components that a moment has: in the plane, the one along z.
+    pub fn moment_part<'c>(&self, components: &'c Components) -> &'c [Id] {
+        &components[if self.motion.is_planar() { 2..3 } else { 0..3 }]
+    }
+
+    /// The components of a pair of a linear and an angular vector, as far as the motion has them.
+    pub fn pair_part(&self, linear: &Components, angular: &Components) -> Vec<Id> {
+        let linear = if self.motion.has_position() {
+            self.vector_part(linear)
+        } else {
+            &[]
+        };
+        let angular = if self.motion.has_attitude() {
+            self.moment_part(angular)
+        } else {
+            &[]
+        };
+        [linear, angular].concat()
+    }
+
+    /// The names of these components.
+    pub fn pair_names(&self) -> Vec<String> {
+        let axes = &AXES[..self.motion.axes()];
+        let named = |name: &str| {
+            axes.iter()
+                .map(|axis| format!("{name}_{axis}"))
+                .collect::<Vec<_>>()
+        };
+        let linear = if self.motion.has_position() {
+            named("linear")
+        } else {
+            Vec::new()
+        };
+        let angular = match (self.motion.has_attitude(), self.motion.is_planar()) {
+            (true, true) => vec!["angular".to_owned()],
+            (true, false) => named("angular"),
+            _ => Vec::new(),
+        };
+        [linear, angular].concat()
+    }
+
+    /// The components of a wrench; of a body that only turns, those of the moment.
+    pub fn wrench_part(&self, force: &Components, moment: &Components) -> Vec<Id> {
+        let force = if self.motion.has_position() {
+            self.vector_part(force)
+        } else {
+            &[]
+        };
+        [force, self.moment_part(moment)].concat()
+    }
+
+    pub fn vector(&self, values: &mut Values<'_>) -> TokenStream {
+        let components = values.take(self.motion.axes());
+        quote!([#(#components),*].into())
+    }
+
+    pub fn moment(&self, values: &mut Values<'_>) -> TokenStream {
+        if self.motion.is_planar() {
+            let value = values.next();
+            quote!(#value)
+        } else {
+            self.vector(values)
+        }
+    }
+
+    pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
+        match self.motion {
+            Motion::Planar | Motion::Spatial => {
+                let kind = self.acceleration_type();
+                let (linear, angular) = (self.vector(values), self.moment(values));
+                quote!(#kind { linear: #linear, angular: #angular })
+            }
+            Motion::Rotation | Motion::Translation | Motion::PlanarTranslation => {
+                self.vector(values)
+            }
+        }
+    }
+
+    pub fn wrench(&self, values: &mut Values<'_>) -> TokenStream {
+        if self.motion == Motion::Rotation {
+            return self.moment(values);
+        }
+        let kind = self.wrench_type();
+        let (force, moment) = (self.vector(values), self.moment(values));
+        quote!(#kind { force: #force, moment: #moment })
+    }
+}

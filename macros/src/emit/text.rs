@@ -1,0 +1,83 @@
+//! Generated code as text, for documentation.
+
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
+
+/// Tokens as a line of text, for documentation.
+pub fn to_text(tokens: &TokenStream) -> String {
+    let mut text = String::new();
+    let mut pending: Vec<TokenTree> = tokens
+        .clone()
+        .into_iter()
+        .collect::<Vec<_>>()
+        .into_iter()
+        .rev()
+        .collect();
+    let mut closing: Vec<(usize, &str)> = Vec::new();
+    let mut tight = true;
+    while let Some(token) = pending.pop() {
+        match token {
+            TokenTree::Group(group) => {
+                let (open, close) = match group.delimiter() {
+                    Delimiter::Brace => ("{ ", " }"),
+                    Delimiter::Bracket => ("[", "]"),
+                    _ => ("(", ")"),
+                };
+                let called = text.ends_with(|last: char| last.is_alphanumeric() || last == '_')
+                    && group.delimiter() == Delimiter::Parenthesis;
+                if !tight && !called {
+                    text.push(' ');
+                }
+                text.push_str(open);
+                closing.push((pending.len(), close));
+                pending.extend(
+                    group
+                        .stream()
+                        .into_iter()
+                        .collect::<Vec<_>>()
+                        .into_iter()
+                        .rev(),
+                );
+                tight = true;
+            }
+            TokenTree::Punct(punct) => {
+                let mark = punct.as_char();
+                let glued = matches!(mark, '.' | ':' | ',') || tight;
+                if !glued {
+                    text.push(' ');
+                }
+                text.push(mark);
+                let sign = tight && matches!(mark, '-' | '!');
+                tight = matches!(mark, '.' | ':') || sign || punct.spacing() == Spacing::Joint;
+            }
+            other => {
+                if !tight {
+                    text.push(' ');
+                }
+                text.push_str(&other.to_string());
+                tight = false;
+            }
+        }
+        while closing
+            .last()
+            .is_some_and(|(left, _)| *left == pending.len())
+        {
+            text.push_str(closing.pop().map_or("", |(_, close)| close));
+            tight = false;
+        }
+    }
+    // `$crate::private::math::sin(x)` and `self.inverse_mass` are read better without their paths
+    let text = text
+        .rsplit_once("private::math::")
+        .map_or(text.clone(), |_| {
+            let mut cleaned = String::new();
+            let mut rest = text.as_str();
+            while let Some((before, after)) = rest.split_once("private::math::") {
+                cleaned.push_str(before.trim_end_matches(|c: char| {
+                    c.is_alphanumeric() || matches!(c, '_' | ':' | '$')
+                }));
+                rest = after;
+            }
+            cleaned + rest
+        });
+    text.replace("self.", "")
+}

@@ -1,0 +1,150 @@
+//! What the constructors promise: simplification, stages, schedule and cost.
+
+use crate::symbolic::{Comparison, Function, Graph, Node, Number, Stage};
+
+#[test]
+fn equal_expressions_are_one_node() {
+    let mut g = Graph::default();
+    let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
+    assert_eq!(g.add(a, b), g.add(b, a));
+    assert_eq!(g.multiply(a, b), g.multiply(b, a));
+    let (x, y) = (g.subtract(a, b), g.subtract(b, a));
+    assert_eq!(g.negate(x), y);
+}
+
+#[test]
+fn zeros_and_ones_vanish() {
+    let mut g = Graph::default();
+    let (a, zero, one) = (g.symbol(Stage::State), g.zero(), g.one());
+    assert_eq!(g.add(a, zero), a);
+    assert_eq!(g.multiply(a, one), a);
+    assert_eq!(g.multiply(a, zero), zero);
+    assert_eq!(g.subtract(a, a), zero);
+    assert_eq!(g.divide(a, a), one);
+    assert_eq!(g.divide(zero, a), zero);
+    let undefined = g.divide(a, zero);
+    assert!(g.is_undefined(undefined));
+    let spread = g.add(undefined, a);
+    assert!(g.is_undefined(spread));
+}
+
+#[test]
+fn like_terms_are_collected() {
+    let mut g = Graph::default();
+    let (a, k) = (g.symbol(Stage::State), g.symbol(Stage::Parameter));
+    let (two, three) = (g.integer(2), g.integer(3));
+    let (x, y) = (g.multiply(two, a), g.multiply(three, a));
+    let five = g.integer(5);
+    assert_eq!(g.add(x, y), g.multiply(five, a));
+    let ka = g.multiply(k, a);
+    assert_eq!(g.subtract(ka, ka), g.zero());
+    let sum = g.add(ka, x);
+    // (k + 2) a, with k + 2 computed in the constructor
+    assert_eq!(g.late_cost(&[sum]).total(), 1);
+}
+
+#[test]
+fn a_common_factor_is_taken_out() {
+    let mut g = Graph::default();
+    let (a, b, k) = (g.symbol(Stage::State), g.symbol(Stage::State), g.symbol(Stage::Parameter));
+    let (x, y) = (g.multiply(k, a), g.multiply(k, b));
+    let difference = g.subtract(x, y);
+    assert_eq!((g.late_cost(&[difference]).mul, g.late_cost(&[difference]).add), (1, 1));
+}
+
+#[test]
+fn what_is_known_early_is_computed_early() {
+    let mut g = Graph::default();
+    let (a, k, m) = (g.symbol(Stage::State), g.symbol(Stage::Parameter), g.symbol(Stage::Parameter));
+    let quotient = g.divide(a, m);
+    let product = g.multiply(quotient, k);
+    assert_eq!((g.late_cost(&[product]).mul, g.late_cost(&[product]).div), (1, 0));
+    // (a + k) + (b + m) = (a + b) + (k + m)
+    let b = g.symbol(Stage::State);
+    let (x, y) = (g.add(a, k), g.add(b, m));
+    let sum = g.add(x, y);
+    assert_eq!(g.late_cost(&[sum]).add, 2);
+}
+
+#[test]
+fn a_mass_cancels() {
+    let mut g = Graph::default();
+    let (m, acceleration) = (g.symbol(Stage::Parameter), g.symbol(Stage::State));
+    let (weight, one) = (g.multiply(m, acceleration), g.one());
+    let inverse = g.divide(one, m);
+    assert_eq!(g.multiply(inverse, weight), acceleration);
+}
+
+#[test]
+fn signs_move_outwards() {
+    let mut g = Graph::default();
+    let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
+    let (minus_a, product) = (g.negate(a), g.multiply(a, b));
+    let negative = g.multiply(minus_a, b);
+    assert_eq!(g.negate(product), negative);
+    assert_eq!(g.apply(Function::Cos, &[minus_a]), g.apply(Function::Cos, &[a]));
+    let (sine, odd) = (g.apply(Function::Sin, &[a]), g.apply(Function::Sin, &[minus_a]));
+    assert_eq!(g.negate(sine), odd);
+}
+
+#[test]
+fn conditions_of_constants_are_decided() {
+    let mut g = Graph::default();
+    let (one, two, a) = (g.one(), g.integer(2), g.symbol(Stage::State));
+    let less = g.compare(Comparison::Less, one, two);
+    assert!(matches!(g.node(less), Node::Truth(true)));
+    assert_eq!(g.select(less, a, one), a);
+}
+
+#[test]
+fn no_rule_looks_into_a_quantity() {
+    let mut g = Graph::default();
+    let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
+    let half = g.number(Number::ratio(1, 2));
+    let scaled = g.multiply(half, a);
+    let quantity = g.quantity(scaled);
+    let product = g.multiply(quantity, b);
+    assert!(matches!(*g.node(product), Node::Multiply(x, y) if [x, y].contains(&quantity)));
+    assert_eq!(g.quantity(a), a);
+    assert_eq!(g.quantity(half), half);
+    let program = g.schedule(&[product], Stage::State);
+    assert_eq!(program.statements, [quantity]);
+}
+
+#[test]
+fn shared_expressions_become_statements() {
+    let mut g = Graph::default();
+    let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
+    let sum = g.add(a, b);
+    let square = g.square(sum);
+    let program = g.schedule(&[square], Stage::State);
+    assert_eq!(program.statements, [sum]);
+    assert_eq!(program.symbols, [a, b]);
+    assert_eq!(g.cost(&program.nodes).total(), 2);
+}
+
+#[test]
+fn long_sums_are_split_and_deep_graphs_are_walked_without_recursion() {
+    let mut g = Graph::default();
+    let symbols: Vec<_> = (0..100_000).map(|_| g.symbol(Stage::State)).collect();
+    let sum = g.sum(&symbols);
+    let program = g.schedule(&[sum], Stage::State);
+    assert!(program.statements.len() > 5000);
+    let slope = g.derivative(&[sum], symbols[17])[0];
+    assert!(g.is_one(slope));
+}
+
+#[test]
+fn an_inverse_times_its_matrix_is_one() {
+    let mut g = Graph::default();
+    let entry = |g: &mut Graph, digits: &str| g.number(Number::parse(digits).expect("a number"));
+    let [xx, yy, zz, xy, yz, zx] = ["1.3", "1.7", "2.1", "-0.12", "-0.05", "0.07"].map(|digits| entry(&mut g, digits));
+    let matrix = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
+    let inverse = g.inverse_symmetric(&matrix);
+    for (i, row) in inverse.into_iter().enumerate() {
+        for (j, column) in matrix.into_iter().enumerate() {
+            let entry = g.dot(row, column);
+            assert_eq!(g.as_number(entry).and_then(Number::to_integer), Some(i64::from(i == j)), "exactly");
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! Expansions as they are read: a few in full, and how long they are.
+
+use std::fs;
+use std::path::Path;
+use std::time::Instant;
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use crate::{expand_description, pretty};
+
+fn quadrotor() -> TokenStream {
+    quote!(Quadrotor {
+        doc: "A quadrotor in a plus configuration; rotors 1 and 3 spin about -z.",
+        motion: spatial,
+        params: [arm = 0.17[m], drag_ratio = 0.016[m]],
+        inputs: [thrust_1[N], thrust_2[N], thrust_3[N], thrust_4[N]],
+        mass: 1.2[kg],
+        inertia: principal(0.0123, 0.0123, 0.0224)[kg * m ^ 2],
+        points: [front = (arm, 0, 0), left = (0, arm, 0), back = (-arm, 0, 0), right = (0, -arm, 0)],
+        fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+        forces: [
+            lift_1 = body(0, 0, thrust_1).at(front),
+            lift_2 = body(0, 0, thrust_2).at(left),
+            lift_3 = body(0, 0, thrust_3).at(back),
+            lift_4 = body(0, 0, thrust_4).at(right),
+        ],
+        locals: [twist = thrust_1 - thrust_2 + thrust_3 - thrust_4],
+        moments: [drag = body(0, 0, drag_ratio * twist)],
+    })
+}
+
+fn plank() -> TokenStream {
+    quote!(Plank {
+        doc: "A plank thrown in a vertical plane.",
+        motion: planar,
+        params: [length = 2[m]],
+        mass: 4[kg],
+        inertia: mass * length.powi(2) / 12,
+        fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+        outputs: [energy, momentum],
+    })
+}
+
+fn satellite() -> TokenStream {
+    quote!(Satellite {
+        doc: "A satellite with a full inertia tensor and three control torques.",
+        motion: rotation,
+        inputs: [torque = body(_, _, _)[N * m]],
+        inertia: tensor { xx: 1.3, yy: 1.7, zz: 2.1, xy: -0.12, yz: -0.05, zx: 0.07 }[kg * m ^ 2],
+        moments: [control = torque],
+        outputs: [balance],
+    })
+}
+
+/// Compares with the file of that name; `BLESS=1` writes it.
+fn check(name: &str, description: TokenStream) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compiler/snapshots").join(format!("{name}.rs"));
+    let expansion = pretty(description);
+    if std::env::var_os("BLESS").is_some() {
+        fs::write(&path, &expansion).expect("a writable snapshot");
+    }
+    let expected = fs::read_to_string(&path).expect("a snapshot: run with BLESS=1 to write it");
+    assert_eq!(expansion, expected, "the expansion of {name} has changed: run with BLESS=1 and review the difference");
+}
+
+#[test]
+fn snapshots() {
+    check("quadrotor", quadrotor());
+    check("plank", plank());
+    check("satellite", satellite());
+}
+
+#[test]
+fn the_same_description_gives_the_same_expansion() {
+    for description in [quadrotor(), plank(), satellite()] {
+        let first = pretty(description.clone());
+        // every hash map has a seed of its own
+        for _ in 0..8 {
+            assert_eq!(pretty(description.clone()), first);
+        }
+    }
+}
+
+fn lines_of(expansion: &str, from: &str) -> usize {
+    let body = expansion.split_once(from).expect("the function is there").1;
+    let indent = "\n    }";
+    body.split_once(indent).expect("it ends").0.lines().count() + 1
+}
+
+#[test]
+fn a_quadrotor_is_a_page() {
+    let expansion = pretty(quadrotor());
+    assert!(expansion.lines().count() <= 150, "{} lines", expansion.lines().count());
+    let acceleration = lines_of(&expansion, "fn acceleration");
+    assert!(acceleration <= 40, "{acceleration} lines");
+}
+
+/// A body with `count` forces at as many points.
+fn many_forces(count: usize) -> TokenStream {
+    let names: Vec<_> = (0..count).map(|i| format_ident!("force_{i}")).collect();
+    let points: Vec<_> = (0..count).map(|i| format_ident!("point_{i}")).collect();
+    let inputs: Vec<_> = (0..count).map(|i| format_ident!("input_{i}")).collect();
+    let offsets = (0..count).map(|i| proc_macro2::Literal::f64_unsuffixed(0.01 * i as f64 + 0.001));
+    quote!(Many {
+        motion: spatial,
+        inputs: [#(#inputs[N]),*],
+        mass: 3[kg],
+        inertia: tensor { xx: 1.3, yy: 1.7, zz: 2.1, xy: -0.12, yz: -0.05, zx: 0.07 }[kg * m ^ 2],
+        points: [#(#points = (#offsets, 0.2, -0.1)),*],
+        forces: [#(#names = body(#inputs, 0.5 * #inputs, 1).at(#points)),*],
+    })
+}
+
+#[test]
+fn expansions_grow_linearly() {
+    let length = |count: usize| expand_description(many_forces(count)).to_string().len();
+    let (small, large) = (length(100), length(1000));
+    assert!(large <= 11 * small, "{small} bytes for 100 forces, {large} for 1000");
+}
+
+/// Printed, not asserted: timings are for the benchmark.
+#[test]
+fn expansion_times() {
+    for (name, description) in [("quadrotor", quadrotor()), ("plank", plank()), ("satellite", satellite()), ("200 forces", many_forces(200)), ("1000 forces", many_forces(1000))] {
+        let start = Instant::now();
+        let _ = expand_description(description);
+        println!("{name}: {:.1} ms", start.elapsed().as_secs_f64() * 1e3);
+    }
+}

@@ -1,0 +1,43 @@
+//! The compiler, looked at from inside: its rooms are mounted here, since a proc-macro crate cannot be linked.
+#![allow(missing_docs, dead_code)]
+
+#[path = "../../macros/src/emit/mod.rs"]
+mod emit;
+#[path = "../../macros/src/errors.rs"]
+mod errors;
+#[path = "../../macros/src/expand.rs"]
+mod expand;
+#[path = "../../macros/src/mechanics/mod.rs"]
+mod mechanics;
+#[path = "../../macros/src/model/mod.rs"]
+mod model;
+#[path = "../../macros/src/symbolic/mod.rs"]
+mod symbolic;
+#[path = "../../macros/src/syntax/mod.rs"]
+mod syntax;
+
+mod calculus;
+mod expansions;
+mod numbers;
+mod operations;
+mod rooms;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The expansion of a description, as the macro of the runtime would ask for it.
+fn expand_description(description: TokenStream) -> TokenStream {
+    expand::expand(quote!((::newton_euler) #description))
+}
+
+/// The expansion as `cargo expand` prints it, derives left as they are: without what is for rustdoc alone.
+fn pretty(description: TokenStream) -> String {
+    let tokens = expand_description(description);
+    let mut file: syn::File = syn::parse2(tokens).expect("an expansion is a list of items");
+    for item in &mut file.items {
+        if let syn::Item::Struct(item) = item {
+            item.attrs.retain(|attribute| !attribute.path().is_ident("cfg_attr"));
+        }
+    }
+    prettyplease::unparse(&file)
+}

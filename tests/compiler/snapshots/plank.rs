@@ -1,0 +1,148 @@
+/// A plank thrown in a vertical plane.
+///
+/// Operations: `new` 3 mul; `acceleration` none; `kinetic_energy` 5 mul + 2 add; `potential_energy` 1 mul; `linear_momentum` 2 mul; `angular_momentum` 1 mul; `angular_momentum_about_pole` 1 mul.
+///
+/// Skipped: three equations out of the plane: the motion is planar; the moment of `weight`: it acts at G; position, velocity, attitude, angular velocity: the accelerations do not depend on it.
+#[derive(Clone, Debug)]
+pub struct Plank {
+    params: PlankParams,
+    from_length: f64,
+    from_length_1: f64,
+}
+/// Parameters of [`Plank`], in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlankParams {
+    /// `length` in m.
+    pub length: f64,
+}
+impl Plank {
+    /// The equations of motion, as they are evaluated.
+    pub const EQUATIONS: &str = "linear_x = 0.0\nlinear_y = -9.80665\nangular = 0.0";
+    /// What they cost, by function and stage.
+    pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
+        ::newton_euler::private::Operations::parameter("new", [3, 0, 0, 0, 0, 0]),
+        ::newton_euler::private::Operations::state("acceleration", [0, 0, 0, 0, 0, 0]),
+        ::newton_euler::private::Operations::state("kinetic_energy", [5, 2, 0, 0, 0, 0]),
+        ::newton_euler::private::Operations::state(
+            "potential_energy",
+            [1, 0, 0, 0, 0, 0],
+        ),
+        ::newton_euler::private::Operations::state(
+            "linear_momentum",
+            [2, 0, 0, 0, 0, 0],
+        ),
+        ::newton_euler::private::Operations::state(
+            "angular_momentum",
+            [1, 0, 0, 0, 0, 0],
+        ),
+        ::newton_euler::private::Operations::state(
+            "angular_momentum_about_pole",
+            [1, 0, 0, 0, 0, 0],
+        ),
+    ];
+    /// What they do not contain, and why.
+    pub const SKIPPED: &[&str] = &[
+        "three equations out of the plane: the motion is planar",
+        "the moment of `weight`: it acts at G",
+        "position, velocity, attitude, angular velocity: the accelerations do not depend on it",
+    ];
+    /// Checks the parameters, and computes what depends on them alone.
+    ///
+    /// # Errors
+    /// A parameter is not finite, or no body has the mass or inertia they make.
+    pub fn new(
+        params: PlankParams,
+    ) -> Result<Self, ::newton_euler::private::InvalidBody> {
+        ::newton_euler::private::check_finite(&[("length", params.length)])?;
+        let PlankParams { length } = params;
+        let length_squared = length * length;
+        let product = 0.3333333333333333 * length_squared;
+        ::newton_euler::private::check_planar_inertia(product)?;
+        let from_length = product;
+        let from_length_1 = 0.16666666666666666 * length_squared;
+        ::newton_euler::private::check_finite(
+            &[("from_length", from_length), ("from_length_1", from_length_1)],
+        )?;
+        Ok(Self {
+            params,
+            from_length,
+            from_length_1,
+        })
+    }
+    /// The parameters this body was built from.
+    #[must_use]
+    pub fn params(&self) -> &PlankParams {
+        &self.params
+    }
+}
+impl Default for PlankParams {
+    fn default() -> Self {
+        Self { length: 2.0 }
+    }
+}
+impl Default for Plank {
+    fn default() -> Self {
+        Self::new(PlankParams::default())
+            .expect("the defaults were checked at expansion")
+    }
+}
+impl ::newton_euler::private::RigidBody for Plank {
+    type Scalar = f64;
+    type State = ::newton_euler::private::Planar;
+    type Input = ();
+    #[inline]
+    fn acceleration(
+        &self,
+        _time: f64,
+        _state: &::newton_euler::private::Planar,
+        _input: &(),
+    ) -> ::newton_euler::private::PlanarAcceleration {
+        ::newton_euler::private::PlanarAcceleration {
+            linear: [0.0, -9.80665].into(),
+            angular: 0.0,
+        }
+    }
+}
+impl ::newton_euler::private::Energy for Plank {
+    fn kinetic_energy(&self, state: &::newton_euler::private::Planar) -> f64 {
+        let [vx, vy]: [f64; 2] = state.velocity.into();
+        let w = state.angular_velocity;
+        2.0 * (vx * vx + vy * vy) + self.from_length_1 * (w * w)
+    }
+    fn potential_energy(
+        &self,
+        _time: f64,
+        state: &::newton_euler::private::Planar,
+        _input: &(),
+    ) -> f64 {
+        let [_, y]: [f64; 2] = state.position.into();
+        39.2266 * y
+    }
+}
+impl ::newton_euler::private::Momentum for Plank {
+    type Linear = ::newton_euler::private::Vector2<f64>;
+    type Angular = f64;
+    fn linear_momentum(
+        &self,
+        state: &::newton_euler::private::Planar,
+    ) -> ::newton_euler::private::Vector2<f64> {
+        let [vx, vy]: [f64; 2] = state.velocity.into();
+        [4.0 * vx, 4.0 * vy].into()
+    }
+    fn angular_momentum(&self, state: &::newton_euler::private::Planar) -> f64 {
+        let w = state.angular_velocity;
+        self.from_length * w
+    }
+    fn angular_momentum_about_pole(
+        &self,
+        _time: f64,
+        state: &::newton_euler::private::Planar,
+    ) -> f64 {
+        let w = state.angular_velocity;
+        self.from_length * w
+    }
+}
+const _: fn(&::newton_euler::schema::Body) = |body| {
+    let _ = [&body.doc, &body.motion, &body.params, &body.mass, &body.inertia];
+    let _ = [&body.fields, &body.outputs];
+};

@@ -20,7 +20,7 @@ pub enum Stage {
 /// assert_eq!(planar.total(), 3);
 /// assert_eq!(
 ///     planar.to_string(),
-///     "acceleration             state      mul   2  add   1  div   0  sqrt   0  trig   2  other   0",
+///     "acceleration                 state      mul   2  add   1  div   0  sqrt   0  trig   2  other   0",
 /// );
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,7 +100,7 @@ impl fmt::Display for Operations {
         };
         write!(
             f,
-            "{:<24} {stage:<9}  mul {:>3}  add {:>3}  div {:>3}  sqrt {:>3}  trig {:>3}  other {:>3}",
+            "{:<28} {stage:<9}  mul {:>3}  add {:>3}  div {:>3}  sqrt {:>3}  trig {:>3}  other {:>3}",
             self.function, self.mul, self.add, self.div, self.sqrt, self.trig, self.other,
         )
     }

@@ -46,19 +46,36 @@ fn like_terms_are_collected() {
 #[test]
 fn a_common_factor_is_taken_out() {
     let mut g = Graph::default();
-    let (a, b, k) = (g.symbol(Stage::State), g.symbol(Stage::State), g.symbol(Stage::Parameter));
+    let (a, b, k) = (
+        g.symbol(Stage::State),
+        g.symbol(Stage::State),
+        g.symbol(Stage::Parameter),
+    );
     let (x, y) = (g.multiply(k, a), g.multiply(k, b));
     let difference = g.subtract(x, y);
-    assert_eq!((g.late_cost(&[difference]).mul, g.late_cost(&[difference]).add), (1, 1));
+    assert_eq!(
+        (
+            g.late_cost(&[difference]).mul,
+            g.late_cost(&[difference]).add
+        ),
+        (1, 1)
+    );
 }
 
 #[test]
 fn what_is_known_early_is_computed_early() {
     let mut g = Graph::default();
-    let (a, k, m) = (g.symbol(Stage::State), g.symbol(Stage::Parameter), g.symbol(Stage::Parameter));
+    let (a, k, m) = (
+        g.symbol(Stage::State),
+        g.symbol(Stage::Parameter),
+        g.symbol(Stage::Parameter),
+    );
     let quotient = g.divide(a, m);
     let product = g.multiply(quotient, k);
-    assert_eq!((g.late_cost(&[product]).mul, g.late_cost(&[product]).div), (1, 0));
+    assert_eq!(
+        (g.late_cost(&[product]).mul, g.late_cost(&[product]).div),
+        (1, 0)
+    );
     // (a + k) + (b + m) = (a + b) + (k + m)
     let b = g.symbol(Stage::State);
     let (x, y) = (g.add(a, k), g.add(b, m));
@@ -82,8 +99,14 @@ fn signs_move_outwards() {
     let (minus_a, product) = (g.negate(a), g.multiply(a, b));
     let negative = g.multiply(minus_a, b);
     assert_eq!(g.negate(product), negative);
-    assert_eq!(g.apply(Function::Cos, &[minus_a]), g.apply(Function::Cos, &[a]));
-    let (sine, odd) = (g.apply(Function::Sin, &[a]), g.apply(Function::Sin, &[minus_a]));
+    assert_eq!(
+        g.apply(Function::Cos, &[minus_a]),
+        g.apply(Function::Cos, &[a])
+    );
+    let (sine, odd) = (
+        g.apply(Function::Sin, &[a]),
+        g.apply(Function::Sin, &[minus_a]),
+    );
     assert_eq!(g.negate(sine), odd);
 }
 
@@ -138,13 +161,18 @@ fn long_sums_are_split_and_deep_graphs_are_walked_without_recursion() {
 fn an_inverse_times_its_matrix_is_one() {
     let mut g = Graph::default();
     let entry = |g: &mut Graph, digits: &str| g.number(Number::parse(digits).expect("a number"));
-    let [xx, yy, zz, xy, yz, zx] = ["1.3", "1.7", "2.1", "-0.12", "-0.05", "0.07"].map(|digits| entry(&mut g, digits));
+    let [xx, yy, zz, xy, yz, zx] =
+        ["1.3", "1.7", "2.1", "-0.12", "-0.05", "0.07"].map(|digits| entry(&mut g, digits));
     let matrix = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
     let inverse = g.inverse_symmetric(&matrix);
     for (i, row) in inverse.into_iter().enumerate() {
         for (j, column) in matrix.into_iter().enumerate() {
             let entry = g.dot(row, column);
-            assert_eq!(g.as_number(entry).and_then(Number::to_integer), Some(i64::from(i == j)), "exactly");
+            assert_eq!(
+                g.as_number(entry).and_then(Number::to_integer),
+                Some(i64::from(i == j)),
+                "exactly"
+            );
         }
     }
 }

@@ -17,7 +17,12 @@ fn quadrotor() -> TokenStream {
         inputs: [thrust_1[N], thrust_2[N], thrust_3[N], thrust_4[N]],
         mass: 1.2[kg],
         inertia: principal(0.0123, 0.0123, 0.0224)[kg * m ^ 2],
-        points: [front = (arm, 0, 0), left = (0, arm, 0), back = (-arm, 0, 0), right = (0, -arm, 0)],
+        points: [
+            front = (arm, 0, 0),
+            left = (0, arm, 0),
+            back = (-arm, 0, 0),
+            right = (0, -arm, 0)
+        ],
         fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
         forces: [
             lift_1 = body(0, 0, thrust_1).at(front),
@@ -47,7 +52,14 @@ fn satellite() -> TokenStream {
         doc: "A satellite with a full inertia tensor and three control torques.",
         motion: rotation,
         inputs: [torque = body(_, _, _)[N * m]],
-        inertia: tensor { xx: 1.3, yy: 1.7, zz: 2.1, xy: -0.12, yz: -0.05, zx: 0.07 }[kg * m ^ 2],
+        inertia: tensor {
+            xx: 1.3,
+            yy: 1.7,
+            zz: 2.1,
+            xy: -0.12,
+            yz: -0.05,
+            zx: 0.07
+        }[kg * m ^ 2],
         moments: [control = torque],
         outputs: [balance],
     })
@@ -55,13 +67,18 @@ fn satellite() -> TokenStream {
 
 /// Compares with the file of that name; `BLESS=1` writes it.
 fn check(name: &str, description: TokenStream) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compiler/snapshots").join(format!("{name}.rs"));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/compiler/snapshots")
+        .join(format!("{name}.rs"));
     let expansion = pretty(description);
     if std::env::var_os("BLESS").is_some() {
         fs::write(&path, &expansion).expect("a writable snapshot");
     }
     let expected = fs::read_to_string(&path).expect("a snapshot: run with BLESS=1 to write it");
-    assert_eq!(expansion, expected, "the expansion of {name} has changed: run with BLESS=1 and review the difference");
+    assert_eq!(
+        expansion, expected,
+        "the expansion of {name} has changed: run with BLESS=1 and review the difference"
+    );
 }
 
 #[test]
@@ -91,7 +108,11 @@ fn lines_of(expansion: &str, from: &str) -> usize {
 #[test]
 fn a_quadrotor_is_a_page() {
     let expansion = pretty(quadrotor());
-    assert!(expansion.lines().count() <= 150, "{} lines", expansion.lines().count());
+    assert!(
+        expansion.lines().count() <= 150,
+        "{} lines",
+        expansion.lines().count()
+    );
     let acceleration = lines_of(&expansion, "fn acceleration");
     assert!(acceleration <= 40, "{acceleration} lines");
 }
@@ -116,13 +137,22 @@ fn many_forces(count: usize) -> TokenStream {
 fn expansions_grow_linearly() {
     let length = |count: usize| expand_description(many_forces(count)).to_string().len();
     let (small, large) = (length(100), length(1000));
-    assert!(large <= 11 * small, "{small} bytes for 100 forces, {large} for 1000");
+    assert!(
+        large <= 11 * small,
+        "{small} bytes for 100 forces, {large} for 1000"
+    );
 }
 
 /// Printed, not asserted: timings are for the benchmark.
 #[test]
 fn expansion_times() {
-    for (name, description) in [("quadrotor", quadrotor()), ("plank", plank()), ("satellite", satellite()), ("200 forces", many_forces(200)), ("1000 forces", many_forces(1000))] {
+    for (name, description) in [
+        ("quadrotor", quadrotor()),
+        ("plank", plank()),
+        ("satellite", satellite()),
+        ("200 forces", many_forces(200)),
+        ("1000 forces", many_forces(1000)),
+    ] {
         let start = Instant::now();
         let _ = expand_description(description);
         println!("{name}: {:.1} ms", start.elapsed().as_secs_f64() * 1e3);

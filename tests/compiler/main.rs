@@ -36,7 +36,8 @@ fn pretty(description: TokenStream) -> String {
     let mut file: syn::File = syn::parse2(tokens).expect("an expansion is a list of items");
     for item in &mut file.items {
         if let syn::Item::Struct(item) = item {
-            item.attrs.retain(|attribute| !attribute.path().is_ident("cfg_attr"));
+            item.attrs
+                .retain(|attribute| !attribute.path().is_ident("cfg_attr"));
         }
     }
     prettyplease::unparse(&file)

@@ -8,7 +8,17 @@ fn parse(digits: &str) -> Number {
 
 #[test]
 fn a_literal_rounds_as_rust_rounds_it() {
-    for digits in ["0.1", "1.2", "9.80665", "1e-5", "1_000.5e3", "5e-324", "1.7976931348623157e308", "2.2250738585072011e-308", "0.30000000000000004"] {
+    for digits in [
+        "0.1",
+        "1.2",
+        "9.80665",
+        "1e-5",
+        "1_000.5e3",
+        "5e-324",
+        "1.7976931348623157e308",
+        "2.2250738585072011e-308",
+        "0.30000000000000004",
+    ] {
         let rust: f64 = digits.replace('_', "").parse().expect("a float");
         assert_eq!(parse(digits).to_f64().to_bits(), rust.to_bits(), "{digits}");
     }
@@ -36,9 +46,14 @@ fn functions_round_once() {
     let x = 0.7_f64;
     let exact = parse("0.7");
     let near = |function: Function, expected: f64| {
-        let value = Number::apply(function, std::slice::from_ref(&exact)).expect("in the domain").to_f64();
+        let value = Number::apply(function, std::slice::from_ref(&exact))
+            .expect("in the domain")
+            .to_f64();
         // std is right to an ulp
-        assert!((value - expected).abs() <= 2.0 * f64::EPSILON * expected.abs(), "{function:?}: {value} and {expected}");
+        assert!(
+            (value - expected).abs() <= 2.0 * f64::EPSILON * expected.abs(),
+            "{function:?}: {value} and {expected}"
+        );
     };
     near(Function::Sin, x.sin());
     near(Function::Cos, x.cos());
@@ -53,20 +68,35 @@ fn functions_round_once() {
     near(Function::Ln, x.ln());
     near(Function::Sqrt, x.sqrt());
     near(Function::Cbrt, x.cbrt());
-    assert_eq!(Number::pi().to_f64().to_bits(), std::f64::consts::PI.to_bits());
+    assert_eq!(
+        Number::pi().to_f64().to_bits(),
+        std::f64::consts::PI.to_bits()
+    );
 }
 
 #[test]
 fn roots_of_squares_are_exact() {
-    assert_eq!(Number::apply(Function::Sqrt, &[parse("0.09")]), Some(parse("0.3")));
-    assert_eq!(Number::apply(Function::Cbrt, &[parse("-0.027")]), Some(parse("-0.3")));
-    assert_eq!(Number::apply(Function::Hypot, &[parse("0.3"), parse("0.4")]), Some(parse("0.5")));
+    assert_eq!(
+        Number::apply(Function::Sqrt, &[parse("0.09")]),
+        Some(parse("0.3"))
+    );
+    assert_eq!(
+        Number::apply(Function::Cbrt, &[parse("-0.027")]),
+        Some(parse("-0.3"))
+    );
+    assert_eq!(
+        Number::apply(Function::Hypot, &[parse("0.3"), parse("0.4")]),
+        Some(parse("0.5"))
+    );
 }
 
 #[test]
 fn a_zero_behind_a_rounding_is_zero() {
     let right_angle = Number::pi() / Number::integer(2);
-    assert!(Number::apply(Function::Cos, std::slice::from_ref(&right_angle)).is_some_and(|value| value.is_zero()));
+    assert!(
+        Number::apply(Function::Cos, std::slice::from_ref(&right_angle))
+            .is_some_and(|value| value.is_zero())
+    );
     assert!(Number::apply(Function::Sin, &[Number::pi()]).is_some_and(|value| value.is_zero()));
     let root = Number::apply(Function::Sqrt, &[parse("2")]).expect("a root");
     assert!((root.clone() * root - parse("2")).is_zero());
@@ -78,6 +108,9 @@ fn outside_the_domain_there_is_nothing() {
     assert_eq!(Number::apply(Function::Ln, &[Number::zero()]), None);
     assert_eq!(Number::apply(Function::Asin, &[parse("1.5")]), None);
     assert_eq!(Number::apply(Function::Exp, &[parse("1e6")]), None);
-    assert_eq!(Number::apply(Function::Powf, &[parse("-2"), parse("0.5")]), None);
+    assert_eq!(
+        Number::apply(Function::Powf, &[parse("-2"), parse("0.5")]),
+        None
+    );
     assert_eq!(Number::one().checked_div(&Number::zero()), None);
 }

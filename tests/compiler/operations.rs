@@ -4,66 +4,210 @@
 use crate::symbolic::{Comparison, Function, Graph, Id, Stage};
 
 /// An operation on three symbols: its name, how the graph makes it, and what it is.
-type Operation = (&'static str, fn(&mut Graph, [Id; 3]) -> Id, fn([f64; 3]) -> f64);
+type Operation = (
+    &'static str,
+    fn(&mut Graph, [Id; 3]) -> Id,
+    fn([f64; 3]) -> f64,
+);
 
 const OPERATIONS: [Operation; 34] = [
     ("negate", |g, [a, ..]| g.negate(a), |[a, ..]| -a),
     ("add", |g, [a, b, _]| g.add(a, b), |[a, b, _]| a + b),
-    ("subtract", |g, [a, b, _]| g.subtract(a, b), |[a, b, _]| a - b),
-    ("multiply", |g, [a, b, _]| g.multiply(a, b), |[a, b, _]| a * b),
+    (
+        "subtract",
+        |g, [a, b, _]| g.subtract(a, b),
+        |[a, b, _]| a - b,
+    ),
+    (
+        "multiply",
+        |g, [a, b, _]| g.multiply(a, b),
+        |[a, b, _]| a * b,
+    ),
     ("divide", |g, [a, b, _]| g.divide(a, b), |[a, b, _]| a / b),
-    ("sum", |g, [a, b, c]| g.sum(&[a, b, c]), |[a, b, c]| a + b + c),
+    (
+        "sum",
+        |g, [a, b, c]| g.sum(&[a, b, c]),
+        |[a, b, c]| a + b + c,
+    ),
     ("square", |g, [a, ..]| g.square(a), |[a, ..]| a * a),
     ("powi", |g, [a, ..]| g.powi(a, 5), |[a, ..]| a.powi(5)),
-    ("powi negative", |g, [a, ..]| g.powi(a, -3), |[a, ..]| a.powi(-3)),
-    ("quantity", |g, [a, b, _]| { let sum = g.add(a, b); g.quantity(sum) }, |[a, b, _]| a + b),
-    ("select", |g, [a, b, c]| { let less = g.compare(Comparison::Less, a, b); g.select(less, c, a) }, |[a, b, c]| if a < b { c } else { a }),
-    ("logic", |g, [a, b, c]| {
-        let (x, y) = (g.compare(Comparison::Less, a, b), g.compare(Comparison::LessOrEqual, b, c));
-        let (both, either) = (g.and(x, y), g.or(x, y));
-        let not = g.not(both);
-        let chosen = g.and(not, either);
-        g.select(chosen, a, c)
-    }, |[a, b, c]| if !(a < b && b <= c) && (a < b || b <= c) { a } else { c }),
-    ("sqrt", |g, [a, ..]| g.apply(Function::Sqrt, &[a]), |[a, ..]| a.sqrt()),
-    ("cbrt", |g, [a, ..]| g.apply(Function::Cbrt, &[a]), |[a, ..]| a.cbrt()),
-    ("exp", |g, [a, ..]| g.apply(Function::Exp, &[a]), |[a, ..]| a.exp()),
-    ("ln", |g, [a, ..]| g.apply(Function::Ln, &[a]), |[a, ..]| a.ln()),
-    ("sin", |g, [a, ..]| g.apply(Function::Sin, &[a]), |[a, ..]| a.sin()),
-    ("cos", |g, [a, ..]| g.apply(Function::Cos, &[a]), |[a, ..]| a.cos()),
-    ("tan", |g, [a, ..]| g.apply(Function::Tan, &[a]), |[a, ..]| a.tan()),
-    ("asin", |g, [a, ..]| g.apply(Function::Asin, &[a]), |[a, ..]| a.asin()),
-    ("acos", |g, [a, ..]| g.apply(Function::Acos, &[a]), |[a, ..]| a.acos()),
-    ("atan", |g, [a, ..]| g.apply(Function::Atan, &[a]), |[a, ..]| a.atan()),
-    ("sinh", |g, [a, ..]| g.apply(Function::Sinh, &[a]), |[a, ..]| a.sinh()),
-    ("cosh", |g, [a, ..]| g.apply(Function::Cosh, &[a]), |[a, ..]| a.cosh()),
-    ("tanh", |g, [a, ..]| g.apply(Function::Tanh, &[a]), |[a, ..]| a.tanh()),
-    ("abs", |g, [a, ..]| g.apply(Function::Abs, &[a]), |[a, ..]| a.abs()),
-    ("atan2", |g, [a, b, _]| g.apply(Function::Atan2, &[a, b]), |[a, b, _]| a.atan2(b)),
-    ("powf", |g, [a, b, _]| g.apply(Function::Powf, &[a, b]), |[a, b, _]| a.powf(b)),
-    ("hypot", |g, [a, b, _]| g.apply(Function::Hypot, &[a, b]), |[a, b, _]| a.hypot(b)),
-    ("min", |g, [a, b, _]| g.apply(Function::Min, &[a, b]), |[a, b, _]| a.min(b)),
-    ("max", |g, [a, b, _]| g.apply(Function::Max, &[a, b]), |[a, b, _]| a.max(b)),
-    ("signum", |g, [a, ..]| g.apply(Function::Signum, &[a]), |[a, ..]| a.signum()),
-    ("like terms", |g, [a, b, c]| {
-        // 3 a b - a b / 2 + c a b
-        let (three, half) = (g.integer(3), g.number(crate::symbolic::Number::ratio(1, 2)));
-        let ab = g.multiply(a, b);
-        let (x, y, z) = (g.multiply(three, ab), g.multiply(half, ab), g.multiply(c, ab));
-        let difference = g.subtract(x, y);
-        g.add(difference, z)
-    }, |[a, b, c]| 2.5 * a * b + c * a * b),
-    ("nested signs", |g, [a, b, c]| {
-        let (x, y) = (g.subtract(a, b), g.negate(c));
-        let (product, sum) = (g.multiply(x, y), g.add(x, y));
-        let quotient = g.divide(product, sum);
-        let negative = g.negate(quotient);
-        g.subtract(y, negative)
-    }, |[a, b, c]| -c + (a - b) * -c / (a - b - c)),
+    (
+        "powi negative",
+        |g, [a, ..]| g.powi(a, -3),
+        |[a, ..]| a.powi(-3),
+    ),
+    (
+        "quantity",
+        |g, [a, b, _]| {
+            let sum = g.add(a, b);
+            g.quantity(sum)
+        },
+        |[a, b, _]| a + b,
+    ),
+    (
+        "select",
+        |g, [a, b, c]| {
+            let less = g.compare(Comparison::Less, a, b);
+            g.select(less, c, a)
+        },
+        |[a, b, c]| if a < b { c } else { a },
+    ),
+    (
+        "logic",
+        |g, [a, b, c]| {
+            let (x, y) = (
+                g.compare(Comparison::Less, a, b),
+                g.compare(Comparison::LessOrEqual, b, c),
+            );
+            let (both, either) = (g.and(x, y), g.or(x, y));
+            let not = g.not(both);
+            let chosen = g.and(not, either);
+            g.select(chosen, a, c)
+        },
+        |[a, b, c]| {
+            if !(a < b && b <= c) && (a < b || b <= c) {
+                a
+            } else {
+                c
+            }
+        },
+    ),
+    (
+        "sqrt",
+        |g, [a, ..]| g.apply(Function::Sqrt, &[a]),
+        |[a, ..]| a.sqrt(),
+    ),
+    (
+        "cbrt",
+        |g, [a, ..]| g.apply(Function::Cbrt, &[a]),
+        |[a, ..]| a.cbrt(),
+    ),
+    (
+        "exp",
+        |g, [a, ..]| g.apply(Function::Exp, &[a]),
+        |[a, ..]| a.exp(),
+    ),
+    (
+        "ln",
+        |g, [a, ..]| g.apply(Function::Ln, &[a]),
+        |[a, ..]| a.ln(),
+    ),
+    (
+        "sin",
+        |g, [a, ..]| g.apply(Function::Sin, &[a]),
+        |[a, ..]| a.sin(),
+    ),
+    (
+        "cos",
+        |g, [a, ..]| g.apply(Function::Cos, &[a]),
+        |[a, ..]| a.cos(),
+    ),
+    (
+        "tan",
+        |g, [a, ..]| g.apply(Function::Tan, &[a]),
+        |[a, ..]| a.tan(),
+    ),
+    (
+        "asin",
+        |g, [a, ..]| g.apply(Function::Asin, &[a]),
+        |[a, ..]| a.asin(),
+    ),
+    (
+        "acos",
+        |g, [a, ..]| g.apply(Function::Acos, &[a]),
+        |[a, ..]| a.acos(),
+    ),
+    (
+        "atan",
+        |g, [a, ..]| g.apply(Function::Atan, &[a]),
+        |[a, ..]| a.atan(),
+    ),
+    (
+        "sinh",
+        |g, [a, ..]| g.apply(Function::Sinh, &[a]),
+        |[a, ..]| a.sinh(),
+    ),
+    (
+        "cosh",
+        |g, [a, ..]| g.apply(Function::Cosh, &[a]),
+        |[a, ..]| a.cosh(),
+    ),
+    (
+        "tanh",
+        |g, [a, ..]| g.apply(Function::Tanh, &[a]),
+        |[a, ..]| a.tanh(),
+    ),
+    (
+        "abs",
+        |g, [a, ..]| g.apply(Function::Abs, &[a]),
+        |[a, ..]| a.abs(),
+    ),
+    (
+        "atan2",
+        |g, [a, b, _]| g.apply(Function::Atan2, &[a, b]),
+        |[a, b, _]| a.atan2(b),
+    ),
+    (
+        "powf",
+        |g, [a, b, _]| g.apply(Function::Powf, &[a, b]),
+        |[a, b, _]| a.powf(b),
+    ),
+    (
+        "hypot",
+        |g, [a, b, _]| g.apply(Function::Hypot, &[a, b]),
+        |[a, b, _]| a.hypot(b),
+    ),
+    (
+        "min",
+        |g, [a, b, _]| g.apply(Function::Min, &[a, b]),
+        |[a, b, _]| a.min(b),
+    ),
+    (
+        "max",
+        |g, [a, b, _]| g.apply(Function::Max, &[a, b]),
+        |[a, b, _]| a.max(b),
+    ),
+    (
+        "signum",
+        |g, [a, ..]| g.apply(Function::Signum, &[a]),
+        |[a, ..]| a.signum(),
+    ),
+    (
+        "like terms",
+        |g, [a, b, c]| {
+            // 3 a b - a b / 2 + c a b
+            let (three, half) = (g.integer(3), g.number(crate::symbolic::Number::ratio(1, 2)));
+            let ab = g.multiply(a, b);
+            let (x, y, z) = (
+                g.multiply(three, ab),
+                g.multiply(half, ab),
+                g.multiply(c, ab),
+            );
+            let difference = g.subtract(x, y);
+            g.add(difference, z)
+        },
+        |[a, b, c]| 2.5 * a * b + c * a * b,
+    ),
+    (
+        "nested signs",
+        |g, [a, b, c]| {
+            let (x, y) = (g.subtract(a, b), g.negate(c));
+            let (product, sum) = (g.multiply(x, y), g.add(x, y));
+            let quotient = g.divide(product, sum);
+            let negative = g.negate(quotient);
+            g.subtract(y, negative)
+        },
+        |[a, b, c]| -c + (a - b) * -c / (a - b - c),
+    ),
 ];
 
 /// Values inside the domain of every function.
-const VALUES: [[f64; 3]; 4] = [[0.31, 0.74, 0.92], [0.83, 0.12, 0.55], [0.5, 0.25, 0.125], [0.99, 0.98, 0.07]];
+const VALUES: [[f64; 3]; 4] = [
+    [0.31, 0.74, 0.92],
+    [0.83, 0.12, 0.55],
+    [0.5, 0.25, 0.125],
+    [0.99, 0.98, 0.07],
+];
 
 /// Symbols of the given stages.
 fn symbols(graph: &mut Graph, stages: [Stage; 3]) -> [Id; 3] {
@@ -76,16 +220,29 @@ fn close(a: f64, b: f64, tolerance: f64) -> bool {
 
 #[test]
 fn every_operation_means_what_it_says() {
-    let stages = [[Stage::State; 3], [Stage::Parameter; 3], [Stage::Parameter, Stage::State, Stage::State], [Stage::State, Stage::Parameter, Stage::Parameter]];
+    let stages = [
+        [Stage::State; 3],
+        [Stage::Parameter; 3],
+        [Stage::Parameter, Stage::State, Stage::State],
+        [Stage::State, Stage::Parameter, Stage::Parameter],
+    ];
     for (name, build, meaning) in OPERATIONS {
         for stage in stages {
             let mut graph = Graph::default();
             let given = symbols(&mut graph, stage);
             let made = build(&mut graph, given);
             for values in VALUES {
-                let value = graph.evaluate(&[made], |id| values[given.iter().position(|symbol| *symbol == id).expect("a symbol")])[0];
+                let value = graph.evaluate(&[made], |id| {
+                    values[given
+                        .iter()
+                        .position(|symbol| *symbol == id)
+                        .expect("a symbol")]
+                })[0];
                 // reassociation of a few terms
-                assert!(close(value, meaning(values), 8.0 * f64::EPSILON), "{name} {stage:?} {values:?}: {value}");
+                assert!(
+                    close(value, meaning(values), 8.0 * f64::EPSILON),
+                    "{name} {stage:?} {values:?}: {value}"
+                );
             }
         }
     }
@@ -101,8 +258,13 @@ fn numbers_fold_to_the_same_value() {
                 graph.number(number)
             });
             let made = build(&mut graph, given);
-            let number = graph.as_number(made).unwrap_or_else(|| panic!("{name} does not fold"));
-            assert!(close(number.to_f64(), meaning(values), 8.0 * f64::EPSILON), "{name} {values:?}");
+            let number = graph
+                .as_number(made)
+                .unwrap_or_else(|| panic!("{name} does not fold"));
+            assert!(
+                close(number.to_f64(), meaning(values), 8.0 * f64::EPSILON),
+                "{name} {values:?}"
+            );
         }
     }
 }
@@ -118,9 +280,21 @@ fn substitution_by_numbers_is_exact_evaluation() {
                 let number = crate::symbolic::Number::parse(&value.to_string()).expect("a number");
                 graph.number(number)
             });
-            let value = graph.substitute(&[made], |id| Some(numbers[given.iter().position(|symbol| *symbol == id).expect("a symbol")]))[0];
-            let number = graph.as_number(value).unwrap_or_else(|| panic!("{name} does not fold"));
-            assert!(close(number.to_f64(), meaning(values), 8.0 * f64::EPSILON), "{name} {values:?}");
+            let value = graph.substitute(&[made], |id| {
+                Some(
+                    numbers[given
+                        .iter()
+                        .position(|symbol| *symbol == id)
+                        .expect("a symbol")],
+                )
+            })[0];
+            let number = graph
+                .as_number(value)
+                .unwrap_or_else(|| panic!("{name} does not fold"));
+            assert!(
+                close(number.to_f64(), meaning(values), 8.0 * f64::EPSILON),
+                "{name} {values:?}"
+            );
         }
     }
 }
@@ -135,15 +309,25 @@ fn derivatives_are_those_of_differences() {
         for (axis, by) in given.into_iter().enumerate() {
             let derivative = graph.derivative(&[made], by)[0];
             for values in VALUES {
-                let symbolic = graph.evaluate(&[derivative], |id| values[given.iter().position(|symbol| *symbol == id).expect("a symbol")])[0];
+                let symbolic = graph.evaluate(&[derivative], |id| {
+                    values[given
+                        .iter()
+                        .position(|symbol| *symbol == id)
+                        .expect("a symbol")]
+                })[0];
                 let at = |offset: f64| {
                     let mut moved = values;
                     moved[axis] += offset;
                     meaning(moved)
                 };
-                let difference = (8.0 * (at(STEP) - at(-STEP)) - (at(2.0 * STEP) - at(-2.0 * STEP))) / (12.0 * STEP);
+                let difference = (8.0 * (at(STEP) - at(-STEP))
+                    - (at(2.0 * STEP) - at(-2.0 * STEP)))
+                    / (12.0 * STEP);
                 // fourth-order differences: rounding of 1e-16 over the step
-                assert!(close(symbolic, difference, 1e-8), "{name} by {axis} at {values:?}: {symbolic} and {difference}");
+                assert!(
+                    close(symbolic, difference, 1e-8),
+                    "{name} by {axis} at {values:?}: {symbolic} and {difference}"
+                );
             }
         }
     }

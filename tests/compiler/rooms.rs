@@ -11,7 +11,10 @@ const ROOMS: [(&str, &[&str]); 7] = [
     ("model", &["errors", "syntax", "symbolic"]),
     ("mechanics", &["errors", "model", "symbolic"]),
     ("emit", &["model", "mechanics", "symbolic"]),
-    ("expand", &["errors", "syntax", "model", "mechanics", "emit"]),
+    (
+        "expand",
+        &["errors", "syntax", "model", "mechanics", "emit"],
+    ),
 ];
 
 fn sources(room: &str) -> Vec<PathBuf> {
@@ -21,7 +24,9 @@ fn sources(room: &str) -> Vec<PathBuf> {
         return vec![file];
     }
     let entries = fs::read_dir(root.join(room)).expect("a room is a file or a folder");
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("a readable entry").path()).collect();
+    let mut files: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("a readable entry").path())
+        .collect();
     files.sort();
     assert!(!files.is_empty(), "{room} is empty");
     files
@@ -36,10 +41,20 @@ fn imported(source: &str) -> Vec<String> {
         }
         let rest = &source[start + "crate::".len()..];
         let names: Vec<&str> = match rest.strip_prefix('{') {
-            Some(tree) => tree.split('}').next().unwrap_or_default().split(',').collect(),
+            Some(tree) => tree
+                .split('}')
+                .next()
+                .unwrap_or_default()
+                .split(',')
+                .collect(),
             None => vec![rest],
         };
-        let word = |text: &str| text.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
+        let word = |text: &str| {
+            text.trim()
+                .chars()
+                .take_while(|c| c.is_alphanumeric() || *c == '_')
+                .collect::<String>()
+        };
         found.extend(names.into_iter().map(word).filter(|name| !name.is_empty()));
     }
     found
@@ -51,7 +66,11 @@ fn each_room_imports_what_it_may() {
         for file in sources(room) {
             let source = fs::read_to_string(&file).expect("a readable source");
             for name in imported(&source) {
-                assert!(name == room || allowed.contains(&name.as_str()), "{} imports {name}", file.display());
+                assert!(
+                    name == room || allowed.contains(&name.as_str()),
+                    "{} imports {name}",
+                    file.display()
+                );
             }
         }
     }
@@ -62,13 +81,20 @@ fn only_the_door_names_proc_macro() {
     for (room, _) in ROOMS {
         for file in sources(room) {
             let source = fs::read_to_string(&file).expect("a readable source");
-            assert!(!source.contains("proc_macro::"), "{} names proc_macro", file.display());
+            assert!(
+                !source.contains("proc_macro::"),
+                "{} names proc_macro",
+                file.display()
+            );
         }
     }
 }
 
 #[test]
 fn imports_are_found() {
-    assert_eq!(imported("use crate::{emit, model::Model};"), ["emit", "model"]);
+    assert_eq!(
+        imported("use crate::{emit, model::Model};"),
+        ["emit", "model"]
+    );
     assert_eq!(imported("let x: crate::symbolic::Id;"), ["symbolic"]);
 }

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::model::{Model, Outline};
-use crate::symbolic::{Cost, Id, Program, Stage};
+use crate::symbolic::{Cost, Function, Id, Node, Program, Stage};
 
 use super::expression::Precedence;
 use super::text::to_text;
@@ -65,7 +65,10 @@ impl Fields {
 pub struct Writer<'a> {
     pub model: &'a Model,
     pub outline: &'a Outline,
+    /// What the constructor has stored, to be read.
     pub fields: &'a Fields,
+    /// What the constructor is to store, to be computed under these names.
+    pub targets: &'a Fields,
     pub stage: Stage,
     /// The path of what generated code may name.
     pub private: TokenStream,
@@ -85,28 +88,41 @@ impl Writer<'_> {
         self.model.frames.graph.schedule(outputs, self.stage)
     }
 
+    /// Names that are not there for statements: those of arguments, and those of fields, which are
+    /// told from statements by `self` in the code and by nothing in its text.
+    fn taken(&self) -> HashSet<String> {
+        let fields = self.fields.0.iter().map(|(_, name)| name.to_string());
+        TAKEN
+            .iter()
+            .map(|name| (*name).to_owned())
+            .chain(fields)
+            .collect()
+    }
+
     /// The code that computes `outputs`.
     pub fn function(&self, outputs: &[Id]) -> Code {
         let program = self.schedule(outputs);
         let mut body = Body {
             writer: self,
             names: HashMap::new(),
-            taken: TAKEN.iter().map(|name| (*name).to_owned()).collect(),
+            taken: self.taken(),
             noted: HashSet::new(),
             reads: Vec::new(),
         };
         let mut statements = body.read(&program);
         let mut text = Vec::new();
         for &id in &program.statements {
+            if body.names.contains_key(&id) {
+                continue;
+            }
             let name = body.statement_name(id);
-            let value = body.definition(id);
             let note = body.note(&name);
             text.extend(note.iter().map(|note| format!("# {note}")));
-            text.push(format!("{name} = {}", to_text(&value)));
+            let (left, right) = body.statement(id, name, &program);
+            text.push(format!("{} = {}", to_text(&left), to_text(&right)));
             let note = note.map(|note| format!(" {note}"));
             let note = note.iter();
-            statements.extend(quote!(#(#[doc = #note])* let #name = #value;));
-            body.names.insert(id, name);
+            statements.extend(quote!(#(#[doc = #note])* let #left = #right;));
         }
         let outputs = program
             .outputs
@@ -120,5 +136,35 @@ impl Writer<'_> {
             reads: body.reads,
             text,
         }
+    }
+}
+
+impl Body<'_> {
+    /// What is assigned, and its value; a sine and a cosine of the same angle are computed together.
+    fn statement(&mut self, id: Id, name: Ident, program: &Program) -> (TokenStream, TokenStream) {
+        let graph = &self.writer.model.frames.graph;
+        let pair = graph
+            .other_half(id)
+            .filter(|other| program.statements.contains(other));
+        let (Some(other), Node::Unary(function, angle)) = (pair, graph.node(id)) else {
+            let value = self.definition(id);
+            let left = quote!(#name);
+            self.names.insert(id, name);
+            return (left, value);
+        };
+        let second = self.statement_name(other);
+        let private = &self.writer.private;
+        let angle = self.expression(*angle, Precedence::Lowest);
+        let (sine, cosine) = if *function == Function::Sin {
+            (&name, &second)
+        } else {
+            (&second, &name)
+        };
+        let tokens = (
+            quote!((#sine, #cosine)),
+            quote!(#private::math::sin_cos(#angle)),
+        );
+        self.names.extend([(id, name), (other, second)]);
+        tokens
     }
 }

@@ -34,9 +34,10 @@ impl Documentation {
         if !constructor.stored.is_empty() {
             costs.insert(0, ("new", "parameter", constructor.cost));
         }
+        let text = equations_text(functions, constructor);
         Self {
-            lines: lines(outline, functions, &costs, equations),
-            constants: constants(outline, functions, &costs, equations),
+            lines: lines(outline, &text, &costs, equations),
+            constants: constants(outline, &text, &costs, equations),
         }
     }
 
@@ -50,7 +51,7 @@ impl Documentation {
 
 fn lines(
     outline: &Outline,
-    functions: &Functions,
+    text: &[String],
     costs: &[(&str, &str, Cost)],
     equations: &Equations,
 ) -> TokenStream {
@@ -61,7 +62,7 @@ fn lines(
         outline.doc.clone()
     };
     let title = title.iter().map(|line| spaced(line));
-    let text = functions.acceleration.text.iter().map(|line| spaced(line));
+    let text = text.iter().map(|line| spaced(line));
     let costs: Vec<String> = costs
         .iter()
         .map(|(name, _, cost)| format!("`{name}` {}", describe(*cost)))
@@ -79,6 +80,19 @@ fn lines(
         #[doc = #operations]
         #(#[doc = ""] #[doc = #skipped])*
     }
+}
+
+/// What is computed once, and then the acceleration.
+fn equations_text(functions: &Functions, constructor: &Constructor) -> Vec<String> {
+    let stored = &constructor.text;
+    let heading = (!stored.is_empty()).then(|| "# once, in the constructor".to_owned());
+    let then = (!stored.is_empty()).then(|| "# at every evaluation".to_owned());
+    let lines = heading
+        .iter()
+        .chain(stored)
+        .chain(&then)
+        .chain(&functions.acceleration.text);
+    lines.cloned().collect()
 }
 
 fn spaced(line: &str) -> String {
@@ -112,12 +126,12 @@ fn describe(cost: Cost) -> String {
 
 fn constants(
     outline: &Outline,
-    functions: &Functions,
+    text: &[String],
     costs: &[(&str, &str, Cost)],
     equations: &Equations,
 ) -> TokenStream {
     let private = private(outline);
-    let text = functions.acceleration.text.join("\n");
+    let text = text.join("\n");
     let rows = costs.iter().map(|(name, stage, cost)| {
         let stage = Ident::new(stage, Span::call_site());
         let counts = [

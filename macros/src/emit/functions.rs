@@ -77,10 +77,12 @@ impl Function {
 impl Functions {
     pub fn write(outline: &Outline, model: &Model, equations: &Equations, fields: &Fields) -> Self {
         let shapes = Shapes::of(outline);
+        let none = Fields::default();
         let writer = Writer {
             model,
             outline,
             fields,
+            targets: &none,
             stage: Stage::State,
             private: private(outline),
         };

@@ -10,6 +10,7 @@ use crate::symbolic::{Cost, Id, Node, Stage};
 use super::code::{Fields, Writer};
 use super::docs::{Documentation, declared_doc};
 use super::expression::number_literal;
+use super::text::to_text;
 
 /// What a body is built from and keeps.
 pub struct Constructor {
@@ -18,14 +19,18 @@ pub struct Constructor {
     /// Checks and computations of `new`.
     pub body: TokenStream,
     pub cost: Cost,
+    /// The computations as text.
+    pub text: Vec<String>,
 }
 
 /// The expressions of the equations that depend on parameters alone, each with the name of its field.
 pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) -> Fields {
+    let none = Fields::default();
     let writer = Writer {
         model,
         outline,
-        fields: &Fields::default(),
+        fields: &none,
+        targets: &none,
         stage: Stage::State,
         private: private(outline),
     };
@@ -78,6 +83,7 @@ impl Constructor {
             model,
             outline,
             fields: &none,
+            targets: fields,
             stage: Stage::Parameter,
             private: private.clone(),
         };
@@ -111,13 +117,22 @@ impl Constructor {
         let words = stored.iter().map(ToString::to_string);
         let derived = (!stored.is_empty())
             .then(|| quote!(#private::check_finite(&[#((#words, #stored)),*])?;));
-        let reads = &code.statements;
+        let statements = &code.statements;
+        let mut text = code.text;
+        let mut rest = TokenStream::new();
+        for (name, value) in stored.iter().zip(values) {
+            // what is a statement has its name already
+            if to_text(value) != name.to_string() {
+                text.push(format!("{name} = {}", to_text(value)));
+                rest.extend(quote!(let #name = #value;));
+            }
+        }
         let body = quote! {
             #private::check_finite(&[#(#given),*])?;
-            #reads
+            #statements
             #(#mass_check)*
             #inertia_check
-            #(let #stored = #values;)*
+            #rest
             #derived
             Ok(Self { params, #(#stored),* })
         };
@@ -125,6 +140,7 @@ impl Constructor {
             stored,
             body,
             cost: code.cost,
+            text,
         }
     }
 
@@ -133,6 +149,7 @@ impl Constructor {
             stored: Vec::new(),
             body: quote!(Ok(Self { params })),
             cost: Cost::default(),
+            text: Vec::new(),
         }
     }
 }

@@ -33,6 +33,14 @@ impl Body<'_> {
             Node::Quantity(inner) => *inner,
             _ => id,
         };
+        if let Some(target) = self
+            .writer
+            .targets
+            .get(id)
+            .or_else(|| self.writer.targets.get(inner))
+        {
+            return target.clone();
+        }
         let label = |id: Id| frames.labels.get(id).map(str::to_owned);
         let opposite = || label(frames.graph.negation_of(id)?).map(|name| format!("minus_{name}"));
         let wanted = label(inner).or_else(|| label(id)).or_else(opposite);

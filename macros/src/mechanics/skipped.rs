@@ -120,8 +120,9 @@ fn skip_state(model: &Model, linear: &Components, angular: &Components, skipped:
         .collect();
     if !unread.is_empty() {
         skipped.push(format!(
-            "{}: the accelerations do not depend on it",
-            unread.join(", ")
+            "{}: the accelerations do not depend on {}",
+            unread.join(", "),
+            if unread.len() == 1 { "it" } else { "them" }
         ));
     }
 }

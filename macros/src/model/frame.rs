@@ -6,7 +6,7 @@
 //! added before the one rotation, and the difference of two points of the body knows nothing of
 //! where the body is (EQUATIONS.md, H9).
 
-use crate::symbolic::{Components, Function, Graph, Id};
+use crate::symbolic::{Components, Function, Graph, Id, Node};
 
 use super::names::Labels;
 
@@ -238,62 +238,86 @@ impl Frames {
         graph.add_vectors(v, change)
     }
 
-    /// A late factor that every component has, if there is one.
+    /// A factor that every component has, if there is one, and the components without it.
+    ///
+    /// To turn `s v` as `s` times the turned `v` costs nothing where `v` has all its components,
+    /// and one whole rotation less where `v` itself is turned too.
     fn common_factor(&mut self, v: Components) -> Option<(Id, Components)> {
-        use crate::symbolic::Node;
-        let factors = |graph: &Graph, id: Id| match *graph.node(id) {
-            Node::Multiply(a, b) if graph.is_early(a) => match *graph.node(b) {
-                Node::Multiply(x, y) => vec![x, y],
-                _ => vec![b],
-            },
-            Node::Multiply(a, b) => vec![a, b],
-            _ => vec![id],
-        };
-        let magnitudes = v.map(|component| self.graph.split_sign(component).1);
-        let nonzero: Vec<Id> = magnitudes
-            .into_iter()
-            .filter(|id| !self.graph.is_zero(*id))
-            .collect();
         let axes = if matches!(self.attitude, Attitude::Angle(_)) {
             2
         } else {
             3
         };
-        if nonzero.len() < axes {
-            // fewer components are cheaper to multiply before they are turned
+        let parts = v.map(|component| Part::of(&mut self.graph, component));
+        let parts = &parts[..axes];
+        if parts.iter().any(|part| self.graph.is_early(part.late)) {
             return None;
         }
-        let candidates = factors(&self.graph, *nonzero.first()?);
-        let shared = |candidate: &Id| {
-            !self.graph.is_early(*candidate)
-                && nonzero
-                    .iter()
-                    .all(|id| factors(&self.graph, *id).contains(candidate))
-        };
-        let factor = candidates.into_iter().find(shared)?;
+        let (first, rest) = parts.split_first()?;
         let one = self.graph.one();
-        let rest = v.map(|component| self.without(component, factor, one));
-        Some((factor, rest))
+        let early = if rest.iter().all(|part| part.early == first.early) {
+            first.early
+        } else {
+            one
+        };
+        let has = |part: &Part, factor: Id| part.factors.contains(&factor);
+        let late = first
+            .factors
+            .iter()
+            .copied()
+            .find(|factor| rest.iter().all(|part| has(part, *factor)));
+        if late.is_none() && self.graph.is_one(early) {
+            return None;
+        }
+        let mut without = v;
+        for (component, part) in without.iter_mut().zip(parts) {
+            *component = part.rebuilt(&mut self.graph, early, late);
+        }
+        let factor = self.graph.multiply(early, late.unwrap_or(one));
+        Some((factor, without))
+    }
+}
+
+/// A component, taken apart: `+- early * late`, and the factors of `late`.
+struct Part {
+    negative: bool,
+    early: Id,
+    late: Id,
+    factors: Vec<Id>,
+}
+
+impl Part {
+    fn of(graph: &mut Graph, component: Id) -> Self {
+        let (negative, magnitude) = graph.split_sign(component);
+        let (early, late) = graph.split_factor(magnitude);
+        let factors = match *graph.node(late) {
+            Node::Multiply(a, b) => vec![a, b],
+            _ => vec![late],
+        };
+        Self {
+            negative,
+            early,
+            late,
+            factors,
+        }
     }
 
-    /// `a / factor`, where `factor` is one of the factors of `a`.
-    fn without(&mut self, a: Id, factor: Id, one: Id) -> Id {
-        use crate::symbolic::Node;
-        let (negative, magnitude) = self.graph.split_sign(a);
-        let (early, late) = self.graph.split_factor(magnitude);
-        let rest = match *self.graph.node(late) {
-            _ if late == factor => one,
-            Node::Multiply(x, y) if x == factor => y,
-            Node::Multiply(x, y) if y == factor => x,
-            _ => late,
-        };
-        let rest = if self.graph.is_zero(a) {
-            a
+    /// The component over `early` and `late`.
+    fn rebuilt(&self, graph: &mut Graph, early: Id, late: Option<Id>) -> Id {
+        let mut left = self.factors.clone();
+        if let Some(index) = left.iter().position(|factor| Some(*factor) == late) {
+            left.remove(index);
+        }
+        let mut rest = if early == self.early {
+            graph.one()
         } else {
-            self.graph.multiply(early, rest)
+            self.early
         };
-        if negative {
-            self.graph.negate(rest)
+        for factor in left {
+            rest = graph.multiply(rest, factor);
+        }
+        if self.negative {
+            graph.negate(rest)
         } else {
             rest
         }

@@ -1,6 +1,7 @@
 //! From a graph to straight-line code: which expressions become statements, and in which order.
 
 use super::graph::{Graph, Id, Node, Stage};
+use super::number::Function;
 
 /// Operations that one statement may hold before it is split.
 const STATEMENT: u32 = 14;
@@ -73,7 +74,11 @@ impl Graph {
                 weights[id.index()] = 0;
                 continue;
             }
-            if is_quantity || shared || weights[id.index()] > STATEMENT {
+            if is_quantity
+                || shared
+                || self.is_half_of_a_pair(id, &nodes)
+                || weights[id.index()] > STATEMENT
+            {
                 weights[id.index()] = 0;
                 statements.push(id);
             }
@@ -85,5 +90,20 @@ impl Graph {
             symbols,
             nodes,
         }
+    }
+
+    /// The cosine of what `id` is the sine of, or the other way round, if it was made.
+    pub fn other_half(&self, id: Id) -> Option<Id> {
+        match *self.node(id) {
+            Node::Unary(Function::Sin, angle) => self.find(&Node::Unary(Function::Cos, angle)),
+            Node::Unary(Function::Cos, angle) => self.find(&Node::Unary(Function::Sin, angle)),
+            _ => None,
+        }
+    }
+
+    /// A sine and a cosine of the same angle are computed together.
+    fn is_half_of_a_pair(&self, id: Id, nodes: &[Id]) -> bool {
+        self.other_half(id)
+            .is_some_and(|other| nodes.binary_search(&other).is_ok())
     }
 }

@@ -53,3 +53,10 @@ binary! {
     min(x, y) = f64::min, "The smaller; of a number and NaN, the number.";
     max(x, y) = f64::max, "The larger; of a number and NaN, the number.";
 }
+
+/// `(sin x, cos x)`, with one reduction of the argument.
+#[inline]
+#[must_use]
+pub fn sin_cos(x: f64) -> (f64, f64) {
+    libm::sincos(x)
+}

@@ -2,7 +2,7 @@
 ///
 /// Operations: `new` 3 mul; `acceleration` none; `kinetic_energy` 5 mul + 2 add; `potential_energy` 1 mul; `linear_momentum` 2 mul; `angular_momentum` 1 mul; `angular_momentum_about_pole` 1 mul.
 ///
-/// Skipped: three equations out of the plane: the motion is planar; the moment of `weight`: it acts at G; position, velocity, attitude, angular velocity: the accelerations do not depend on it.
+/// Skipped: three equations out of the plane: the motion is planar; the moment of `weight`: it acts at G; position, velocity, attitude, angular velocity: the accelerations do not depend on them.
 #[derive(Clone, Debug)]
 pub struct Plank {
     params: PlankParams,
@@ -17,7 +17,7 @@ pub struct PlankParams {
 }
 impl Plank {
     /// The equations of motion, as they are evaluated.
-    pub const EQUATIONS: &str = "linear_x = 0.0\nlinear_y = -9.80665\nangular = 0.0";
+    pub const EQUATIONS: &str = "# once, in the constructor\nlength_squared = length * length\nfrom_length = 0.3333333333333333 * length_squared\nfrom_length_1 = 0.16666666666666666 * length_squared\n# at every evaluation\nlinear_x = 0.0\nlinear_y = -9.80665\nangular = 0.0";
     /// What they cost, by function and stage.
     pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
         ::newton_euler::private::Operations::parameter("new", [3, 0, 0, 0, 0, 0]),
@@ -44,7 +44,7 @@ impl Plank {
     pub const SKIPPED: &[&str] = &[
         "three equations out of the plane: the motion is planar",
         "the moment of `weight`: it acts at G",
-        "position, velocity, attitude, angular velocity: the accelerations do not depend on it",
+        "position, velocity, attitude, angular velocity: the accelerations do not depend on them",
     ];
     /// Checks the parameters, and computes what depends on them alone.
     ///
@@ -56,9 +56,8 @@ impl Plank {
         ::newton_euler::private::check_finite(&[("length", params.length)])?;
         let PlankParams { length } = params;
         let length_squared = length * length;
-        let product = 0.3333333333333333 * length_squared;
-        ::newton_euler::private::check_planar_inertia(product)?;
-        let from_length = product;
+        let from_length = 0.3333333333333333 * length_squared;
+        ::newton_euler::private::check_planar_inertia(from_length)?;
         let from_length_1 = 0.16666666666666666 * length_squared;
         ::newton_euler::private::check_finite(
             &[("from_length", from_length), ("from_length_1", from_length_1)],

@@ -2,7 +2,7 @@
 ///
 /// Operations: `new` 2 mul; `acceleration` 16 mul + 15 add.
 ///
-/// Skipped: products of inertia: the axes are principal; (w x J w)_z: the other two moments of inertia are equal; the moment of `weight`: it acts at G; position, velocity: the accelerations do not depend on it.
+/// Skipped: products of inertia: the axes are principal; (w x J w)_z: the other two moments of inertia are equal; the moment of `weight`: it acts at G; position, velocity: the accelerations do not depend on them.
 #[derive(Clone, Debug)]
 pub struct Quadrotor {
     params: QuadrotorParams,
@@ -31,7 +31,7 @@ pub struct QuadrotorInput {
 }
 impl Quadrotor {
     /// The equations of motion, as they are evaluated.
-    pub const EQUATIONS: &str = "twist = thrust_1 - thrust_2 + thrust_3 - thrust_4\n# what is fixed in the body: sum of F / m, body axes\nspecific_force_z = 0.8333333333333334 * (thrust_1 + thrust_2 + thrust_3 + thrust_4)\ndoubled_z = 2.0 * specific_force_z\n# s = q x 2 v, to turn v: v + w s + q x s\nswing_x = qy * doubled_z\nminus_swing_y = qx * doubled_z\n# (1.3), world axes: a = sum of F / m\nlinear_x = qw * swing_x + qz * minus_swing_y\nlinear_y = qz * swing_x - qw * minus_swing_y\nlinear_z = specific_force_z - (qx * minus_swing_y + qy * swing_x) - 9.80665\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.8211382113821138 * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_arm * (thrust_2 - thrust_4)\nangular_y = from_arm * (thrust_3 - thrust_1) - wx * precession\nangular_z = from_drag_ratio * twist";
+    pub const EQUATIONS: &str = "# once, in the constructor\nfrom_arm = 81.30081300813008 * arm\nfrom_drag_ratio = 44.642857142857146 * drag_ratio\n# at every evaluation\ntwist = thrust_1 - thrust_2 + thrust_3 - thrust_4\n# what is fixed in the body: sum of F / m, body axes\nspecific_force_z = 0.8333333333333334 * (thrust_1 + thrust_2 + thrust_3 + thrust_4)\ndoubled_z = 2.0 * specific_force_z\n# s = q x 2 v, to turn v: v + w s + q x s\nswing_x = qy * doubled_z\nminus_swing_y = qx * doubled_z\n# (1.3), world axes: a = sum of F / m\nlinear_x = qw * swing_x + qz * minus_swing_y\nlinear_y = qz * swing_x - qw * minus_swing_y\nlinear_z = specific_force_z - (qx * minus_swing_y + qy * swing_x) - 9.80665\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.8211382113821138 * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_arm * (thrust_2 - thrust_4)\nangular_y = from_arm * (thrust_3 - thrust_1) - wx * precession\nangular_z = from_drag_ratio * twist";
     /// What they cost, by function and stage.
     pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
         ::newton_euler::private::Operations::parameter("new", [2, 0, 0, 0, 0, 0]),
@@ -42,7 +42,7 @@ impl Quadrotor {
         "products of inertia: the axes are principal",
         "(w x J w)_z: the other two moments of inertia are equal",
         "the moment of `weight`: it acts at G",
-        "position, velocity: the accelerations do not depend on it",
+        "position, velocity: the accelerations do not depend on them",
     ];
     /// Checks the parameters, and computes what depends on them alone.
     ///

@@ -41,10 +41,18 @@ impl Documentation {
         }
     }
 
-    pub fn stub() -> Self {
+    pub fn stub(outline: &Outline) -> Self {
+        let private = private(outline);
         Self {
             lines: quote!(#[doc = " A description with errors."]),
-            constants: TokenStream::new(),
+            constants: quote! {
+                #[allow(missing_docs)]
+                pub const EQUATIONS: &str = "";
+                #[allow(missing_docs)]
+                pub const OPERATIONS: &[#private::Operations] = &[];
+                #[allow(missing_docs)]
+                pub const SKIPPED: &[&str] = &[];
+            },
         }
     }
 }
@@ -65,20 +73,17 @@ fn lines(
     let text = text.iter().map(|line| spaced(line));
     let costs: Vec<String> = costs
         .iter()
-        .map(|(name, _, cost)| format!("`{name}` {}", describe(*cost)))
+        .map(|(name, _, cost)| format!("`{name}`: {}", describe(*cost)))
         .collect();
-    let operations = format!(" Operations: {}.", costs.join("; "));
-    let skipped = (!equations.skipped.is_empty())
-        .then(|| format!(" Skipped: {}.", equations.skipped.join("; ")));
-    let skipped = skipped.iter();
+    let operations = listed("Operations", &costs);
+    let skipped = listed("Skipped", &equations.skipped);
     quote! {
         #(#[doc = #title])*
         #[cfg_attr(doc, doc = "", doc = " ```text")]
         #(#[cfg_attr(doc, doc = #text)])*
         #[cfg_attr(doc, doc = " ```")]
-        #[doc = ""]
-        #[doc = #operations]
-        #(#[doc = ""] #[doc = #skipped])*
+        #(#[doc = #operations])*
+        #(#[doc = #skipped])*
     }
 }
 
@@ -93,6 +98,17 @@ fn equations_text(functions: &Functions, constructor: &Constructor) -> Vec<Strin
         .chain(&then)
         .chain(&functions.acceleration.text);
     lines.cloned().collect()
+}
+
+/// A heading and a list, or nothing.
+fn listed(heading: &str, rows: &[String]) -> Vec<String> {
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let head = [String::new(), format!(" {heading}:")];
+    head.into_iter()
+        .chain(rows.iter().map(|row| format!(" - {row}")))
+        .collect()
 }
 
 fn spaced(line: &str) -> String {

@@ -122,7 +122,7 @@ impl Constructor {
         let mut rest = TokenStream::new();
         for (name, value) in stored.iter().zip(values) {
             // what is a statement has its name already
-            if to_text(value) != name.to_string() {
+            if *name != to_text(value) {
                 text.push(format!("{name} = {}", to_text(value)));
                 rest.extend(quote!(let #name = #value;));
             }

@@ -38,7 +38,11 @@ pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> Tok
 /// The same items for a description with mistakes, so that nothing else turns red: they compile
 /// and do nothing.
 pub fn emit_stub(outline: &Outline) -> TokenStream {
-    let items = items::emit_items(outline, &Constructor::stub(), &docs::Documentation::stub());
+    let items = items::emit_items(
+        outline,
+        &Constructor::stub(),
+        &docs::Documentation::stub(outline),
+    );
     let implementations = implementations::emit_implementations(outline, &Functions::stub());
     let checks = items::emit_checks(outline);
     quote!(#items #implementations #checks)

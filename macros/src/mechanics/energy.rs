@@ -1,7 +1,7 @@
 //! Kinetic energy, and the potential energy of uniform fields.
 
-use crate::model::{Family, Frame, Inertia, LoadKind, Meaning, Model, Point, Vector};
-use crate::symbolic::{Graph, Id, Node, Number};
+use crate::model::{Family, Inertia, Load, LoadKind, Meaning, Model, Point, Vector};
+use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 /// The expressions of `outputs: [energy]`, in joules.
 pub struct Energy {
@@ -46,19 +46,16 @@ fn kinetic(model: &mut Model) -> Id {
 
 fn potential(model: &mut Model) -> Id {
     let mut potential = model.frames.graph.zero();
-    if !model.motion.has_position() {
-        return potential;
-    }
-    let fields: Vec<(Vector, Point)> = uniform_fields(model)
-        .map(|load| (load.vector, load.point))
+    let fields: Vec<(Vector, Components)> = model
+        .loads
+        .iter()
+        .filter_map(|load| Some((load.vector, uniform_field(model, load)?)))
         .collect();
-    for (force, point) in fields {
-        let position = match point {
-            Point::Body(offset) => Vector {
-                body: offset,
-                world: model.state.position,
-            },
-            Point::World(position) => model.frames.vector(Frame::World, position),
+    for (force, offset) in fields {
+        // where G does not move, or its motion is not modelled, positions count from G
+        let position = Vector {
+            body: offset,
+            world: model.state.position,
         };
         let work = model.frames.dot(force, position);
         potential = model.frames.graph.subtract(potential, work);
@@ -66,17 +63,9 @@ fn potential(model: &mut Model) -> Id {
     potential
 }
 
-/// Field forces that are the same everywhere in space: written in world axes, and independent of
-/// position, attitude and velocity.
-fn uniform_fields(model: &Model) -> impl Iterator<Item = &crate::model::Load> {
-    model.loads.iter().filter(|load| {
-        load.family == Family::Field
-            && load.kind == LoadKind::Force
-            && is_uniform(model, load.vector)
-    })
-}
-
-pub fn is_uniform(model: &Model, force: Vector) -> bool {
+/// The point of the body at which a uniform field acts: a field force that is written in world axes
+/// and is the same for every position, attitude and velocity.
+pub fn uniform_field(model: &Model, load: &Load) -> Option<Components> {
     let graph: &Graph = &model.frames.graph;
     let of_state = |id: Id| match graph.node(id) {
         Node::Symbol(symbol) => !matches!(
@@ -85,5 +74,13 @@ pub fn is_uniform(model: &Model, force: Vector) -> bool {
         ),
         _ => false,
     };
-    graph.is_zero_vector(&force.body) && !graph.depends_on(&force.world, of_state)
+    let Point::Body(offset) = load.point else {
+        return None;
+    };
+    let force = load.vector;
+    let is_uniform = load.family == Family::Field
+        && load.kind == LoadKind::Force
+        && graph.is_zero_vector(&force.body)
+        && !graph.depends_on(&force.world, of_state);
+    is_uniform.then_some(offset)
 }

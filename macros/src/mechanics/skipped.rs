@@ -3,7 +3,7 @@
 use crate::model::{Family, Inertia, LoadKind, Meaning, Model, Motion, Output, Point};
 use crate::symbolic::{Components, Id, Node};
 
-use super::energy::is_uniform;
+use super::energy::uniform_field;
 
 pub fn list_skipped(model: &Model, linear: &Components, angular: &Components) -> Vec<String> {
     let mut skipped = Vec::new();
@@ -15,10 +15,10 @@ pub fn list_skipped(model: &Model, linear: &Components, angular: &Components) ->
         let others = model
             .loads
             .iter()
-            .filter(|load| load.family == Family::Field && !is_uniform(model, load.vector));
+            .filter(|load| load.family == Family::Field && uniform_field(model, load).is_none());
         skipped.extend(others.map(|load| {
             format!(
-                "`{}` in the potential energy: it is not a uniform field",
+                "`{}` in the potential energy: it is not a uniform field on a point of the body",
                 load.name
             )
         }));

@@ -1,8 +1,18 @@
 /// A plank thrown in a vertical plane.
 ///
-/// Operations: `new` 3 mul; `acceleration` none; `kinetic_energy` 5 mul + 2 add; `potential_energy` 1 mul; `linear_momentum` 2 mul; `angular_momentum` 1 mul; `angular_momentum_about_pole` 1 mul.
+/// Operations:
+/// - `new`: 3 mul
+/// - `acceleration`: none
+/// - `kinetic_energy`: 5 mul + 2 add
+/// - `potential_energy`: 1 mul
+/// - `linear_momentum`: 2 mul
+/// - `angular_momentum`: 1 mul
+/// - `angular_momentum_about_pole`: 1 mul
 ///
-/// Skipped: three equations out of the plane: the motion is planar; the moment of `weight`: it acts at G; position, velocity, attitude, angular velocity: the accelerations do not depend on them.
+/// Skipped:
+/// - three equations out of the plane: the motion is planar
+/// - the moment of `weight`: it acts at G
+/// - position, velocity, attitude, angular velocity: the accelerations do not depend on them
 #[derive(Clone, Debug)]
 pub struct Plank {
     params: PlankParams,

@@ -1,8 +1,14 @@
 /// A quadrotor in a plus configuration; rotors 1 and 3 spin about -z.
 ///
-/// Operations: `new` 2 mul; `acceleration` 16 mul + 15 add.
+/// Operations:
+/// - `new`: 2 mul
+/// - `acceleration`: 16 mul + 15 add
 ///
-/// Skipped: products of inertia: the axes are principal; (w x J w)_z: the other two moments of inertia are equal; the moment of `weight`: it acts at G; position, velocity: the accelerations do not depend on them.
+/// Skipped:
+/// - products of inertia: the axes are principal
+/// - (w x J w)_z: the other two moments of inertia are equal
+/// - the moment of `weight`: it acts at G
+/// - position, velocity: the accelerations do not depend on them
 #[derive(Clone, Debug)]
 pub struct Quadrotor {
     params: QuadrotorParams,

@@ -1,8 +1,14 @@
 /// A satellite with a full inertia tensor and three control torques.
 ///
-/// Operations: `acceleration` 23 mul + 17 add; `applied` 18 mul + 12 add; `residual` 42 mul + 33 add; `loads` 18 mul + 12 add.
+/// Operations:
+/// - `acceleration`: 23 mul + 17 add
+/// - `applied`: 18 mul + 12 add
+/// - `residual`: 42 mul + 33 add
+/// - `loads`: 18 mul + 12 add
 ///
-/// Skipped: the force balance: the motion of G is not modelled; attitude: the accelerations do not depend on it.
+/// Skipped:
+/// - the force balance: the motion of G is not modelled
+/// - attitude: the accelerations do not depend on it
 #[derive(Clone, Debug, Default)]
 pub struct Satellite {}
 /// What [`Satellite`] is given at each evaluation, in SI units.

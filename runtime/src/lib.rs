@@ -2,8 +2,31 @@
 //!
 //! [`rigid_body!`] reads what a body is (mass, inertia, points) and what acts on it (forces, moments, fields,
 //! reactions), writes the force balance (1.3) and the moment balance (1.4), drops what is zero or never asked for, and
-//! leaves straight-line Rust that `cargo expand` shows as a page of a textbook. Generated types implement the traits of
-//! [`body`] on the states of [`state`]; [`integrate`] moves them.
+//! leaves straight-line Rust that `cargo expand` shows as a page of a textbook. Its documentation is the reference of the
+//! language. Generated types implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them.
+//!
+//! ```
+//! use newton_euler::{integrate, prelude::*};
+//!
+//! rigid_body!(Plank {
+//!     doc: "A plank thrown in its plane.",
+//!     motion: planar,
+//!     params: [length = 2.4[m]],
+//!     mass: 6[kg],
+//!     inertia: mass * length.powi(2) / 12,
+//!     fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+//!     outputs: [energy],
+//! });
+//!
+//! let plank = Plank::default();
+//! let thrown = Planar { velocity: [4.0, 7.0].into(), angular_velocity: -5.0, ..Planar::default() };
+//! let caught = integrate::cf4(&plank, &thrown, &(), 0.0..1.5, 100);
+//! assert!((caught.position.y - (7.0 * 1.5 - 9.80665 * 1.5 * 1.5 / 2.0)).abs() < 1e-12);
+//!
+//! let energy = |state| plank.kinetic_energy(state) + plank.potential_energy(0.0, state, &());
+//! assert!((energy(&caught) - energy(&thrown)).abs() < 1e-10);
+//! println!("{}", Plank::EQUATIONS);
+//! ```
 //!
 //! What the macro uses is here for use by hand as well: [`inertia`] tensors that cannot be impossible, the
 //! [`gyroscopic`] term, [`wrench`]es and their change of pole, maps of [`attitude`]. Plain SI numbers, right-handed
@@ -14,8 +37,8 @@
 //! The moment of the inertial forces is often given as (1.9): minus the inertia matrix times the angular acceleration,
 //! plus a matrix times the *squares* of the angular velocities. As printed it is incomplete: a second matrix, times
 //! their *products*, is missing, and with it the whole gyroscopic moment in principal axes. Bodies then do not
-//! flip and precess wrongly, and their energy and angular momentum are not conserved. This library uses the completed equation; [`gyroscopic`] has
-//! both matrices, what goes wrong without the second, and how the gap was found.
+//! flip and precess wrongly, and their energy and angular momentum are not conserved. This library uses the completed
+//! equation; [`gyroscopic`] has both matrices, what goes wrong without the second, and how the gap was found.
 //!
 //! # Features
 //!

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::model::{Model, Outline};
-use crate::symbolic::{Cost, Function, Id, Node, Program, Stage};
+use crate::symbolic::{Comparison, Cost, Function, Id, Node, Program, Stage};
 
 use super::expression::Precedence;
 use super::text::to_text;
@@ -34,6 +34,8 @@ pub struct Code {
     pub cost: Cost,
     /// Whether statements carry notes.
     pub has_notes: bool,
+    /// Whether numbers are compared for equality.
+    pub has_equality: bool,
     /// The statements as text, for documentation.
     pub text: Vec<String>,
 }
@@ -124,6 +126,13 @@ impl Writer<'_> {
             let note = note.iter();
             statements.extend(quote!(#(#[doc = #note])* let #left = #right;));
         }
+        let graph = &self.model.frames.graph;
+        let compares_equality = |id: &Id| {
+            matches!(
+                graph.node(*id),
+                Node::Compare(Comparison::Equal | Comparison::NotEqual, ..)
+            )
+        };
         let outputs = program
             .outputs
             .iter()
@@ -133,6 +142,7 @@ impl Writer<'_> {
             outputs: outputs.collect(),
             cost: self.model.frames.graph.cost(&program.nodes),
             has_notes: !body.noted.is_empty(),
+            has_equality: program.nodes.iter().any(compares_equality),
             reads: body.reads,
             text,
         }

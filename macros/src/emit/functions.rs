@@ -37,6 +37,7 @@ pub struct Function {
     pub text: Vec<String>,
     reads: Vec<Source>,
     has_notes: bool,
+    has_equality: bool,
 }
 
 impl Function {
@@ -54,6 +55,7 @@ impl Function {
             text: code.text,
             reads: code.reads,
             has_notes: code.has_notes,
+            has_equality: code.has_equality,
         }
     }
 
@@ -67,10 +69,16 @@ impl Function {
         Ident::new(&format!("{underscore}{name}"), Span::mixed_site())
     }
 
-    /// Statements carry notes, which the compiler has no use for.
-    pub fn lints(&self) -> Option<TokenStream> {
-        self.has_notes
-            .then(|| quote!(#[allow(unused_doc_comments)]))
+    /// Statements carry notes, which the compiler has no use for, and descriptions may compare for
+    /// equality.
+    pub fn lints(&self) -> TokenStream {
+        let notes = self
+            .has_notes
+            .then(|| quote!(#[allow(unused_doc_comments)]));
+        let equality = self
+            .has_equality
+            .then(|| quote!(#[allow(clippy::float_cmp)]));
+        quote!(#notes #equality)
     }
 }
 

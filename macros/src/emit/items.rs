@@ -134,7 +134,7 @@ impl Constructor {
             #inertia_check
             #rest
             #derived
-            Ok(Self { params, #(#stored),* })
+            ::core::result::Result::Ok(Self { params, #(#stored),* })
         };
         Self {
             stored,
@@ -147,7 +147,7 @@ impl Constructor {
     pub fn stub() -> Self {
         Self {
             stored: Vec::new(),
-            body: quote!(Ok(Self { params })),
+            body: quote!(::core::result::Result::Ok(Self { params })),
             cost: Cost::default(),
             text: Vec::new(),
         }
@@ -205,15 +205,12 @@ fn emit_struct(
     }
 }
 
-/// Users may call a parameter `J`.
-fn lints(declared: &[Declared]) -> Option<TokenStream> {
-    let unusual = declared.iter().any(|declared| {
-        declared
-            .name
-            .to_string()
-            .contains(|letter: char| letter.is_uppercase())
-    });
-    unusual.then(|| quote!(#[allow(non_snake_case)]))
+/// Users may call a parameter `J`, and inputs `thrust_1`, `thrust_2`, ...
+fn lints(declared: &[Declared]) -> TokenStream {
+    let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
+    let unusual = declared.iter().any(|declared| has_capitals(&declared.name));
+    let snake_case = unusual.then(|| quote!(, non_snake_case));
+    quote!(#[allow(clippy::struct_field_names #snake_case)])
 }
 
 fn default_value(outline: &Outline, declared: &Declared) -> Option<TokenStream> {
@@ -268,7 +265,6 @@ pub fn emit_items(
     );
     let private = private(outline);
     let Constructor { stored, body, .. } = constructor;
-    let lints = lints(&outline.params);
     let default = outline.has_default().then(|| emit_default(outline));
     let new_doc = " Checks the parameters, and computes what depends on them alone.";
     quote! {
@@ -277,14 +273,13 @@ pub fn emit_items(
         pub struct #name { params: #params, #(#stored: f64),* }
         #param_struct
         #inputs
-        #lints
         impl #name {
             #constants
             #[doc = #new_doc]
             #[doc = ""]
             #[doc = " # Errors"]
             #[doc = " A parameter is not finite, or no body has the mass or inertia they make."]
-            pub fn new(params: #params) -> Result<Self, #private::InvalidBody> { #body }
+            pub fn new(params: #params) -> ::core::result::Result<Self, #private::InvalidBody> { #body }
             /// The parameters this body was built from.
             #[must_use]
             pub fn params(&self) -> &#params { &self.params }
@@ -302,12 +297,12 @@ fn emit_default(outline: &Outline) -> TokenStream {
         .iter()
         .filter_map(|param| default_value(outline, param));
     quote! {
-        impl Default for #params {
+        impl ::core::default::Default for #params {
             fn default() -> Self { Self { #(#names: #values),* } }
         }
-        impl Default for #name {
+        impl ::core::default::Default for #name {
             fn default() -> Self {
-                Self::new(#params::default()).expect("the defaults were checked at expansion")
+                Self::new(<#params as ::core::default::Default>::default()).expect("the defaults were checked at expansion")
             }
         }
     }
@@ -324,7 +319,10 @@ pub fn emit_checks(outline: &Outline) -> TokenStream {
         .map(|keys| quote!(let _ = [#(&#body.#keys),*];));
     let schema = quote!(const _: fn(&#runtime::schema::Body) = |#body| { #(#lines)* };);
     let unused = (!outline.unused.is_empty()).then(|| {
-        let names = outline.unused.iter();
+        let names = outline
+            .unused
+            .iter()
+            .map(|name| Ident::new(&name.to_string().to_lowercase(), name.span()));
         quote!(const _: fn() = || { #(let #names = ();)* };)
     });
     quote!(#schema #unused)

@@ -16,9 +16,11 @@ pub fn local(name: &str) -> Ident {
 }
 
 impl Body<'_> {
-    /// A name that no other local has.
+    /// A name that no other local has; in lower case, since a pattern `J` or `Some` would mean a
+    /// constant of the user's, if there is one.
     pub fn unique(&mut self, wanted: &str) -> Ident {
-        let mut name = wanted.to_owned();
+        let wanted = wanted.to_lowercase();
+        let mut name = wanted.clone();
         let mut suffix = 0;
         while !self.taken.insert(name.clone()) {
             suffix += 1;
@@ -43,7 +45,7 @@ impl Body<'_> {
         }
         let label = |id: Id| frames.labels.get(id).map(str::to_owned);
         let opposite = || label(frames.graph.negation_of(id)?).map(|name| format!("minus_{name}"));
-        let wanted = label(inner).or_else(|| label(id)).or_else(opposite);
+        let wanted = label(id).or_else(|| label(inner)).or_else(opposite);
         let wanted = wanted.unwrap_or_else(|| self.describe(inner));
         self.unique(&wanted)
     }

@@ -67,8 +67,8 @@ fn in_world(model: &mut Model, force: Vector, moment: Vector) -> Resultant {
         .labels
         .describe("moment", "sum of the moments, world axes");
     let (force, moment) = (
-        model.frames.graph.quantities(force),
-        model.frames.graph.quantities(moment),
+        model.frames.graph.results(force),
+        model.frames.graph.results(moment),
     );
     model.frames.labels.vector("force", force);
     model.frames.labels.vector("moment", moment);

@@ -47,7 +47,7 @@ fn linear_acceleration(model: &mut Model) -> Components {
     );
     model.frames.labels.vector("specific_force", specific.body);
     let acceleration = model.frames.components(specific, Frame::World);
-    let acceleration = model.frames.graph.quantities(acceleration);
+    let acceleration = model.frames.graph.results(acceleration);
     model
         .frames
         .labels
@@ -119,7 +119,7 @@ fn angular_acceleration(model: &mut Model, moments: Vec<Vector>) -> Components {
         }
         Inertia::Spatial(rows) => general(model, &rows, moment),
     };
-    let angular = model.frames.graph.quantities(angular);
+    let angular = model.frames.graph.results(angular);
     model
         .frames
         .labels

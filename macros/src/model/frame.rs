@@ -8,7 +8,7 @@
 
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
-use super::names::Labels;
+use super::names::{AXES, Labels};
 
 /// Axes in which components are written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -116,7 +116,16 @@ impl Frames {
             Frame::World => (a.world, a.body),
         };
         let turned = self.turn(other, frame);
-        self.graph.add_vectors(turned, own)
+        let components = self.graph.add_vectors(turned, own);
+        self.labels.vector(
+            if frame == Frame::Body {
+                "in_body"
+            } else {
+                "in_world"
+            },
+            components,
+        );
+        components
     }
 
     /// Both parts with components in one frame: that of the part there is, body axes if both are.
@@ -172,7 +181,9 @@ impl Frames {
 
     pub fn norm(&mut self, a: Vector) -> Id {
         let (_, components) = self.in_one_frame(a);
-        self.graph.norm(components)
+        let norm = self.graph.norm(components);
+        self.labels.name(norm, "norm");
+        norm
     }
 
     /// The components of one vector in the axes of `to`, from its components in the other axes.
@@ -181,6 +192,11 @@ impl Frames {
     fn turn(&mut self, v: Components, to: Frame) -> Components {
         if self.graph.is_zero_vector(&v) {
             return v;
+        }
+        if self.leads_with_minus(v) {
+            let opposite = self.graph.negate_vector(v);
+            let turned = self.turn(opposite, to);
+            return self.graph.negate_vector(turned);
         }
         if let Some((factor, rest)) = self.common_factor(v) {
             let turned = self.turn(rest, to);
@@ -227,7 +243,14 @@ impl Frames {
         let doubled = graph.quantities(doubled);
         let swing = graph.cross(q, doubled);
         let swing = graph.quantities(swing);
-        self.labels.vector("turned", v);
+        for (component, axis) in v.into_iter().zip(AXES) {
+            // what is turned has a name of its own, or none
+            if let Node::Quantity(inner) = *graph.node(component)
+                && self.labels.get(inner).is_none()
+            {
+                self.labels.name(component, format!("turned_{axis}"));
+            }
+        }
         self.labels.vector("doubled", doubled);
         self.labels
             .describe("swing", "s = q x 2 v, to turn v: v + w s + q x s");
@@ -236,6 +259,14 @@ impl Frames {
         let across = graph.cross(q, swing);
         let change = graph.add_vectors(along, across);
         graph.add_vectors(v, change)
+    }
+
+    /// A vector and its opposite are turned together.
+    fn leads_with_minus(&mut self, v: Components) -> bool {
+        let first = v
+            .into_iter()
+            .find(|component| !self.graph.is_zero(*component));
+        first.is_some_and(|component| self.graph.split_sign(component).0)
     }
 
     /// A factor that every component has, if there is one, and the components without it.

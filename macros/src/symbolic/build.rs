@@ -68,6 +68,14 @@ impl Graph {
         }
     }
 
+    /// Makes `a`, sign and all, a statement of its own: a result that nothing is built from.
+    pub fn result(&mut self, a: Id) -> Id {
+        match *self.node(a) {
+            Node::Negate(_) if self.stage(a) != Stage::Constant => self.intern(Node::Quantity(a)),
+            _ => self.quantity(a),
+        }
+    }
+
     /// The negative of `a`, if anybody made it.
     pub fn negation_of(&self, a: Id) -> Option<Id> {
         self.find(&Node::Negate(a))

@@ -20,6 +20,11 @@ impl Graph {
         a.map(|component| self.quantity(component))
     }
 
+    /// Makes each component a result.
+    pub fn results(&mut self, a: Components) -> Components {
+        a.map(|component| self.result(component))
+    }
+
     pub fn negate_vector(&mut self, a: Components) -> Components {
         a.map(|component| self.negate(component))
     }

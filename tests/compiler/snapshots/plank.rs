@@ -20,6 +20,7 @@ pub struct Plank {
     from_length_1: f64,
 }
 /// Parameters of [`Plank`], in SI units.
+#[allow(clippy::struct_field_names)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlankParams {
     /// `length` in m.
@@ -62,7 +63,7 @@ impl Plank {
     /// A parameter is not finite, or no body has the mass or inertia they make.
     pub fn new(
         params: PlankParams,
-    ) -> Result<Self, ::newton_euler::private::InvalidBody> {
+    ) -> ::core::result::Result<Self, ::newton_euler::private::InvalidBody> {
         ::newton_euler::private::check_finite(&[("length", params.length)])?;
         let PlankParams { length } = params;
         let length_squared = length * length;
@@ -72,7 +73,7 @@ impl Plank {
         ::newton_euler::private::check_finite(
             &[("from_length", from_length), ("from_length_1", from_length_1)],
         )?;
-        Ok(Self {
+        ::core::result::Result::Ok(Self {
             params,
             from_length,
             from_length_1,
@@ -84,14 +85,14 @@ impl Plank {
         &self.params
     }
 }
-impl Default for PlankParams {
+impl ::core::default::Default for PlankParams {
     fn default() -> Self {
         Self { length: 2.0 }
     }
 }
-impl Default for Plank {
+impl ::core::default::Default for Plank {
     fn default() -> Self {
-        Self::new(PlankParams::default())
+        Self::new(<PlankParams as ::core::default::Default>::default())
             .expect("the defaults were checked at expansion")
     }
 }

@@ -16,6 +16,7 @@ pub struct Quadrotor {
     from_drag_ratio: f64,
 }
 /// Parameters of [`Quadrotor`], in SI units.
+#[allow(clippy::struct_field_names)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuadrotorParams {
     /// `arm` in m.
@@ -24,6 +25,7 @@ pub struct QuadrotorParams {
     pub drag_ratio: f64,
 }
 /// What [`Quadrotor`] is given at each evaluation, in SI units.
+#[allow(clippy::struct_field_names)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct QuadrotorInput {
     /// `thrust_1` in N.
@@ -56,7 +58,7 @@ impl Quadrotor {
     /// A parameter is not finite, or no body has the mass or inertia they make.
     pub fn new(
         params: QuadrotorParams,
-    ) -> Result<Self, ::newton_euler::private::InvalidBody> {
+    ) -> ::core::result::Result<Self, ::newton_euler::private::InvalidBody> {
         ::newton_euler::private::check_finite(
             &[("arm", params.arm), ("drag_ratio", params.drag_ratio)],
         )?;
@@ -66,7 +68,7 @@ impl Quadrotor {
         ::newton_euler::private::check_finite(
             &[("from_arm", from_arm), ("from_drag_ratio", from_drag_ratio)],
         )?;
-        Ok(Self {
+        ::core::result::Result::Ok(Self {
             params,
             from_arm,
             from_drag_ratio,
@@ -78,7 +80,7 @@ impl Quadrotor {
         &self.params
     }
 }
-impl Default for QuadrotorParams {
+impl ::core::default::Default for QuadrotorParams {
     fn default() -> Self {
         Self {
             arm: 0.17,
@@ -86,9 +88,9 @@ impl Default for QuadrotorParams {
         }
     }
 }
-impl Default for Quadrotor {
+impl ::core::default::Default for Quadrotor {
     fn default() -> Self {
-        Self::new(QuadrotorParams::default())
+        Self::new(<QuadrotorParams as ::core::default::Default>::default())
             .expect("the defaults were checked at expansion")
     }
 }

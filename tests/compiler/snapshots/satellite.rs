@@ -12,6 +12,7 @@
 #[derive(Clone, Debug, Default)]
 pub struct Satellite {}
 /// What [`Satellite`] is given at each evaluation, in SI units.
+#[allow(clippy::struct_field_names)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SatelliteInput {
     /// `torque` in N * m, body axes.

@@ -114,3 +114,15 @@ fn outside_the_domain_there_is_nothing() {
     );
     assert_eq!(Number::one().checked_div(&Number::zero()), None);
 }
+
+#[test]
+fn exactness_is_given_up_where_it_grows_out_of_proportion() {
+    let mut number = parse("1.0000001");
+    for _ in 0..16 {
+        number = number.clone() * number;
+    }
+    assert!(number.is_carried());
+    // 1.0000001^65536, by logarithms in doubles
+    let expected = (65536.0 * 1e-7_f64.ln_1p()).exp();
+    assert!((number.to_f64() / expected - 1.0).abs() < 1e-14);
+}

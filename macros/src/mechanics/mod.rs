@@ -32,6 +32,7 @@ pub struct Equations {
 
 /// Derives the equations of motion and the outputs.
 pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equations> {
+    name_properties(model);
     let asked = |output: Output, model: &Model| model.outputs.contains(&output);
     let (linear, angular) = newton_euler::derive_accelerations(model, errors)?;
     let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));
@@ -46,6 +47,31 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         balance,
         skipped,
     })
+}
+
+/// Mass and inertia are called what they are, where they are computed.
+fn name_properties(model: &mut Model) {
+    let names = [
+        "inertia_xx",
+        "inertia_yy",
+        "inertia_zz",
+        "inertia_xy",
+        "inertia_yz",
+        "inertia_zx",
+    ];
+    let entries = model.inertia_entries();
+    let names = if entries.len() == 1 {
+        &["inertia"][..]
+    } else {
+        &names[..]
+    };
+    let labels = &mut model.frames.labels;
+    for (id, name) in entries.into_iter().zip(names) {
+        labels.name(id, *name);
+    }
+    if let Some(mass) = model.mass {
+        labels.name(mass, "mass");
+    }
 }
 
 impl Equations {

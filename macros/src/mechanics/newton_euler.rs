@@ -241,7 +241,7 @@ fn general(model: &mut Model, rows: &[Components; 3], moment: Components) -> Com
     labels.vector("relative_momentum", relative);
     let graph = &mut model.frames.graph;
     let torque = graph.subtract_vectors(moment, gyroscopic);
-    let torque = graph.quantities(torque);
+    let torque = graph.results(torque);
     labels.describe("net_moment", "M - w x J w about G, body axes");
     labels.vector("net_moment", torque);
     let inverse = inverse_inertia(model, rows);

@@ -9,7 +9,7 @@ use core::hash::{Hash, Hasher};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use dashu_float::{FBig, round::mode::HalfEven};
-use dashu_int::{IBig, UBig};
+use dashu_int::{IBig, UBig, ops::BitTest};
 use dashu_ratio::RBig;
 
 /// Bits kept of a number that is not rational.
@@ -18,7 +18,9 @@ const PRECISION: usize = 256;
 const SIGNIFICANT: usize = 200;
 /// Decimal exponents beyond which a literal is refused before any number is built.
 const DECIMAL_EXPONENTS: i64 = 5000;
-/// Bits of numerator and denominator beyond which a number is no longer carried.
+/// Bits of numerator and denominator beyond which an exact number is rounded to [`PRECISION`].
+const EXACT: usize = 1 << 13;
+/// Bits beyond which a number is not carried at all.
 const SIZE: usize = 1 << 16;
 
 type Float = FBig<HalfEven, 2>;
@@ -357,8 +359,19 @@ impl Number {
 
     /// Whether the number is still small enough to be carried along.
     pub fn is_carried(&self) -> bool {
-        self.value.numerator().as_sign_words().1.len() * 64 < SIZE
-            && self.value.denominator().as_words().len() * 64 < SIZE
+        self.bits() < SIZE
+    }
+
+    fn bits(&self) -> usize {
+        self.value.numerator().bit_len() + self.value.denominator().bit_len()
+    }
+
+    /// Gives up exactness where it has grown out of all proportion.
+    fn condensed(self) -> Self {
+        if self.bits() < EXACT || !self.is_carried() {
+            return self;
+        }
+        Self::from_float(self.to_float()).unwrap_or(self)
     }
 
     /// A rounded result that has cancelled down to the noise of its terms is zero.
@@ -400,6 +413,7 @@ impl Add for Number {
             value: self.value + other.value,
             rounded: self.rounded || other.rounded,
         }
+        .condensed()
         .snapped(&scale)
     }
 }
@@ -418,6 +432,7 @@ impl Mul for Number {
             value: self.value * other.value,
             rounded: self.rounded || other.rounded,
         }
+        .condensed()
     }
 }
 
@@ -428,6 +443,7 @@ impl Div for Number {
             value: self.value / other.value,
             rounded: self.rounded || other.rounded,
         }
+        .condensed()
     }
 }
 

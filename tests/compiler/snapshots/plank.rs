@@ -16,8 +16,8 @@
 #[derive(Clone, Debug)]
 pub struct Plank {
     params: PlankParams,
+    inertia: f64,
     from_length: f64,
-    from_length_1: f64,
 }
 /// Parameters of [`Plank`], in SI units.
 #[allow(clippy::struct_field_names)]
@@ -28,7 +28,7 @@ pub struct PlankParams {
 }
 impl Plank {
     /// The equations of motion, as they are evaluated.
-    pub const EQUATIONS: &str = "# once, in the constructor\nlength_squared = length * length\nfrom_length = 0.3333333333333333 * length_squared\nfrom_length_1 = 0.16666666666666666 * length_squared\n# at every evaluation\nlinear_x = 0.0\nlinear_y = -9.80665\nangular = 0.0";
+    pub const EQUATIONS: &str = "# once, in the constructor\nlength_squared = length * length\ninertia = 0.3333333333333333 * length_squared\nfrom_length = 0.16666666666666666 * length_squared\n# at every evaluation\nlinear_x = 0.0\nlinear_y = -9.80665\nangular = 0.0";
     /// What they cost, by function and stage.
     pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
         ::newton_euler::private::Operations::parameter("new", [3, 0, 0, 0, 0, 0]),
@@ -67,16 +67,16 @@ impl Plank {
         ::newton_euler::private::check_finite(&[("length", params.length)])?;
         let PlankParams { length } = params;
         let length_squared = length * length;
-        let from_length = 0.3333333333333333 * length_squared;
-        ::newton_euler::private::check_planar_inertia(from_length)?;
-        let from_length_1 = 0.16666666666666666 * length_squared;
+        let inertia = 0.3333333333333333 * length_squared;
+        ::newton_euler::private::check_planar_inertia(inertia)?;
+        let from_length = 0.16666666666666666 * length_squared;
         ::newton_euler::private::check_finite(
-            &[("from_length", from_length), ("from_length_1", from_length_1)],
+            &[("inertia", inertia), ("from_length", from_length)],
         )?;
         ::core::result::Result::Ok(Self {
             params,
+            inertia,
             from_length,
-            from_length_1,
         })
     }
     /// The parameters this body was built from.
@@ -117,7 +117,7 @@ impl ::newton_euler::private::Energy for Plank {
     fn kinetic_energy(&self, state: &::newton_euler::private::Planar) -> f64 {
         let [vx, vy]: [f64; 2] = state.velocity.into();
         let w = state.angular_velocity;
-        2.0 * (vx * vx + vy * vy) + self.from_length_1 * (w * w)
+        2.0 * (vx * vx + vy * vy) + self.from_length * (w * w)
     }
     fn potential_energy(
         &self,
@@ -141,7 +141,7 @@ impl ::newton_euler::private::Momentum for Plank {
     }
     fn angular_momentum(&self, state: &::newton_euler::private::Planar) -> f64 {
         let w = state.angular_velocity;
-        self.from_length * w
+        self.inertia * w
     }
     fn angular_momentum_about_pole(
         &self,
@@ -149,7 +149,7 @@ impl ::newton_euler::private::Momentum for Plank {
         state: &::newton_euler::private::Planar,
     ) -> f64 {
         let w = state.angular_velocity;
-        self.from_length * w
+        self.inertia * w
     }
 }
 const _: fn(&::newton_euler::schema::Body) = |body| {

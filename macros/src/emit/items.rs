@@ -37,8 +37,18 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
     let hoisted = writer.schedule(&equations.roots()).hoisted;
     let mut taken: Vec<String> = vec!["params".to_owned()];
     let fields = hoisted.into_iter().map(|id| {
-        let label = model.frames.labels.get(id).map(str::to_owned);
-        let wanted = label.unwrap_or_else(|| field_name(outline, model, id));
+        let labels = &model.frames.labels;
+        let label = labels.get(id).map(str::to_owned);
+        let opposite = || {
+            Some(format!(
+                "minus_{}",
+                labels.get(model.frames.graph.negation_of(id)?)?
+            ))
+        };
+        let wanted = label.or_else(opposite);
+        let wanted = wanted
+            .unwrap_or_else(|| field_name(outline, model, id))
+            .to_lowercase();
         let mut name = wanted.clone();
         let mut repeated = 0;
         while taken.contains(&name) {

@@ -234,9 +234,7 @@ fn general(model: &mut Model, rows: &[Components; 3], moment: Components) -> Com
     let (_, relative, gyroscopic, deviatoric) = cheapest;
 
     let labels = &mut model.frames.labels;
-    for (i, row) in deviatoric.iter().enumerate() {
-        labels.vector(&format!("deviator_{}", crate::model::AXES[i]), *row);
-    }
+    labels.matrix("deviator", &deviatoric);
     labels.describe("relative_momentum", "(J - lambda 1) w, body axes");
     labels.vector("relative_momentum", relative);
     let graph = &mut model.frames.graph;
@@ -262,12 +260,7 @@ fn inverse_inertia(model: &mut Model, rows: &[Components; 3]) -> [Components; 3]
     let inverse = graph
         .inverse_symmetric(&relative)
         .map(|row| graph.scale_vector(scale, row));
-    for (i, row) in inverse.iter().enumerate() {
-        model
-            .frames
-            .labels
-            .vector(&format!("inverse_inertia_{}", crate::model::AXES[i]), *row);
-    }
+    model.frames.labels.matrix("inverse_inertia", &inverse);
     inverse
 }
 

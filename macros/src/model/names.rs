@@ -26,6 +26,15 @@ impl Labels {
         }
     }
 
+    /// Names the entries `name_xx`, `name_xy`, ...
+    pub fn matrix(&mut self, name: &str, rows: &[Components; 3]) {
+        for (row, first) in rows.iter().zip(AXES) {
+            for (id, second) in row.iter().zip(AXES) {
+                self.name(*id, format!("{name}_{first}{second}"));
+            }
+        }
+    }
+
     /// Says what the expressions called `name`, `name_x`, ... are.
     pub fn describe(&mut self, name: &'static str, note: &'static str) {
         self.notes.entry(name).or_insert(note);

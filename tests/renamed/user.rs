@@ -1,0 +1,52 @@
+//! A user's program that knows the library by another name, and through a third crate.
+#![deny(warnings, missing_docs)]
+#![forbid(unsafe_code)]
+
+use dynamics::prelude::*;
+
+/// Through the renamed dependency.
+pub mod direct {
+    dynamics::rigid_body!(Ball {
+        motion: translation,
+        params: [m = 0.5[kg]],
+        mass: m,
+        fields: [weight = mass * world(0, 0, -9.8[m / s ^ 2])],
+        outputs: [energy, momentum, balance],
+    });
+}
+
+/// Through what another crate re-exports.
+pub mod passed_on {
+    facade::mechanics::rigid_body!(Plate {
+        motion: planar,
+        inputs: [push[N]],
+        mass: 2[kg],
+        inertia: 0.5[kg * m ^ 2],
+        forces: [pushed = body(0, push).at((0.25, 0))],
+        outputs: [energy, momentum, balance],
+    });
+
+    facade::deeper::body!(Stone {
+        motion: spatial,
+        mass: 2[kg],
+        inertia: principal(1, 2, 3),
+        outputs: [balance],
+    });
+}
+
+fn main() {
+    let ball = direct::Ball::default();
+    let a = ball.acceleration(0.0, &Translation::default(), &());
+    let plate = passed_on::Plate {};
+    let input = passed_on::PlateInput { push: 3.0 };
+    let b = plate.acceleration(0.0, &Planar::default(), &input);
+    let stone = passed_on::Stone {};
+    let residual = stone.applied(0.0, &Spatial::default(), &());
+    println!(
+        "{} {} {} {}",
+        a.z,
+        b.linear.y,
+        b.angular,
+        residual.force.norm()
+    );
+}

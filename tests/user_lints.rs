@@ -1,0 +1,230 @@
+//! Generated code under a user's strictest lints: documented, safe and clean of pedantic warnings.
+#![deny(
+    warnings,
+    missing_docs,
+    clippy::pedantic,
+    clippy::all,
+    rust_2018_idioms,
+    unused
+)]
+#![deny(
+    missing_debug_implementations,
+    missing_copy_implementations,
+    unreachable_pub
+)]
+#![deny(
+    unused_qualifications,
+    unused_results,
+    let_underscore_drop,
+    non_ascii_idents
+)]
+#![deny(
+    single_use_lifetimes,
+    trivial_casts,
+    trivial_numeric_casts,
+    variant_size_differences
+)]
+#![forbid(unsafe_code)]
+
+/// A body of each motion with all outputs, in modules without imports.
+pub mod motions {
+    /// In space.
+    pub mod spatial {
+        newton_euler::rigid_body!(Craft {
+            doc: "A craft.",
+            motion: spatial,
+            params: [m = 2.5[kg], xy = -0.12, tip = body(0.4, -0.2, 0.1)[m], k],
+            inputs: [throttle, wind = world(_, _, _)[m / s]],
+            mass: m,
+            inertia: tensor {
+                xx: 1.3,
+                yy: 1.7,
+                zz: 2.1,
+                xy: xy,
+                yz: -0.05,
+                zx: 0.07
+            },
+            points: [nozzle = tip, mast = world(100000, -1, 1e-9)],
+            locals: [air = nozzle.velocity() - wind],
+            forces: [
+                jet = body(
+                    0,
+                    0,
+                    if throttle < 0.5 && t > 1 {
+                        throttle
+                    } else {
+                        1 - throttle
+                    }
+                )
+                .at(nozzle),
+                drag = (-0.8 * air.norm() * air).at(nozzle),
+                spring = k * (mast.position() - position),
+            ],
+            fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+            pole: nozzle,
+            outputs: [energy, momentum, balance],
+        });
+    }
+
+    /// In space, without parameters, inputs or loads.
+    pub mod free {
+        newton_euler::rigid_body!(Stone {
+            motion: spatial,
+            mass: 123456789[g],
+            inertia: principal(1, 2, 3),
+            outputs: [energy, momentum, balance],
+        });
+    }
+
+    /// Short and similar names, comparisons and negations.
+    pub mod words {
+        newton_euler::rigid_body!(Letters {
+            motion: spatial,
+            params: [
+                a = 1,
+                b = 2,
+                c = 3,
+                d = 4,
+                item = 5,
+                items = 6,
+                e_x = 1e-300,
+                f = 0.1
+            ],
+            inputs: [thrust_1, thrust_2, thrust_3, thrust_4],
+            mass: 1.2,
+            inertia: tensor {
+                xx: 3,
+                yy: 4,
+                zz: 5,
+                xy: 0.1,
+                yz: 0.2,
+                zx: 0.3
+            },
+            locals: [
+                g = a * thrust_1 + b * thrust_2,
+                h = c * thrust_3 - d * thrust_4,
+                k = if !(g < h) { item * g } else { items * h },
+                l = if g == h || g != 2 {
+                    k.sin()
+                } else {
+                    k.powf(2.5)
+                },
+                m = if !(g < 1) && h >= 2 {
+                    k.max(l).min(3).clamp(1, 2)
+                } else {
+                    0
+                },
+            ],
+            forces: [
+                p = body(g, h, k).at((0.1, 0.2, 0.3)),
+                q = c * world(l, 1 / (2 + g * g), m),
+                r = if a < g { body(1, 2, 3) } else { world(0, 0, 1) },
+            ],
+            moments: [
+                n = body(e_x, f, -t * d),
+                o = angular_velocity * 1.0000000000000002
+            ],
+            outputs: [energy, momentum, balance],
+        });
+    }
+
+    /// The names of the first example.
+    pub mod quadrotor {
+        newton_euler::rigid_body!(Quadrotor {
+            motion: spatial,
+            params: [arm_front = 0.17[m], arm_back = 0.17[m], arm_left = 0.17[m]],
+            inputs: [thrust_1[N], thrust_2[N], thrust_3[N], thrust_4[N]],
+            mass: 1.2[kg],
+            inertia: principal(0.0123, 0.0123, 0.0224)[kg * m ^ 2],
+            forces: [
+                lift_1 = body(0, 0, thrust_1).at((arm_front, 0, 0)),
+                lift_2 = body(0, 0, thrust_2).at((0, arm_left, 0)),
+                lift_3 = body(0, 0, thrust_3 + thrust_4).at((-arm_back, 0, 0)),
+            ],
+            outputs: [energy, momentum, balance],
+        });
+    }
+
+    /// About G.
+    pub mod rotation {
+        newton_euler::rigid_body!(Gyroscope {
+            motion: rotation,
+            params: [polar = 0.02],
+            inputs: [twist = body(_, _, _)[N * m]],
+            inertia: principal(0.015, 0.015, polar),
+            moments: [motor = twist, damped = -1e-3 * angular_velocity],
+            outputs: [energy, momentum, balance],
+        });
+    }
+
+    /// Without turning.
+    pub mod translation {
+        newton_euler::rigid_body!(Ball {
+            motion: translation,
+            inputs: [wind = world(_, _, _)[m / s]],
+            mass: 0.43[kg],
+            forces: [drag = -0.3 * (velocity - wind).norm() * (velocity - wind)],
+            fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+            outputs: [energy, momentum, balance],
+        });
+    }
+
+    /// In the plane.
+    pub mod planar {
+        newton_euler::rigid_body!(Plate {
+            motion: planar,
+            params: [J = 0.3, tip = (0.5, 0.1)],
+            inputs: [push = body(_, _)[N], turn[N * m]],
+            mass: 1.5[kg],
+            inertia: J,
+            forces: [pushed = push.at(tip)],
+            moments: [turned = turn],
+            fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+            pole: tip,
+            outputs: [energy, momentum, balance],
+        });
+    }
+
+    /// In the plane, without turning.
+    pub mod planar_translation {
+        newton_euler::rigid_body!(Puck {
+            motion: planar_translation,
+            params: [friction],
+            mass: 0.17[kg],
+            forces: [rubbed = -friction * velocity],
+            outputs: [energy, momentum, balance],
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+    use newton_euler::body::{Energy, RigidBody};
+    use newton_euler::state::{PlanarTranslation, Spatial};
+
+    use super::motions;
+
+    #[test]
+    fn units_are_folded() {
+        let at = Spatial {
+            velocity: Vector3::x(),
+            ..Spatial::default()
+        };
+        // 123456.789 kg, rounded once, and halved.
+        let energy = motions::free::Stone {}.kinetic_energy(&at);
+        assert_eq!((energy * 2.0).to_bits(), 123_456.789_f64.to_bits());
+    }
+
+    #[test]
+    fn parameters_without_default() {
+        let params = motions::planar_translation::PuckParams { friction: 0.34 };
+        let puck = motions::planar_translation::Puck::new(params).unwrap();
+        let at = PlanarTranslation {
+            velocity: [1.0, 0.0].into(),
+            ..PlanarTranslation::default()
+        };
+        // 0.34 / 0.17, each literal and the quotient rounded.
+        assert!((puck.acceleration(0.0, &at, &()).x + 2.0).abs() < 1e-15);
+    }
+}

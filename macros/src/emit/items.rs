@@ -10,6 +10,7 @@ use crate::symbolic::{Cost, Id, Node, Stage};
 use super::code::{Fields, Writer};
 use super::docs::{Documentation, declared_doc};
 use super::expression::number_literal;
+use super::naming::local_name;
 use super::text::to_text;
 
 /// What a body is built from and keeps.
@@ -46,9 +47,7 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
             ))
         };
         let wanted = label.or_else(opposite);
-        let wanted = wanted
-            .unwrap_or_else(|| field_name(outline, model, id))
-            .to_lowercase();
+        let wanted = local_name(&wanted.unwrap_or_else(|| field_name(outline, model, id)));
         let mut name = wanted.clone();
         let mut repeated = 0;
         while taken.contains(&name) {
@@ -332,7 +331,7 @@ pub fn emit_checks(outline: &Outline) -> TokenStream {
         let names = outline
             .unused
             .iter()
-            .map(|name| Ident::new(&name.to_string().to_lowercase(), name.span()));
+            .map(|name| Ident::new(&local_name(&name.to_string()), name.span()));
         quote!(const _: fn() = || { #(let #names = ();)* };)
     });
     quote!(#schema #unused)

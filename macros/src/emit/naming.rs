@@ -15,11 +15,21 @@ pub fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
+/// The name of a local after a name of the user's: in lower case, since a pattern `J` or `Some`
+/// would mean a constant, if there is one; and no keyword, which `Box` would become.
+pub fn local_name(name: &str) -> String {
+    let name = name.to_lowercase();
+    if syn::parse_str::<Ident>(&name).is_ok() {
+        name
+    } else {
+        name + "_"
+    }
+}
+
 impl Body<'_> {
-    /// A name that no other local has; in lower case, since a pattern `J` or `Some` would mean a
-    /// constant of the user's, if there is one.
+    /// A name that no other local has.
     pub fn unique(&mut self, wanted: &str) -> Ident {
-        let wanted = wanted.to_lowercase();
+        let wanted = local_name(wanted);
         let mut name = wanted.clone();
         let mut suffix = 0;
         while !self.taken.insert(name.clone()) {

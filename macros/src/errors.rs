@@ -1,6 +1,6 @@
 //! Errors of a description: collected with the place that has to change, reported all at once.
 
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 /// The stretch of a description that an error underlines.
@@ -58,22 +58,8 @@ impl Errors {
         ));
     }
 
-    /// Takes over an error of syn.
-    pub fn absorb(&mut self, error: syn::Error) {
-        self.found.push(error);
-    }
-
-    pub fn len(&self) -> usize {
-        self.found.len()
-    }
-
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()
-    }
-
-    /// The value of a fallible step; an error goes into the bag.
-    pub fn catch<T>(&mut self, result: syn::Result<T>) -> Option<T> {
-        result.map_err(|error| self.absorb(error)).ok()
     }
 
     /// All errors as `compile_error!`s, or nothing.
@@ -97,47 +83,44 @@ impl Drop for Errors {
     }
 }
 
-/// `name`, or the one of `known` that it was probably meant to be.
+/// The one of `known` that `name` was probably meant to be.
 pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let close = |candidate: &&str| distance(name, candidate) <= 1 + name.len() / 4;
-    known
+    // a name of one letter is close to all others of one letter
+    let tolerated = match name.chars().count() {
+        0 | 1 => 0,
+        2..=5 => 1,
+        length => 1 + length / 5,
+    };
+    let distances = known
         .into_iter()
-        .filter(close)
-        .min_by_key(|candidate| distance(name, candidate))
+        .map(|known| (distance(name, known), known));
+    distances
+        .filter(|(distance, known)| (1..=tolerated).contains(distance) && known.len() > 1)
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, known)| known)
 }
 
-/// ` (did you mean ...?)`, or nothing.
+/// `; did you mean ...?`, or nothing.
 pub fn hint<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     similar(name, known).map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
 }
 
-/// Levenshtein's edit distance.
+/// Insertions, deletions, substitutions and exchanges of neighbours that make `b` of `a`.
 fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.iter().enumerate() {
-            let substituted = diagonal + usize::from(x != *y);
-            diagonal = row[j + 1];
-            row[j + 1] = substituted.min(row[j] + 1).min(diagonal + 1);
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let same = a[i - 1] == b[j - 1];
+            let mut least = rows[i - 1][j - 1] + usize::from(!same);
+            least = least.min(rows[i - 1][j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(rows[i - 2][j - 2] + 1);
+            }
+            row.push(least);
         }
+        rows.push(row);
     }
-    row[b.len()]
-}
-
-/// The deepest nesting of brackets in `tokens`, found without recursion.
-pub fn nesting(tokens: &TokenStream) -> usize {
-    let mut deepest = 0;
-    let mut pending = vec![(tokens.clone(), 0)];
-    while let Some((stream, depth)) = pending.pop() {
-        deepest = deepest.max(depth);
-        let groups = stream.into_iter().filter_map(|token| match token {
-            TokenTree::Group(group) => Some((group.stream(), depth + 1)),
-            _ => None,
-        });
-        pending.extend(groups);
-    }
-    deepest
+    rows[a.len()][b.len()]
 }

@@ -51,11 +51,11 @@ impl Dimension {
     }
 
     pub fn times(self, other: Self) -> Self {
-        self.combine(other, |a, b| a.saturating_add(b))
+        self.combine(other, i16::saturating_add)
     }
 
     pub fn over(self, other: Self) -> Self {
-        self.combine(other, |a, b| a.saturating_sub(b))
+        self.combine(other, i16::saturating_sub)
     }
 
     /// To the power `numerator / denominator`; unknown where an exponent is not in twelfths.
@@ -81,6 +81,24 @@ impl Dimension {
 
     pub fn fits(self, other: Self) -> bool {
         self.unify(other).is_some()
+    }
+
+    /// What a quantity of this dimension is said to be: `in N`, `a pure number`.
+    pub fn described(self) -> String {
+        match self.0 {
+            Some(exponents) if exponents != [0; 7] => format!("in {self}"),
+            Some(_) => "a pure number".to_owned(),
+            None => "without a unit".to_owned(),
+        }
+    }
+
+    /// The SI unit to write in brackets.
+    pub fn unit(self) -> String {
+        if self == Self::NONE {
+            "[rad]".to_owned()
+        } else {
+            format!("[{self}]")
+        }
     }
 
     pub fn is_known(self) -> bool {

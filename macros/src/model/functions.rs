@@ -1,18 +1,17 @@
-//! What is called: `world(..)` and `body(..)`, the functions of scalars, the methods of vectors
-//! and points, the components of vectors.
+//! What is called: `world(..)` and `body(..)`, and the functions of scalars.
 
 use proc_macro2::Ident;
 
 use crate::errors::{Extent, hint};
-use crate::symbolic::{Components, Function, Id, Number};
+use crate::symbolic::{Function, Id, Number};
 use crate::syntax::{Expression, Kind, Prefix};
 
 use super::dimension::Dimension;
-use super::frame::{Attitude, Frame, Vector};
-use super::lower::{Lowering, dimension};
-use super::value::{Point, Value};
+use super::frame::Frame;
+use super::lower::Lowering;
+use super::value::{Value, shown};
 
-const VECTOR_METHODS: [&str; 7] = [
+pub const VECTOR_METHODS: [&str; 7] = [
     "cross",
     "dot",
     "norm",
@@ -64,6 +63,7 @@ impl Lowering<'_> {
                 self.report(function.span(), format!("write `a.{word}(..)`"))
             }
             _ => {
+                self.visit(arguments);
                 let known = ["body", "world"];
                 self.report(
                     function.span(),
@@ -82,7 +82,13 @@ impl Lowering<'_> {
     ) -> Option<Value> {
         let word = method.to_string();
         match word.as_str() {
-            "at" => return self.report(method.span(), "`.at(P)` stands at the end of a load"),
+            "at" => {
+                return self.report(
+                    method.span(),
+                    "`.at(P)` stands behind the whole load: put the vector in parentheses, \
+                     `(..).at(P)`",
+                );
+            }
             "about" => {
                 return self.report(method.span(), "`.about(P)` stands at the end of an inertia");
             }
@@ -106,7 +112,7 @@ impl Lowering<'_> {
         }
     }
 
-    fn expect_arguments(
+    pub fn expect_arguments(
         &mut self,
         method: &Ident,
         arguments: &[Expression],
@@ -130,6 +136,27 @@ impl Lowering<'_> {
     }
 
     fn scalar_method(
+        &mut self,
+        x: Id,
+        of_x: Dimension,
+        receiver: &Expression,
+        method: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        let value = self.apply(x, of_x, receiver, method, arguments)?;
+        if let Value::Scalar(id, _) = value
+            && self.frames.graph.is_undefined(id)
+        {
+            let of = match self.frames.graph.as_number(x) {
+                Some(number) if arguments.is_empty() => format!(" of {}", shown(number)),
+                _ => String::new(),
+            };
+            return self.report(method.span(), format!("`{method}`{of} has no value"));
+        }
+        Some(value)
+    }
+
+    fn apply(
         &mut self,
         x: Id,
         of_x: Dimension,
@@ -190,9 +217,11 @@ impl Lowering<'_> {
                 | Function::Max
         );
         if needs_number && !of_x.fits(Dimension::NONE) {
+            let place = self.culprit(receiver, Dimension::NONE);
+            let found = of_x.described();
             return self.report(
-                receiver.extent,
-                format!("`{word}` takes a pure number, and this is in {of_x}"),
+                place,
+                format!("`{word}` takes a pure number, and this is {found}"),
             );
         }
         let mut operands = vec![x];
@@ -202,7 +231,15 @@ impl Lowering<'_> {
                 return self.report(second.extent, "expected a scalar");
             };
             let Some(unified) = of_x.unify(of_y) else {
-                return self.report(second.extent, format!("both arguments of `{word}` have one dimension: this is in {of_y}, the other in {of_x}"));
+                let place = self.culprit(second, of_x);
+                let (this, other) = (of_y.described(), of_x.described());
+                return self.report(
+                    place,
+                    format!(
+                        "both arguments of `{word}` have one dimension: this is {this}, and the \
+                         other is {other}"
+                    ),
+                );
             };
             operands.push(y);
             of_all = unified;
@@ -258,7 +295,12 @@ impl Lowering<'_> {
         };
         match value {
             Some(value) if value <= 64 => Some(if negative { -value } else { value }),
-            _ => self.report(expression.extent, "the exponent of `powi` is a literal whole number from -64 to 64; others go to `powf`"),
+            _ if matches!(expression.kind, Kind::Poisoned) => None,
+            _ => self.report(
+                expression.extent,
+                "the exponent of `powi` is a literal whole number from -64 to 64; others go to \
+                 `powf`",
+            ),
         }
     }
 
@@ -284,7 +326,8 @@ impl Lowering<'_> {
                 return self.report(
                     receiver.extent,
                     format!(
-                        "only a pure number can be raised to this power, and this is in {of_x}"
+                        "only a pure number can be raised to this power, and this is {}",
+                        of_x.described()
                     ),
                 );
             }
@@ -293,186 +336,5 @@ impl Lowering<'_> {
             self.frames.graph.apply(Function::Powf, &[x, power]),
             of_value,
         ))
-    }
-
-    /// In the plane: `w.cross(v)` of a scalar `w` about z.
-    fn planar_rotation(
-        &mut self,
-        w: Id,
-        of_w: Dimension,
-        method: &Ident,
-        arguments: &[Expression],
-    ) -> Option<Value> {
-        self.expect_arguments(method, arguments, 1)?;
-        let (vector, of_vector) = self.vector_argument(&arguments[0])?;
-        let zero = self.frames.graph.zero();
-        let axis = [zero, zero, w];
-        let graph = &mut self.frames.graph;
-        let turned = Vector {
-            body: graph.cross(axis, vector.body),
-            world: graph.cross(axis, vector.world),
-        };
-        Some(Value::Vector(turned, of_w.times(of_vector)))
-    }
-
-    fn vector_argument(&mut self, argument: &Expression) -> Option<(Vector, Dimension)> {
-        let value = self.value(argument)?;
-        match (self.as_vector(value), dimension(value)) {
-            (Some(vector), Some(dimension)) => Some((vector, dimension)),
-            _ => self.report(
-                argument.extent,
-                format!("expected a vector, and this is {}", value.kind()),
-            ),
-        }
-    }
-
-    fn vector_method(
-        &mut self,
-        value: Value,
-        method: &Ident,
-        arguments: &[Expression],
-    ) -> Option<Value> {
-        let word = method.to_string();
-        let (vector, of_vector) = (self.as_vector(value)?, dimension(value)?);
-        if !VECTOR_METHODS.contains(&word.as_str()) {
-            return self.report(
-                method.span(),
-                format!(
-                    "there is no method `{word}` of a vector{}",
-                    hint(&word, VECTOR_METHODS)
-                ),
-            );
-        }
-        let count = usize::from(matches!(word.as_str(), "cross" | "dot"));
-        self.expect_arguments(method, arguments, count)?;
-        match word.as_str() {
-            "cross" => {
-                let (other, of_other) = self.vector_argument(&arguments[0])?;
-                let product = self.frames.cross(vector, other);
-                Some(self.moment_value(product, of_vector.times(of_other)))
-            }
-            "dot" => {
-                let (other, of_other) = self.vector_argument(&arguments[0])?;
-                Some(Value::Scalar(
-                    self.frames.dot(vector, other),
-                    of_vector.times(of_other),
-                ))
-            }
-            "norm" => Some(Value::Scalar(self.frames.norm(vector), of_vector)),
-            "norm_squared" => Some(Value::Scalar(
-                self.frames.norm_squared(vector),
-                of_vector.power(2, 1),
-            )),
-            "normalize" => {
-                let norm = self.frames.norm(vector);
-                let one = self.frames.graph.one();
-                let reciprocal = self.frames.graph.divide(one, norm);
-                let reciprocal = self.frames.graph.quantity(reciprocal);
-                self.scaled(reciprocal, value, Dimension::NONE)
-            }
-            frame => {
-                let frame = if frame == "in_body" {
-                    Frame::Body
-                } else {
-                    Frame::World
-                };
-                let components = self.frames.components(vector, frame);
-                Some(Value::Components(frame, components, of_vector))
-            }
-        }
-    }
-
-    /// A cross product: in the plane, its component along z.
-    fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
-        if self.motion.is_planar() {
-            Value::Scalar(
-                self.frames.graph.add(product.body[2], product.world[2]),
-                dimension,
-            )
-        } else {
-            Value::Vector(product, dimension)
-        }
-    }
-
-    fn point_method(
-        &mut self,
-        point: Point,
-        method: &Ident,
-        arguments: &[Expression],
-    ) -> Option<Value> {
-        let word = method.to_string();
-        if !matches!(word.as_str(), "position" | "velocity") {
-            return self.report(
-                method.span(),
-                format!("a point has `.position()` and `.velocity()`, and no `{word}`"),
-            );
-        }
-        self.expect_arguments(method, arguments, 0)?;
-        let dimension = if word == "position" {
-            Dimension::LENGTH
-        } else {
-            Dimension::VELOCITY
-        };
-        if !self.motion.has_position() && matches!(point, Point::Body(_)) {
-            return self.report(method.span(), format!("the {word} of a point of the body is not known under `motion: rotation`: the motion of G is not modelled"));
-        }
-        let vector = match (point, word.as_str()) {
-            (Point::Body(offset), "position") => Vector {
-                body: offset,
-                world: self.state.position,
-            },
-            (Point::Body(offset), _) => Vector {
-                body: self.swept(offset),
-                world: self.state.velocity,
-            },
-            (Point::World(position), "position") => self.frames.vector(Frame::World, position),
-            (Point::World(_), _) => self.frames.zero_vector(),
-        };
-        Some(Value::Vector(vector, dimension))
-    }
-
-    /// `w x r`, body axes.
-    fn swept(&mut self, offset: Components) -> Components {
-        self.frames.graph.cross(self.state.angular_velocity, offset)
-    }
-
-    pub fn field(&mut self, receiver: &Expression, field: &Ident) -> Option<Value> {
-        let value = self.value(receiver)?;
-        let word = field.to_string();
-        let axes = &["x", "y", "z"][..self.motion.axes()];
-        match value {
-            Value::Components(_, components, dimension) => {
-                match axes.iter().position(|axis| *axis == word) {
-                    Some(axis) => Some(Value::Scalar(components[axis], dimension)),
-                    None => self.report(
-                        field.span(),
-                        format!("components are called `{}`", axes.join("`, `")),
-                    ),
-                }
-            }
-            Value::Vector(..) => self.report(
-                field.span(),
-                format!(
-                    "a component in which axes? write `.in_body().{word}` or `.in_world().{word}`"
-                ),
-            ),
-            Value::Attitude => {
-                let Attitude::Quaternion { scalar, vector } = self.frames.attitude else {
-                    return None;
-                };
-                match ["w", "i", "j", "k"].iter().position(|part| *part == word) {
-                    Some(0) => Some(Value::Scalar(scalar, Dimension::NONE)),
-                    Some(part) => Some(Value::Scalar(vector[part - 1], Dimension::NONE)),
-                    None => self.report(
-                        field.span(),
-                        "the parts of the attitude quaternion are called `w`, `i`, `j` and `k`",
-                    ),
-                }
-            }
-            other => self.report(
-                field.span(),
-                format!("{} has no field `{word}`", other.kind()),
-            ),
-        }
     }
 }

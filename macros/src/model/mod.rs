@@ -2,28 +2,34 @@
 //!
 //! The [`Outline`] of a body always exists; its [`Model`] exists if nothing was wrong.
 
+mod arithmetic;
+mod built_in;
+mod definitions;
 mod dimension;
+mod draft;
 mod frame;
 mod functions;
 mod inertia;
+mod load;
 mod lower;
 mod motion;
 mod names;
+mod order;
 mod outline;
 mod parameters;
+mod points;
+mod possible;
 mod scope;
 mod unit;
 mod value;
-
-use std::collections::HashMap;
+mod vectors;
 
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
 use crate::symbolic::{Graph, Id};
-use crate::syntax::{self, Description, Written};
+use crate::syntax::{self, Description};
 
-pub use dimension::Dimension;
 pub use frame::{Frame, Frames, Vector};
 pub use inertia::Inertia;
 pub use motion::{Meanings, Motion, State};
@@ -35,8 +41,7 @@ pub use value::Point;
 use inertia::entries;
 use lower::Lowering;
 use parameters::Defaults;
-use scope::{Definition, Scope, check_names, definition_order};
-use value::Value;
+use scope::{Scope, check_names};
 
 /// A description, understood.
 pub struct Model {
@@ -81,7 +86,7 @@ pub fn lower_description(
     outline: &mut Outline,
     errors: &mut Errors,
 ) -> Option<Model> {
-    check_names(description, errors);
+    let repeated = check_names(description, errors);
     let mut graph = Graph::default();
     let mut meanings = Meanings::default();
     let (state, attitude) = motion::state_symbols(outline.motion, &mut graph, &mut meanings);
@@ -90,7 +95,7 @@ pub fn lower_description(
         labels: Labels::default(),
         attitude,
     };
-    let mut scope = Scope::default();
+    let mut scope = Scope::new(description, repeated);
     let mut lowering = Lowering {
         frames: &mut frames,
         scope: &mut scope,
@@ -101,9 +106,7 @@ pub fn lower_description(
 
     let defaults = lowering.declarations(description, outline, &mut meanings);
     let mass = lowering.definitions(description, &defaults);
-    let known_mass = mass.flatten();
-    let inertia = lowering.check_inertia_key(description, known_mass, &defaults);
-    lowering.check_mass_key(description);
+    let inertia = lowering.inertia(description, mass, &defaults);
     let loads: Vec<Option<Load>> = description
         .loads
         .iter()
@@ -138,7 +141,7 @@ pub fn lower_description(
         frames,
         meanings,
         state,
-        mass: known_mass,
+        mass: mass.known(),
         inertia,
         loads,
         pole,
@@ -169,247 +172,13 @@ pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &
         } else {
             " with the defaults of its parameters"
         };
-        errors.push(outline.name.span(), format!("a constant in the equations of `{}` is out of the range of `f64`{with}: choose units nearer to one", outline.name));
-    }
-}
-
-impl Lowering<'_> {
-    fn declarations(
-        &mut self,
-        description: &Description,
-        outline: &mut Outline,
-        meanings: &mut Meanings,
-    ) -> Defaults {
-        let mut defaults = HashMap::new();
-        for (index, param) in outline::distinct(&description.params).enumerate() {
-            let value = self.param(
-                index,
-                param,
-                &mut outline.params[index],
-                meanings,
-                &mut defaults,
-            );
-            self.scope.define(&param.name.to_string(), value);
-        }
-        for (index, input) in outline::distinct(&description.inputs).enumerate() {
-            let value = self.input(index, input, &mut outline.inputs[index], meanings);
-            self.scope.define(&input.name.to_string(), value);
-        }
-        defaults
-    }
-
-    /// Points, locals and the mass, each after those it refers to. The mass is `None` where there
-    /// is none and `Some(None)` where it was reported.
-    #[allow(clippy::option_option, reason = "outer: not given; inner: reported")]
-    fn definitions(
-        &mut self,
-        description: &Description,
-        defaults: &Defaults,
-    ) -> Option<Option<Id>> {
-        let (order, circular) = definition_order(description, self.errors);
-        let mut mass = description.mass.as_ref().map(|_| None);
-        for definition in order {
-            match definition {
-                Definition::Mass => {
-                    let id = self.mass(description.mass.as_ref(), defaults);
-                    mass = Some(id);
-                    self.scope
-                        .define("mass", id.map(|id| Value::Scalar(id, Dimension::MASS)));
-                }
-                Definition::Point(index) => {
-                    let point = &description.points[index];
-                    let value = point.value.as_ref().and_then(|value| self.point(value));
-                    self.scope
-                        .define(&point.name.to_string(), value.map(Value::Point));
-                }
-                Definition::Local(index) => {
-                    let local = &description.locals[index];
-                    let value = local.value.as_ref().and_then(|value| self.value(value));
-                    let value = value.map(|value| self.named(value, &local.name.to_string()));
-                    self.scope.define(&local.name.to_string(), value);
-                }
-            }
-        }
-        for definition in circular {
-            let name = match definition {
-                Definition::Mass => "mass".to_owned(),
-                Definition::Point(index) => description.points[index].name.to_string(),
-                Definition::Local(index) => description.locals[index].name.to_string(),
-            };
-            self.scope.define(&name, None);
-        }
-        mass
-    }
-
-    /// A local becomes a statement of the code, under its own name.
-    fn named(&mut self, value: Value, name: &str) -> Value {
-        let Frames { graph, labels, .. } = &mut *self.frames;
-        match value {
-            Value::Scalar(id, dimension) => {
-                let id = graph.quantity(id);
-                labels.name(graph.split_sign(id).1, name);
-                Value::Scalar(id, dimension)
-            }
-            Value::Vector(vector, dimension) => {
-                let vector = Vector {
-                    body: graph.quantities(vector.body),
-                    world: graph.quantities(vector.world),
-                };
-                labels.vector(
-                    &if graph.is_zero_vector(&vector.world) {
-                        name.to_owned()
-                    } else {
-                        format!("{name}_body")
-                    },
-                    vector.body,
-                );
-                labels.vector(name, vector.world);
-                Value::Vector(vector, dimension)
-            }
-            Value::Components(frame, components, dimension) => {
-                let components = graph.quantities(components);
-                labels.vector(name, components);
-                Value::Components(frame, components, dimension)
-            }
-            other => other,
-        }
-    }
-
-    fn mass(&mut self, written: Option<&Written>, defaults: &Defaults) -> Option<Id> {
-        let value = written?.value.as_ref()?;
-        let mass = self.scalar(value, Dimension::MASS, "a mass")?;
-        if !self.frames.graph.is_early(mass) {
-            return self.report(
-                value.extent,
-                "the mass is constant: it cannot depend on the time, the state or an input",
-            );
-        }
-        let graph = &mut self.frames.graph;
-        let known = graph.substitute(&[mass], |id| defaults.get(&id).copied())[0];
-        match graph.as_number(known) {
-            Some(number) if !number.is_positive() => {
-                let number = number.to_f64();
-                self.report(
-                    value.extent,
-                    format!("the mass of a body that moves is positive, and this is {number}"),
-                )
-            }
-            Some(number) if !number.fits_f64() => {
-                self.report(value.extent, "this mass is out of the range of `f64`")
-            }
-            _ => Some(mass),
-        }
-    }
-
-    fn check_mass_key(&mut self, description: &Description) {
-        if description.mass.is_none()
-            && self.motion.has_position()
-            && !self.misspelt(description, "mass")
-        {
-            self.errors.push(
-                description.name.span(),
-                format!("`{}` has no mass: write `mass: 1[kg]`", description.name),
-            );
-        }
-    }
-
-    /// A key was written and refused, or is there under a wrong name: what is missing is said there.
-    fn misspelt(&self, description: &Description, key: &str) -> bool {
-        let known = |word: &str| crate::errors::similar(word, [key]).is_some();
-        description
-            .keys
-            .iter()
-            .any(|written| written != key && known(&written.to_string()))
-            || description.refused.iter().any(|written| written == key)
-    }
-
-    fn check_inertia_key(
-        &mut self,
-        description: &Description,
-        mass: Option<Id>,
-        defaults: &Defaults,
-    ) -> Option<Inertia> {
-        let name = &description.name;
-        match &description.inertia {
-            _ if !self.motion.has_attitude() => {
-                // what is written is still read, so that its mistakes are found
-                if let Some(value) = description
-                    .inertia
-                    .as_ref()
-                    .and_then(|written| written.value.as_ref())
-                {
-                    self.inertia(value, mass, |id| defaults.get(&id).copied())?;
-                }
-                Some(Inertia::Absent)
-            }
-            Some(written) => {
-                let value = written.value.as_ref()?;
-                let inertia = self.inertia(value, mass, |id| defaults.get(&id).copied())?;
-                let ids = match inertia {
-                    Inertia::Absent => Vec::new(),
-                    Inertia::Planar(moment) => vec![moment],
-                    Inertia::Spatial(rows) => rows.into_iter().flatten().collect(),
-                };
-                if ids.iter().any(|id| !self.frames.graph.is_early(*id)) {
-                    return self.report(value.extent, "the inertia is constant in body axes: it cannot depend on the time, the state or an input");
-                }
-                Some(inertia)
-            }
-            None if self.misspelt(description, "inertia") => None,
-            None => {
-                let form = if self.motion.is_planar() {
-                    "0.1[kg * m ^ 2]"
-                } else {
-                    "principal(1, 2, 3)[kg * m ^ 2]"
-                };
-                self.report(
-                    name.span(),
-                    format!("`{name}` turns and has no inertia: write `inertia: {form}`"),
-                )
-            }
-        }
-    }
-
-    fn load(&mut self, written: &syntax::Load) -> Option<Load> {
-        let value = written.vector.as_ref();
-        let vector = value.and_then(|value| match written.kind {
-            LoadKind::Force => self.vector(value, Dimension::FORCE, "a force"),
-            LoadKind::Moment if self.motion.is_planar() => {
-                let moment = self.scalar(value, Dimension::MOMENT, "a moment")?;
-                let zero = self.frames.graph.zero();
-                Some(self.frames.vector(Frame::Body, [zero, zero, moment]))
-            }
-            LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
-        });
-        let point = match &written.point {
-            Some(point) => self.point(point).and_then(|found| match found {
-                Point::World(_) if !self.motion.has_position() => {
-                    self.report(point.extent, "a point in space is nowhere relative to a body under `motion: rotation`: the motion of G is not modelled")
-                }
-                found => Some(found),
-            }),
-            None => Some(Point::Body(self.frames.graph.zeros())),
-        };
-        Some(Load {
-            name: written.name.clone(),
-            family: written.family,
-            kind: written.kind,
-            vector: vector?,
-            point: point?,
-            extent: written.name.span().into(),
-        })
-    }
-
-    fn pole(&mut self, written: Option<&Written>) -> Option<Point> {
-        let Some(written) = written else {
-            return Some(Point::Body(self.frames.graph.zeros()));
-        };
-        let value = written.value.as_ref()?;
-        let point = self.point(value)?;
-        let is_center = point == Point::Body(self.frames.graph.zeros());
-        if !self.motion.has_position() && !is_center {
-            return self.report(value.extent, "under `motion: rotation` the moment balance is written about G: the motion of G is not modelled");
-        }
-        Some(point)
+        errors.push(
+            outline.name.span(),
+            format!(
+                "a constant in the equations of `{}` is out of the range of `f64`{with}: choose \
+                 units nearer to one",
+                outline.name
+            ),
+        );
     }
 }

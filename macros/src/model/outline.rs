@@ -1,15 +1,18 @@
 //! The outline of a body: what its types and signatures follow from. It exists for every
 //! description, however broken, so that the rest of a user's crate stays as it is.
 
+use std::collections::HashSet;
+
 use proc_macro2::{Ident, TokenStream};
 
-use crate::errors::{Errors, hint};
+use crate::errors::{Errors, hint, similar};
 use crate::symbolic::Number;
-use crate::syntax::{Declaration, Description, Expression, Kind};
+use crate::syntax::{Declaration, Description, Expression, Kind, LATER_MOTIONS};
 
 use super::dimension::Dimension;
 use super::frame::Frame;
 use super::motion::Motion;
+use super::parameters::has_placeholder;
 
 /// Outputs of later versions.
 const LATER: [&str; 6] = [
@@ -69,20 +72,29 @@ impl Outline {
     }
 }
 
-/// The outline of `description`; without a valid motion it is taken to be `spatial`.
+/// The outline of `description`; without a valid motion it is taken to be the most likely one.
 pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
-    let motion = check_motion(description, errors);
-    let declared = |declaration: &Declaration| Declared {
-        name: declaration.name.clone(),
-        frame: declaration.value.iter().flatten().find_map(written_frame),
-        dimension: Dimension::ANY,
-        default: None,
+    check_motion(description, errors);
+    let motion = written_motion(description).unwrap_or_else(|| likely_motion(description));
+    let declared = |declaration: &Declaration| {
+        let frame = declaration.value.iter().flatten().find_map(written_frame);
+        let has_default = declaration
+            .value
+            .as_ref()
+            .is_some_and(|value| !value.as_ref().is_some_and(has_placeholder));
+        let components = frame.map_or(1, |_| motion.axes());
+        Declared {
+            name: declaration.name.clone(),
+            frame,
+            dimension: Dimension::ANY,
+            default: has_default.then(|| vec![Number::zero(); components]),
+        }
     };
     Outline {
         name: description.name.clone(),
         runtime: description.runtime.clone(),
         doc: description.doc.clone(),
-        motion: motion.unwrap_or(Motion::Spatial),
+        motion,
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
         outputs: check_outputs(description, errors),
@@ -93,16 +105,10 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
 
 /// The declarations without those that repeat a name: a struct has a field once.
 pub fn distinct(declarations: &[Declaration]) -> impl Iterator<Item = &Declaration> {
-    let is_first = |index: usize| {
-        declarations[..index]
-            .iter()
-            .all(|other| other.name != declarations[index].name)
-    };
+    let mut seen = HashSet::new();
     declarations
         .iter()
-        .enumerate()
-        .filter(move |(index, _)| is_first(*index))
-        .map(|(_, declaration)| declaration)
+        .filter(move |declaration| seen.insert(declaration.name.to_string()))
 }
 
 /// The axes in which a declared vector is written, as far as its form tells.
@@ -116,44 +122,86 @@ fn written_frame(value: &Expression) -> Option<Frame> {
     }
 }
 
-fn check_motion(description: &Description, errors: &mut Errors) -> Option<Motion> {
+/// The motion that a description names, if there is one of that name.
+pub fn written_motion(description: &Description) -> Option<Motion> {
+    let word = description.motion.as_ref()?.to_string();
+    motion(&word)
+}
+
+fn motion(word: &str) -> Option<Motion> {
+    let found = Motion::ALL.iter().find(|(known, _)| *known == word);
+    found.map(|(_, motion)| *motion)
+}
+
+/// What a description without a valid motion was probably meant to be, so that the rest of it can
+/// be checked.
+fn likely_motion(description: &Description) -> Motion {
+    let word = description.motion.as_ref().map(Ident::to_string);
+    let word = word.unwrap_or_default();
+    if word == "pivot" {
+        return Motion::Planar;
+    }
+    let meant = similar(&word, Motion::ALL.iter().map(|(known, _)| *known));
+    if let Some(motion) = meant.and_then(motion) {
+        return motion;
+    }
+    let points = description.points.iter().map(|point| &point.value);
+    let loads = description.loads.iter().map(|load| &load.vector);
+    let mut vectors = points.chain(loads).flatten();
+    match vectors.find_map(component_count) {
+        Some(2) => Motion::Planar,
+        _ => Motion::Spatial,
+    }
+}
+
+/// How many components the first vector in an expression has.
+fn component_count(expression: &Expression) -> Option<usize> {
+    let mut count = None;
+    expression.visit(|part| match &part.kind {
+        Kind::Call(word, parts) if word == "body" || word == "world" => {
+            count = count.or(Some(parts.len()));
+        }
+        Kind::Tuple(parts) => count = count.or(Some(parts.len())),
+        _ => {}
+    });
+    count
+}
+
+fn check_motion(description: &Description, errors: &mut Errors) {
     let words = || Motion::ALL.iter().map(|(word, _)| *word);
+    let all = || words().collect::<Vec<_>>().join("`, `");
+    let name = &description.name;
     let Some(word) = &description.motion else {
+        // a key without a value is reported already
         if !description.keys.iter().any(|key| key == "motion") {
-            let all = words().collect::<Vec<_>>().join("`, `");
             errors.push(
-                description.name.span(),
+                name.span(),
                 format!(
-                    "`{}` has no motion: write `motion: ..`, one of `{all}`",
-                    description.name
+                    "`{name}` has no motion: write `motion: ..`, one of `{}`",
+                    all()
                 ),
             );
         }
-        return None;
+        return;
     };
     let written = word.to_string();
-    let found = Motion::ALL.iter().find(|(known, _)| *known == written);
-    if found.is_none() {
-        let later = ["pivot", "fixed_point", "fixed_axis", "rod"];
-        if later.contains(&written.as_str()) {
-            errors.push(
-                word.span(),
-                format!(
-                    "`{written}(..)` is part of the language, but this version does not have it yet"
-                ),
-            );
-        } else {
-            let all = words().collect::<Vec<_>>().join("`, `");
-            errors.push(
-                word.span(),
-                format!(
-                    "unknown motion `{written}`: expected `{all}`{}",
-                    hint(&written, words())
-                ),
-            );
-        }
+    if LATER_MOTIONS.contains(&written.as_str()) {
+        errors.push(
+            word.span(),
+            format!(
+                "`{written}(..)` is part of the language, but this version does not have it yet"
+            ),
+        );
+    } else if written_motion(description).is_none() {
+        let hint = hint(&written, words());
+        errors.push(
+            word.span(),
+            format!(
+                "unknown motion `{written}`: expected one of `{}`{hint}",
+                all()
+            ),
+        );
     }
-    found.map(|(_, motion)| *motion)
 }
 
 fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> {
@@ -162,7 +210,7 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
         let written = word.to_string();
         match Output::ALL.iter().find(|(known, _)| *known == written) {
             Some((_, output)) if outputs.contains(output) => {
-                errors.push(word.span(), format!("`{written}` is asked for twice"))
+                errors.push(word.span(), format!("`{written}` is asked for twice"));
             }
             Some((_, output)) => outputs.push(*output),
             None if LATER.contains(&written.as_str()) => {
@@ -179,7 +227,7 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
                 errors.push(
                     word.span(),
                     format!(
-                        "unknown output `{written}`: expected `{all}`{}",
+                        "unknown output `{written}`: expected one of `{all}`{}",
                         hint(&written, words)
                     ),
                 );

@@ -42,6 +42,18 @@ impl Lowering<'_> {
                 Meaning::Param(index, Some(axis))
             });
         }
+        if let Some(open) = value.names().into_iter().find(|name| {
+            let word = name.to_string();
+            self.scope.is_open(&word)
+        }) {
+            return self.report(
+                open.span(),
+                format!(
+                    "a default is a constant, and `{open}` is not: what follows from other names \
+                     is a local"
+                ),
+            );
+        }
         let default =
             if declared.frame.is_some() && matches!(strip_unit(value).kind, Kind::Tuple(_)) {
                 self.point(value).map(|point| match point {
@@ -125,7 +137,13 @@ impl Lowering<'_> {
         let value = value.as_ref()?;
         if !has_placeholder(value) {
             let name = &written.name;
-            return self.report(value.extent, format!("an input is given at each evaluation and has no value here: write `{name}[unit]`, or make it a param"));
+            return self.report(
+                value.extent,
+                format!(
+                    "an input is given at each evaluation and has no value here: write \
+                     `{name}[unit]`, or make it a param"
+                ),
+            );
         }
         self.open_vector(value, declared, meanings, Stage::State, |axis| {
             Meaning::Input(index, Some(axis))
@@ -139,7 +157,14 @@ impl Lowering<'_> {
         let (factor, dimension) = lower_unit(unit, self.errors)?;
         if factor != Number::one() {
             let name = &written.name;
-            return self.report(unit.extent, format!("`{name}` is a number of the generated struct, which are in SI units: write `[{dimension}]`, and convert where it is used"));
+            let unit_to_write = dimension.unit();
+            return self.report(
+                unit.extent,
+                format!(
+                    "`{name}` is given in SI units: write `{name}{unit_to_write}`, and convert \
+                     where you build the value"
+                ),
+            );
         }
         Some(dimension)
     }
@@ -159,14 +184,19 @@ impl Lowering<'_> {
                 return self.report(
                     unit.extent,
                     format!(
-                        "components of the generated struct are in SI units: write `[{dimension}]`"
+                        "what is given from outside is in SI units: write `{}`",
+                        dimension.unit()
                     ),
                 );
             }
             declared.dimension = dimension;
         }
         let (Some(frame), Kind::Call(_, parts)) = (declared.frame, &strip_unit(value).kind) else {
-            return self.report(value.extent, "write `body(_, _, _)` or `world(_, _, _)`: it is a vector whose components are given from outside");
+            return self.report(
+                value.extent,
+                "write `body(_, _, _)` or `world(_, _, _)`: it is a vector whose components are \
+                 given from outside",
+            );
         };
         let axes = self.motion.axes();
         if parts.len() != axes {
@@ -234,7 +264,7 @@ fn strip_unit(value: &Expression) -> &Expression {
     }
 }
 
-fn has_placeholder(value: &Expression) -> bool {
+pub fn has_placeholder(value: &Expression) -> bool {
     match &strip_unit(value).kind {
         Kind::Call(_, parts) | Kind::Tuple(parts) => parts
             .iter()

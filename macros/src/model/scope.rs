@@ -5,8 +5,8 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, similar};
-use crate::syntax::{Description, Expression, Kind};
+use crate::errors::{Errors, hint};
+use crate::syntax::Description;
 
 use super::value::Value;
 
@@ -25,36 +25,71 @@ const BUILT_IN: [&str; 11] = [
     "TAU",
 ];
 
+/// Built-in names of what changes while the body moves.
+const CHANGING: [&str; 5] = ["t", "position", "velocity", "attitude", "angular_velocity"];
+
 /// What the names of a description stand for.
-#[derive(Default)]
 pub struct Scope {
     /// `None` is known, but was reported and has no value.
     values: HashMap<String, Option<Value>>,
     used: HashSet<String>,
+    /// All names that the description defines somewhere.
+    defined: HashSet<String>,
+    /// Names whose definition could not be read.
+    lost: HashSet<String>,
 }
 
 impl Scope {
+    /// `repeated` are names that mean two things.
+    pub fn new(description: &Description, repeated: HashSet<String>) -> Self {
+        let declarations = description.params.iter().chain(&description.inputs);
+        let definitions = description.points.iter().chain(&description.locals);
+        let declared = declarations.map(|declaration| declaration.name.to_string());
+        let defined = definitions.map(|definition| definition.name.to_string());
+        Self {
+            values: HashMap::new(),
+            used: HashSet::new(),
+            defined: declared.chain(defined).collect(),
+            lost: description.lost.iter().cloned().chain(repeated).collect(),
+        }
+    }
+
     pub fn define(&mut self, name: &str, value: Option<Value>) {
         self.values.entry(name.to_owned()).or_insert(value);
     }
 
     /// `None` for a name that nobody defined.
+    #[allow(clippy::option_option, reason = "outer: not defined; inner: reported")]
     pub fn look_up(&mut self, name: &str) -> Option<Option<Value>> {
+        if self.lost.contains(name.strip_prefix("r#").unwrap_or(name)) {
+            return Some(None);
+        }
         let value = self.values.get(name)?;
         self.used.insert(name.to_owned());
         Some(*value)
     }
 
+    /// Whether the description, or the language, gives this name a value that is no constant.
+    pub fn is_open(&self, name: &str) -> bool {
+        self.defined.contains(name) || CHANGING.contains(&name) || name == "mass"
+    }
+
+    /// The value of a name, without saying that it is used.
+    pub fn peek(&self, name: &str) -> Option<Value> {
+        self.values.get(name).copied().flatten()
+    }
+
+    /// Whether this is a built-in name of what changes while the body moves.
+    pub fn is_changing(name: &str) -> bool {
+        CHANGING.contains(&name)
+    }
+
     /// The end of a message about an unknown name.
     pub fn hint(&self, name: &str) -> String {
-        let mut known: Vec<&str> = self
-            .values
-            .keys()
-            .map(String::as_str)
-            .chain(BUILT_IN)
-            .collect();
+        let defined = self.values.keys().map(String::as_str);
+        let mut known: Vec<&str> = defined.chain(BUILT_IN).collect();
         known.sort_unstable();
-        similar(name, known).map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
+        hint(name, known)
     }
 
     pub fn is_used(&self, name: &Ident) -> bool {
@@ -63,7 +98,9 @@ impl Scope {
 }
 
 /// Reports names that are defined twice, or that are built in. Loads have a namespace of their own.
-pub fn check_names(description: &Description, errors: &mut Errors) {
+/// Returns the names that mean two things.
+pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<String> {
+    let mut repeated = HashSet::new();
     let mut seen = HashMap::new();
     let mut check = |name: &Ident, what: &'static str, errors: &mut Errors| {
         let word = name.to_string();
@@ -72,19 +109,21 @@ pub fn check_names(description: &Description, errors: &mut Errors) {
                 name.span(),
                 format!("`{word}` is built in: choose another name for this {what}"),
             );
-        } else if let Some(first) = seen.insert(word.clone(), what) {
-            let other = if first == what {
-                "another".to_owned()
-            } else {
-                format!(
-                    "a {first} of the same name: params, inputs, points and locals share their names with"
-                )
-            };
-            errors.push(
-                name.span(),
-                format!("`{word}` is defined twice; there is {other} {what}"),
-            );
+            return;
         }
+        let message = match seen.get(&word) {
+            None => {
+                seen.insert(word, what);
+                return;
+            }
+            Some(first) if *first == what => format!("there is a {what} `{word}` already"),
+            Some(first) => format!(
+                "`{word}` is the name of a {first} already: params, inputs, points and locals \
+                 need different names"
+            ),
+        };
+        errors.push(name.span(), message.replace("a input", "an input"));
+        repeated.insert(word);
     };
     for param in &description.params {
         check(&param.name, "param", errors);
@@ -104,113 +143,11 @@ pub fn check_names(description: &Description, errors: &mut Errors) {
             errors.push(
                 load.name.span(),
                 format!(
-                    "there is another load called `{}`: loads are told apart by their names",
+                    "there is a load `{}` already: loads are told apart by their names",
                     load.name
                 ),
             );
         }
     }
-}
-
-/// A definition that may refer to others.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Definition {
-    Mass,
-    Point(usize),
-    Local(usize),
-}
-
-/// The order in which points, locals and the mass can be read: each after those it refers to.
-/// Names that refer to each other in a circle are reported and left out.
-pub fn definition_order(
-    description: &Description,
-    errors: &mut Errors,
-) -> (Vec<Definition>, Vec<Definition>) {
-    let mut definitions: Vec<(String, Option<&Expression>, Definition)> = Vec::new();
-    if let Some(mass) = &description.mass {
-        definitions.push(("mass".to_owned(), mass.value.as_ref(), Definition::Mass));
-    }
-    for (index, point) in description.points.iter().enumerate() {
-        definitions.push((
-            point.name.to_string(),
-            point.value.as_ref(),
-            Definition::Point(index),
-        ));
-    }
-    for (index, local) in description.locals.iter().enumerate() {
-        definitions.push((
-            local.name.to_string(),
-            local.value.as_ref(),
-            Definition::Local(index),
-        ));
-    }
-    let index: HashMap<&str, usize> = definitions
-        .iter()
-        .enumerate()
-        .rev()
-        .map(|(index, (name, ..))| (name.as_str(), index))
-        .collect();
-    let mut waiting = vec![0_usize; definitions.len()];
-    let mut dependents: Vec<Vec<usize>> = vec![Vec::new(); definitions.len()];
-    for (user, (_, value, _)) in definitions.iter().enumerate() {
-        for name in value.map(|value| mentioned(value)).unwrap_or_default() {
-            if let Some(&used) = index.get(name.as_str()) {
-                waiting[user] += 1;
-                dependents[used].push(user);
-            }
-        }
-    }
-    let mut ready: std::collections::BTreeSet<usize> = (0..definitions.len())
-        .filter(|index| waiting[*index] == 0)
-        .collect();
-    let mut order = Vec::new();
-    while let Some(next) = ready.pop_first() {
-        order.push(definitions[next].2);
-        for &dependent in &dependents[next] {
-            waiting[dependent] -= 1;
-            if waiting[dependent] == 0 {
-                ready.insert(dependent);
-            }
-        }
-    }
-    let circular: Vec<Definition> = (0..definitions.len())
-        .filter(|index| waiting[*index] > 0)
-        .map(|index| definitions[index].2)
-        .collect();
-    for (index, (name, value, _)) in definitions.iter().enumerate() {
-        if let (true, Some(value)) = (waiting[index] > 0, value) {
-            errors.push(
-                value.extent,
-                format!("`{name}` depends on itself: definitions cannot go in a circle"),
-            );
-        }
-    }
-    (order, circular)
-}
-
-/// All names in an expression.
-fn mentioned(expression: &Expression) -> Vec<String> {
-    let mut names = Vec::new();
-    let mut pending = vec![expression];
-    while let Some(expression) = pending.pop() {
-        match &expression.kind {
-            Kind::Number(_) | Kind::Placeholder => {}
-            Kind::Name(name) => names.push(name.to_string()),
-            Kind::Tuple(parts) | Kind::Call(_, parts) => pending.extend(parts),
-            Kind::Unit(operand, _) | Kind::Prefix(_, operand) | Kind::Field(operand, _) => {
-                pending.push(operand)
-            }
-            Kind::Chain(first, rest) => {
-                pending.push(first);
-                pending.extend(rest.iter().map(|(_, operand)| operand));
-            }
-            Kind::Method(receiver, _, arguments) => {
-                pending.push(receiver);
-                pending.extend(arguments);
-            }
-            Kind::Record(_, fields) => pending.extend(fields.iter().map(|(_, value)| value)),
-            Kind::If(parts) => pending.extend(parts.iter()),
-        }
-    }
-    names
+    repeated
 }

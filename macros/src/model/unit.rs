@@ -84,22 +84,40 @@ const ANGLES: [(&str, u64); 4] = [
     ("rev", 1),
 ];
 
+/// Names that are written as symbols.
+const SPELT_OUT: [(&str, &str); 21] = [
+    ("newton", "N"),
+    ("meter", "m"),
+    ("metre", "m"),
+    ("second", "s"),
+    ("sec", "s"),
+    ("kilogram", "kg"),
+    ("gram", "g"),
+    ("radian", "rad"),
+    ("degree", "deg"),
+    ("minute", "min"),
+    ("hour", "h"),
+    ("hr", "h"),
+    ("foot", "ft"),
+    ("feet", "ft"),
+    ("inche", "inch"),
+    ("pound", "lb"),
+    ("joule", "J"),
+    ("watt", "W"),
+    ("volt", "V"),
+    ("hertz", "Hz"),
+    ("tonne", "t"),
+];
+
 /// The factor to SI and the dimension of a unit; unknown names are reported.
 pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number, Dimension)> {
     let mut known = Some((Number::one(), Dimension::NONE));
     for (name, exponent) in &unit.factors {
         let word = name.to_string();
         let Some((factor, dimension)) = look_up(&word) else {
-            let words = METRIC
-                .iter()
-                .map(|unit| unit.0)
-                .chain(CUSTOMARY.iter().map(|unit| unit.0));
-            let words = words
-                .chain(ANGLES.iter().map(|unit| unit.0))
-                .chain(["kg", "mm", "cm", "km", "rpm"]);
             errors.push(
                 name.span(),
-                format!("unknown unit `{word}`{}", hint(&word, words)),
+                format!("unknown unit `{word}`{}", advice(&word)),
             );
             known = None;
             continue;
@@ -117,6 +135,31 @@ pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number,
         });
     }
     known
+}
+
+/// What to write instead of an unknown unit, as far as it can be guessed.
+fn advice(word: &str) -> String {
+    let lower = word.to_lowercase();
+    let singular = lower.strip_suffix('s').unwrap_or(&lower);
+    if let Some((_, unit)) = SPELT_OUT.iter().find(|(name, _)| *name == singular) {
+        return format!(": write `{unit}`");
+    }
+    if singular.len() > 1 && word.ends_with('s') {
+        let unit = &word[..word.len() - 1];
+        if look_up(unit).is_some() {
+            return format!(": write `{unit}`");
+        }
+    }
+    let halves = word.char_indices().skip(1).map(|(at, _)| word.split_at(at));
+    let is_known = |half: &str| half == "kg" || METRIC.iter().any(|unit| unit.0 == half);
+    if let Some((a, b)) = halves.into_iter().find(|(a, b)| is_known(a) && is_known(b)) {
+        return format!(": write `{a} * {b}`");
+    }
+    let prefixed = ["kg", "mm", "cm", "km", "rpm"].into_iter();
+    let metric = METRIC.iter().map(|unit| unit.0);
+    let customary = CUSTOMARY.iter().map(|unit| unit.0);
+    let angles = ANGLES.iter().map(|unit| unit.0);
+    hint(word, prefixed.chain(metric).chain(customary).chain(angles))
 }
 
 fn look_up(word: &str) -> Option<(Number, Dimension)> {

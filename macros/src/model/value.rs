@@ -1,6 +1,6 @@
 //! What an expression stands for.
 
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Components, Id, Number};
 
 use super::dimension::Dimension;
 use super::frame::{Frame, Vector};
@@ -28,6 +28,16 @@ impl Value {
             Self::Point(_) => "a point",
             Self::Attitude => "the attitude",
         }
+    }
+}
+
+/// A number in a message.
+pub fn shown(number: &Number) -> String {
+    let value = number.to_f64();
+    if value == 0.0 || (1e-4..1e7).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
     }
 }
 

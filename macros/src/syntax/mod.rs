@@ -4,16 +4,19 @@
 //! nothing: it is reported, and what it would have named stays known, without a value. Nothing is
 //! looked up here and nothing has a meaning yet.
 
+mod entries;
 mod expression;
 mod parse;
+mod read;
+mod screen;
+mod tokens;
 mod unit;
+mod words;
 
 use proc_macro2::{Ident, TokenStream};
 
-use crate::errors::Extent;
-
-pub use expression::{Expression, Kind, Operator, Prefix};
-pub use parse::parse_description;
+pub use expression::{Expression, Kind, Operator, Prefix, Step};
+pub use parse::{LATER_MOTIONS, parse_description};
 pub use unit::UnitExpression;
 
 /// A whole description.
@@ -21,10 +24,11 @@ pub struct Description {
     pub name: Ident,
     /// The path of the runtime, as the wrapper of the macro passes it.
     pub runtime: TokenStream,
-    /// Keys that were written without a value, or in a wrong form, and are reported.
-    pub refused: Vec<Ident>,
-    /// All other keys, known or not, as they were written.
+    /// The keys as they were written, known or not, each once.
     pub keys: Vec<Ident>,
+    /// Names of entries that could not be read, which is reported: what refers to them stays
+    /// silent.
+    pub lost: Vec<String>,
     pub doc: Vec<String>,
     pub motion: Option<Ident>,
     pub mass: Option<Written>,
@@ -36,6 +40,29 @@ pub struct Description {
     pub loads: Vec<Load>,
     pub pole: Option<Written>,
     pub outputs: Vec<Ident>,
+}
+
+impl Description {
+    /// A description that says nothing yet.
+    fn new(name: Ident, runtime: TokenStream) -> Self {
+        Self {
+            name,
+            runtime,
+            keys: Vec::new(),
+            lost: Vec::new(),
+            doc: Vec::new(),
+            motion: None,
+            mass: None,
+            inertia: None,
+            params: Vec::new(),
+            inputs: Vec::new(),
+            points: Vec::new(),
+            locals: Vec::new(),
+            loads: Vec::new(),
+            pole: None,
+            outputs: Vec::new(),
+        }
+    }
 }
 
 /// The value of a key, or of an entry: `None` was reported and stays silent from here on.
@@ -82,6 +109,6 @@ pub struct Load {
     pub family: Family,
     pub kind: LoadKind,
     pub vector: Value,
-    pub point: Option<Expression>,
-    pub extent: Extent,
+    /// What `.at(..)` says, if it is there.
+    pub point: Option<Value>,
 }

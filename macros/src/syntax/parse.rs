@@ -1,458 +1,383 @@
-//! From tokens to a [`Description`]: keys, brackets and entries.
+//! From tokens to a [`Description`]: its head and its keys.
 
-use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
-use quote::ToTokens;
-use syn::ext::IdentExt;
-use syn::parse::{ParseStream, Parser};
-use syn::{LitStr, Token};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use syn::{Lit, LitStr};
 
-use crate::errors::{Errors, Extent};
+use crate::errors::{Errors, Extent, similar};
 
-use super::expression::{Expression, Kind};
-use super::unit::UnitExpression;
-use super::{Declaration, Definition, Description, Family, Load, LoadKind, Written};
+use super::entries::parse_entry;
+use super::expression::Expression;
+use super::tokens::{
+    Entry, after_sign, is_punct, skip_attributes, split, start, stream, without_attributes,
+};
+use super::words::{check_name, is_keyword};
+use super::{Description, Written};
 
+/// Keys whose value is a list, each with an entry to show.
+const LISTS: [(&str, &str); 11] = [
+    ("params", "arm = 0.2[m]"),
+    ("inputs", "thrust[N]"),
+    ("points", "tip = (0.1, 0, 0)"),
+    ("locals", "total = thrust_1 + thrust_2"),
+    ("forces", "push = body(1, 0, 0).at(tip)"),
+    ("moments", "drag = body(0, 0, 1)"),
+    ("joint_forces", "pull = body(1, 0, 0).at(tip)"),
+    ("joint_moments", "motor = body(0, 0, 1)"),
+    ("reactions", "support = world(0, 0, 1).at(tip)"),
+    ("fields", "weight = mass * world(0, 0, -9.80665[m / s ^ 2])"),
+    ("outputs", "energy"),
+];
+/// All other keys.
+const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
 /// Keys of the language that are not there yet.
 const LATER: [&str; 3] = ["potentials", "constraints", "checks"];
+/// Kinds of motion that are not there yet.
+pub const LATER_MOTIONS: [&str; 4] = ["pivot", "fixed_point", "fixed_axis", "rod"];
 
 /// Parses `(runtime) Name { key: value, .. }`. Only without a name is there no description at all.
 pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Description> {
-    let (runtime, name, body) = errors.catch(header.parse2(tokens))?;
-    let mut description = Description {
-        name,
-        runtime,
-        refused: Vec::new(),
-        keys: Vec::new(),
-        doc: Vec::new(),
-        motion: None,
-        mass: None,
-        inertia: None,
-        params: Vec::new(),
-        inputs: Vec::new(),
-        points: Vec::new(),
-        locals: Vec::new(),
-        loads: Vec::new(),
-        pole: None,
-        outputs: Vec::new(),
-    };
-    for entry in split(body) {
-        let first = entry.clone().into_iter().next();
-        match (errors.catch(key.parse2(entry)), first) {
-            (Some((key, value)), _) => parse_key(&mut description, key, value, errors),
-            (None, Some(TokenTree::Ident(refused))) => description.refused.push(refused),
-            _ => {}
+    let (mut description, body) = parse_head(tokens, errors)?;
+    // a list without brackets, whose entries look like keys
+    let mut open_list = None;
+    for entry in split(body, Entry::Key, errors) {
+        let entry = without_attributes(&entry, errors);
+        match (entry, open_list) {
+            ([TokenTree::Ident(name), equals, ..], Some(list))
+                if is_punct(equals, '=') && key_meant(&name.to_string()).is_none() =>
+            {
+                parse_entry(&mut description, list, entry, errors);
+            }
+            _ => open_list = parse_key(&mut description, entry, errors),
         }
     }
     Some(description)
 }
 
-fn header(input: ParseStream<'_>) -> syn::Result<(TokenStream, Ident, TokenStream)> {
-    let runtime = input.parse::<Group>()?.stream();
-    if input.is_empty() {
-        return Err(input.error(
-            "write a description: `rigid_body!(Name { motion: spatial, mass: 1[kg], .. })`",
-        ));
-    }
-    if input.peek(Token![pub]) {
-        return Err(
-            input.error("generated items are `pub`: wrap the call in a module to hide them")
+/// The runtime's path, the name of the body, and what stands in the braces.
+fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, TokenStream)> {
+    let all: Vec<TokenTree> = tokens.into_iter().collect();
+    let [TokenTree::Group(runtime), rest @ ..] = all.as_slice() else {
+        errors.push(
+            Span::call_site(),
+            "call this macro as `newton_euler::rigid_body!`",
         );
+        return None;
+    };
+    let mut rest = rest;
+    match rest.first() {
+        Some(hash) if is_punct(hash, '#') => {
+            errors.push(
+                hash.span(),
+                "documentation of the generated type stands inside: `doc: \"..\"`",
+            );
+            rest = skip_attributes(rest);
+        }
+        Some(TokenTree::Ident(word)) if word == "pub" => {
+            errors.push(
+                word.span(),
+                "generated items are `pub`: wrap the call in a module to hide them",
+            );
+            rest = &rest[1..];
+            if let [TokenTree::Group(_), tail @ ..] = rest {
+                rest = tail;
+            }
+        }
+        Some(_) => {}
+        None => {
+            errors.push(
+                Span::call_site(),
+                "write a description: `rigid_body!(Name { motion: spatial, mass: 1[kg], .. })`",
+            );
+            return None;
+        }
     }
-    if input.peek(Token![#]) {
-        return Err(input.error("documentation of the generated type stands inside: `doc: \"..\"`"));
-    }
-    let name = plain_name(input, "the name of a body")?;
-    if input.peek(Token![::]) || input.peek(Token![<]) {
-        return Err(
-            input.error("bodies with a generic scalar are not there yet: all numbers are `f64`")
+    let [TokenTree::Ident(name), rest @ ..] = rest else {
+        let place = rest.first().map_or_else(Span::call_site, start);
+        errors.push(place, "expected the name of the body, as in `Name { .. }`");
+        return None;
+    };
+    check_name(name, "the name of the body", errors)?;
+    let is_group = |token: &TokenTree| matches!(token, TokenTree::Group(_));
+    let Some(position) = rest.iter().position(is_group) else {
+        let place = rest.first().map_or(name.span(), start);
+        errors.push(
+            place,
+            format!("expected the description in braces: `{name} {{ .. }}`"),
         );
+        return None;
+    };
+    let (between, after) = (&rest[..position], &rest[position + 1..]);
+    match between.first() {
+        Some(sign) if is_punct(sign, '<') || is_punct(sign, ':') => errors.push(
+            Extent::of(stream(between)),
+            "bodies with a scalar of your choice are part of the language, but this version \
+             does not have them yet: all numbers are `f64`",
+        ),
+        Some(other) => errors.push(other.span(), format!("expected a brace: `{name} {{ .. }}`")),
+        None => {}
     }
-    let body: Group = input.parse().map_err(|error| {
-        syn::Error::new(
-            error.span(),
-            "expected the description in braces: `Name { .. }`",
-        )
-    })?;
+    let TokenTree::Group(body) = &rest[position] else {
+        return None;
+    };
     if body.delimiter() != Delimiter::Brace {
-        return Err(syn::Error::new(
-            body.span(),
-            "a description stands in braces: `Name { .. }`",
-        ));
+        errors.push(
+            body.span_open(),
+            format!("a description stands in braces: `{name} {{ .. }}`"),
+        );
     }
-    if !input.is_empty() {
-        return Err(input.error("one description in one call: nothing follows the braces"));
+    if let Some(extra) = after.first() {
+        errors.push(
+            start(extra),
+            "one description in one call: nothing follows its braces",
+        );
     }
-    Ok((runtime, name, body.stream()))
+    let description = Description::new(name.clone(), runtime.stream());
+    Some((description, body.stream()))
 }
 
-/// An identifier that generated code can use as it is.
-fn plain_name(input: ParseStream<'_>, what: &str) -> syn::Result<Ident> {
-    if !input.peek(syn::Ident::peek_any) {
-        return Err(input.error(format!("expected {what}")));
-    }
-    let name = Ident::parse_any(input)?;
-    let word = name.to_string();
-    if word.starts_with("r#") || syn::parse2::<Ident>(name.to_token_stream()).is_err() {
-        return Err(syn::Error::new(
-            name.span(),
-            format!("`{word}` is a keyword of Rust: choose another name"),
-        ));
-    }
-    if word == "_" {
-        return Err(syn::Error::new(
-            name.span(),
-            format!("`_` is no name: expected {what}"),
-        ));
-    }
-    Ok(name)
+/// The key that `word` is, or was probably meant to be.
+fn key_meant(word: &str) -> Option<&'static str> {
+    let known = || LISTS.iter().map(|(key, _)| *key).chain(VALUES).chain(LATER);
+    known()
+        .find(|key| *key == word)
+        .or_else(|| similar(word, known()))
 }
 
-fn key(input: ParseStream<'_>) -> syn::Result<(Ident, TokenStream)> {
-    if input.peek(Token![..]) {
-        return Err(input.error("a description is complete in itself: `..` cannot be used"));
-    }
-    if !input.peek(syn::Ident::peek_any) {
-        return Err(input.error("expected a key, such as `mass: 1[kg]`"));
-    }
-    let key = Ident::parse_any(input)?;
-    if input.peek(Token![=]) {
-        return Err(input.error(format!("a key is followed by a colon: write `{key}: ..`")));
-    }
-    if input.is_empty() {
-        return Err(syn::Error::new(
-            key.span(),
-            format!("`{key}` has no value: write `{key}: ..`"),
-        ));
-    }
-    input.parse::<Token![:]>()?;
-    let value: TokenStream = input.parse()?;
-    if value.is_empty() {
-        return Err(syn::Error::new(
-            key.span(),
-            format!("`{key}` has no value: write `{key}: ..`"),
-        ));
-    }
-    Ok((key, value))
-}
-
-fn parse_key(into: &mut Description, key: Ident, value: TokenStream, errors: &mut Errors) {
+/// Reads `key: value`. Returns the key of a list that lacks its brackets.
+fn parse_key(
+    into: &mut Description,
+    entry: &[TokenTree],
+    errors: &mut Errors,
+) -> Option<&'static str> {
+    let (key, rest) = match entry {
+        [TokenTree::Ident(key), rest @ ..] => (key, rest),
+        [first, second, ..] if is_punct(first, '.') && is_punct(second, '.') => {
+            errors.push(
+                Extent::from(first.span()).to(second.span().into()),
+                "a description is complete in itself: `..` cannot be used",
+            );
+            return None;
+        }
+        [first, ..] => {
+            errors.push(start(first), "expected a key, such as `mass: 1[kg]`");
+            return None;
+        }
+        [] => return None,
+    };
     let word = key.to_string();
-    if into.keys.contains(&key) {
+    if is_keyword(&word) || word == "_" || word.starts_with("r#") {
         errors.push(
             key.span(),
-            format!("`{word}` is given twice: put everything into one `{word}`"),
+            format!("`{word}` is no key: expected one such as `mass: 1[kg]`"),
         );
-        return;
+        return None;
     }
-    into.keys.push(key.clone());
-    let expression = |errors: &mut Errors| {
-        Some(Written {
-            value: Expression::parse(value.clone(), errors),
-        })
+    let value = key_value(key, rest, errors);
+    let meant = key_meant(&word);
+    let exact = meant.is_some_and(|meant| meant == word);
+    let repeated = into.keys.contains(key);
+    if repeated && exact {
+        let advice = if VALUES.contains(&word.as_str()) {
+            "leave one of them out".to_owned()
+        } else {
+            format!("put everything into one `{word}: [..]`")
+        };
+        errors.push(key.span(), format!("`{word}` is given twice: {advice}"));
+    } else if !repeated {
+        // an unknown key is left to rustc, through the schema: it names the similar one
+        into.keys.push(key.clone());
+    }
+    let Some(meant) = meant else {
+        into.lost.extend(names_in(value, errors));
+        return None;
     };
-    match word.as_str() {
-        "doc" => into.doc = parse_doc(value, errors),
-        "motion" => into.motion = parse_motion(value, errors),
-        "mass" => into.mass = expression(errors),
-        "inertia" => into.inertia = expression(errors),
-        "pole" => into.pole = expression(errors),
-        "params" => into.params = entries(&key, value, "arm = 0.2[m]", errors, parse_declaration),
-        "inputs" => into.inputs = entries(&key, value, "thrust[N]", errors, parse_declaration),
-        "points" => {
-            into.points = entries(&key, value, "tip = (0.1, 0, 0)", errors, parse_definition)
-        }
-        "locals" => {
-            into.locals = entries(
-                &key,
-                value,
-                "total = thrust_1 + thrust_2",
-                errors,
-                parse_definition,
-            )
-        }
-        "outputs" => into.outputs = entries(&key, value, "energy", errors, parse_word),
-        "forces" | "moments" | "joint_forces" | "joint_moments" | "reactions" | "fields" => {
-            let (family, kind) = family(&word);
-            let loads = entries(
-                &key,
-                value,
-                "push = body(1, 0, 0).at(tip)",
-                errors,
-                |entry, errors| parse_load(entry, family, kind, errors),
-            );
-            into.loads.extend(loads);
-        }
-        later if LATER.contains(&later) => {
+    if LATER.contains(&meant) {
+        if exact && !repeated {
             errors.push(
                 key.span(),
                 format!(
-                    "`{later}` are part of the language, but this version does not have them yet"
+                    "`{word}` are part of the language, but this version does not have them yet"
                 ),
             );
         }
-        // left to rustc, through the schema: it names the similar key
+        into.lost.extend(names_in(value, errors));
+        return None;
+    }
+    let Some((list, example)) = LISTS.iter().find(|(list, _)| *list == meant) else {
+        parse_single(into, meant, value, errors);
+        return None;
+    };
+    parse_list(into, list, example, value, errors)
+}
+
+/// What follows the colon, if anything does.
+fn key_value<'t>(key: &Ident, rest: &'t [TokenTree], errors: &mut Errors) -> &'t [TokenTree] {
+    let example = key_meant(&key.to_string())
+        .and_then(|meant| LISTS.iter().find(|(list, _)| *list == meant))
+        .map_or_else(|| format!("{key}: .."), |_| format!("{key}: [..]"));
+    if let Some((_, value)) = after_sign(rest, ':') {
+        if value.is_empty() {
+            errors.push(
+                key.span(),
+                format!("`{key}` has no value: write `{example}`"),
+            );
+        }
+        return value;
+    }
+    match rest {
+        [] => {
+            errors.push(
+                key.span(),
+                format!("`{key}` has no value: write `{example}`"),
+            );
+            rest
+        }
+        [TokenTree::Punct(sign), value @ ..] => {
+            errors.push(
+                sign.span(),
+                format!("a key is followed by a colon: write `{example}`"),
+            );
+            match value {
+                [second, value @ ..] if is_punct(second, sign.as_char()) => value,
+                _ => value,
+            }
+        }
+        [first, ..] => {
+            errors.push(
+                start(first),
+                format!("expected a colon before this: write `{example}`"),
+            );
+            rest
+        }
+    }
+}
+
+/// The entries of `key: [ .. ]`, each parsed alone.
+fn parse_list(
+    into: &mut Description,
+    list: &'static str,
+    example: &str,
+    value: &[TokenTree],
+    errors: &mut Errors,
+) -> Option<&'static str> {
+    let group = match value {
+        [TokenTree::Group(group)] => group,
+        [] => return None,
+        [first, rest @ ..] => {
+            errors.push(
+                start(first),
+                format!("`{list}` is a list in brackets: write `{list}: [{example}]`"),
+            );
+            let is_entry = rest.first().is_some_and(|token| is_punct(token, '='));
+            if is_entry {
+                parse_entry(into, list, value, errors);
+            }
+            return is_entry.then_some(list);
+        }
+    };
+    if group.delimiter() != Delimiter::Bracket {
+        errors.push(
+            group.span_open(),
+            format!("`{list}` is a list in brackets: write `{list}: [{example}]`"),
+        );
+    }
+    let form = match list {
+        "params" | "inputs" | "outputs" => Entry::Declared,
+        _ => Entry::Defined,
+    };
+    for entry in split(group.stream(), form, errors) {
+        parse_entry(into, list, without_attributes(&entry, errors), errors);
+    }
+    None
+}
+
+/// The value of a key that is not a list; the first one given counts.
+fn parse_single(into: &mut Description, key: &str, value: &[TokenTree], errors: &mut Errors) {
+    let written = |errors: &mut Errors| {
+        let value = (!value.is_empty()).then(|| Expression::parse(stream(value), errors));
+        Some(Written {
+            value: value.flatten(),
+        })
+    };
+    match key {
+        "doc" if into.doc.is_empty() => into.doc = parse_doc(value, errors),
+        "motion" if into.motion.is_none() => into.motion = parse_motion(value, errors),
+        "mass" if into.mass.is_none() => into.mass = written(errors),
+        "inertia" if into.inertia.is_none() => {
+            into.inertia = match value.first() {
+                Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => {
+                    errors.push(
+                        group.span_open(),
+                        "which entries are these? write `tensor { .. }` or `products { .. }`: \
+                         they differ in the sign of the off-diagonals",
+                    );
+                    Some(Written { value: None })
+                }
+                _ => written(errors),
+            }
+        }
+        "pole" if into.pole.is_none() => into.pole = written(errors),
         _ => {}
     }
 }
 
-/// What a key of loads says about its entries; `None`: each entry says itself whether it is a moment.
-fn family(key: &str) -> (Family, Option<LoadKind>) {
-    match key {
-        "forces" => (Family::External, Some(LoadKind::Force)),
-        "moments" => (Family::External, Some(LoadKind::Moment)),
-        "joint_forces" => (Family::Joint, Some(LoadKind::Force)),
-        "joint_moments" => (Family::Joint, Some(LoadKind::Moment)),
-        "reactions" => (Family::Reaction, None),
-        _ => (Family::Field, None),
-    }
-}
-
-/// Splits at the commas of the outermost level.
-fn split(tokens: TokenStream) -> Vec<TokenStream> {
-    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
-    let entries =
-        tokens.split(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ','));
-    entries
-        .filter(|entry| !entry.is_empty())
-        .map(|entry| entry.iter().cloned().collect())
+/// The names that the entries of a list would define.
+fn names_in(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
+    let [TokenTree::Group(group)] = value else {
+        return Vec::new();
+    };
+    split(group.stream(), Entry::Defined, errors)
+        .iter()
+        .filter_map(|entry| match entry.first() {
+            Some(TokenTree::Ident(name)) => Some(name.to_string()),
+            _ => None,
+        })
         .collect()
 }
 
-/// The entries of `key: [ .. ]`, each parsed alone.
-fn entries<T>(
-    key: &Ident,
-    value: TokenStream,
-    example: &str,
-    errors: &mut Errors,
-    mut parse: impl FnMut(TokenStream, &mut Errors) -> Option<T>,
-) -> Vec<T> {
-    match syn::parse2::<Group>(value.clone()) {
-        Ok(group) if group.delimiter() == Delimiter::Bracket => split(group.stream())
-            .into_iter()
-            .filter_map(|entry| parse(entry, errors))
-            .collect(),
-        _ => {
-            errors.push(
-                Extent::of(value),
-                format!("`{key}` is a list: write `{key}: [{example}]`"),
-            );
-            Vec::new()
-        }
-    }
-}
-
-fn parse_doc(value: TokenStream, errors: &mut Errors) -> Vec<String> {
-    let Ok(text) = syn::parse2::<LitStr>(value.clone()) else {
-        errors.push(Extent::of(value), "expected a string: `doc: \"..\"`");
+fn parse_doc(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
+    let text = match value {
+        [] => return Vec::new(),
+        [TokenTree::Literal(literal)] => match Lit::new(literal.clone()) {
+            Lit::Str(text) => Some(text),
+            _ => None,
+        },
+        _ => None,
+    };
+    let Some(text) = text else {
+        errors.push(
+            Extent::of(stream(value)),
+            "expected a string: `doc: \"..\"`",
+        );
         return Vec::new();
     };
-    text.value()
+    LitStr::value(&text)
         .lines()
         .map(|line| line.trim().to_owned())
         .collect()
 }
 
-fn parse_motion(value: TokenStream, errors: &mut Errors) -> Option<Ident> {
-    let mut tokens = value.clone().into_iter();
-    match (tokens.next(), tokens.next()) {
-        (Some(TokenTree::Ident(word)), None) => Some(word),
-        (Some(TokenTree::Ident(word)), Some(TokenTree::Group(_)))
-            if ["pivot", "fixed_point", "fixed_axis", "rod"]
-                .contains(&word.to_string().as_str()) =>
-        {
+fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
+    match value {
+        [TokenTree::Ident(word)] => Some(word.clone()),
+        [TokenTree::Ident(word), ..] if LATER_MOTIONS.contains(&word.to_string().as_str()) => {
+            Some(word.clone())
+        }
+        [] => None,
+        [TokenTree::Ident(_), extra, ..] => {
+            errors.push(start(extra), "nothing follows the kind of motion");
+            match value {
+                [TokenTree::Ident(word), ..] => Some(word.clone()),
+                _ => None,
+            }
+        }
+        [first, ..] => {
             errors.push(
-                word.span(),
-                format!(
-                    "`{word}(..)` is part of the language, but this version does not have it yet"
-                ),
+                start(first),
+                "expected a kind of motion: `planar`, `planar_translation`, `spatial`, \
+                 `translation` or `rotation`",
             );
             None
         }
-        _ => {
-            errors.push(Extent::of(value), "expected a kind of motion: `planar`, `planar_translation`, `spatial`, `translation` or `rotation`");
-            None
-        }
     }
-}
-
-fn parse_word(entry: TokenStream, errors: &mut Errors) -> Option<Ident> {
-    let word =
-        |input: ParseStream<'_>| plain_name(input, "the name of an output, such as `energy`");
-    errors.catch(word.parse2(entry))
-}
-
-/// `name = value` and what stands in front of it; without a value, an error that shows one.
-fn named(entry: TokenStream, errors: &mut Errors) -> Option<(Ident, TokenStream)> {
-    let parse =
-        |input: ParseStream<'_>| Ok((plain_name(input, "a name")?, input.parse::<TokenStream>()?));
-    errors.catch(parse.parse2(entry))
-}
-
-/// What follows the `=`; `None` if there is none.
-fn after_equals(rest: &TokenStream) -> Option<TokenStream> {
-    let mut tokens = rest.clone().into_iter();
-    match tokens.next() {
-        Some(TokenTree::Punct(punct))
-            if punct.as_char() == '=' && punct.spacing() == proc_macro2::Spacing::Alone =>
-        {
-            Some(tokens.collect())
-        }
-        _ => None,
-    }
-}
-
-fn parse_declaration(entry: TokenStream, errors: &mut Errors) -> Option<Declaration> {
-    let (name, rest) = named(entry, errors)?;
-    if let Some(value) = after_equals(&rest) {
-        let value = parse_value(&name, value, errors);
-        return Some(Declaration {
-            name,
-            unit: None,
-            value: Some(value),
-        });
-    }
-    if rest.is_empty() {
-        return Some(Declaration {
-            name,
-            unit: None,
-            value: None,
-        });
-    }
-    match syn::parse2::<Group>(rest.clone()) {
-        Ok(group) if group.delimiter() == Delimiter::Bracket => {
-            match errors.catch(UnitExpression::parse(group.stream(), Extent::of(&rest))) {
-                Some(unit) => Some(Declaration {
-                    name,
-                    unit: Some(unit),
-                    value: None,
-                }),
-                None => Some(Declaration {
-                    name,
-                    unit: None,
-                    value: Some(None),
-                }),
-            }
-        }
-        _ => {
-            errors.push(
-                Extent::of(rest),
-                format!("expected `{name}`, `{name}[unit]` or `{name} = value`"),
-            );
-            Some(Declaration {
-                name,
-                unit: None,
-                value: Some(None),
-            })
-        }
-    }
-}
-
-fn parse_definition(entry: TokenStream, errors: &mut Errors) -> Option<Definition> {
-    let (name, rest) = named(entry, errors)?;
-    let Some(value) = after_equals(&rest) else {
-        let place = if rest.is_empty() {
-            name.span().into()
-        } else {
-            Extent::of(&rest)
-        };
-        errors.push(place, format!("expected a value: write `{name} = ..`"));
-        return Some(Definition { name, value: None });
-    };
-    let value = parse_value(&name, value, errors);
-    Some(Definition { name, value })
-}
-
-fn parse_value(name: &Ident, value: TokenStream, errors: &mut Errors) -> Option<Expression> {
-    if value.is_empty() {
-        errors.push(
-            name.span(),
-            format!("expected a value: write `{name} = ..`"),
-        );
-        return None;
-    }
-    Expression::parse(value, errors)
-}
-
-/// Splits `vector.at(point)` and `moment(vector)` off the expression of a load.
-fn parse_load(
-    entry: TokenStream,
-    family: Family,
-    kind: Option<LoadKind>,
-    errors: &mut Errors,
-) -> Option<Load> {
-    let extent = Extent::of(&entry);
-    let Some(first) = entry.clone().into_iter().next() else {
-        return None;
-    };
-    let anonymous = matches!(
-        (&first, entry.clone().into_iter().nth(1)),
-        (TokenTree::Ident(_), Some(TokenTree::Group(_)))
-    );
-    if anonymous {
-        errors.push(first.span(), "a load has a name: write `name = ..`");
-        return None;
-    }
-    let Definition { name, value } = parse_definition(entry, errors)?;
-    let mut load = Load {
-        name,
-        family,
-        kind: kind.unwrap_or(LoadKind::Force),
-        vector: None,
-        point: None,
-        extent,
-    };
-    let Some(mut value) = value else {
-        return Some(load);
-    };
-    load.extent = value.extent;
-    loop {
-        match value.kind {
-            Kind::Method(inner, method, mut arguments)
-                if method == "at" && load.point.is_none() =>
-            {
-                if arguments.len() != 1 {
-                    errors.push(method.span(), "`.at` takes one point: write `.at(P)`");
-                    return Some(load);
-                }
-                load.point = arguments.pop();
-                value = *inner;
-            }
-            Kind::Method(_, method, _) if method == "on" => {
-                errors.push(
-                    method.span(),
-                    "`.on([..])` is part of the language, but this version does not have it yet",
-                );
-                return Some(load);
-            }
-            Kind::Call(function, mut arguments)
-                if function == "moment" && load.kind == LoadKind::Force =>
-            {
-                if kind.is_some() {
-                    errors.push(
-                        function.span(),
-                        "a force is expected here: moments stand in `moments` or `joint_moments`",
-                    );
-                    return Some(load);
-                }
-                if arguments.len() != 1 {
-                    errors.push(
-                        function.span(),
-                        "`moment` takes one vector: write `moment(body(0, 0, 1))`",
-                    );
-                    return Some(load);
-                }
-                load.kind = LoadKind::Moment;
-                value = arguments.remove(0);
-            }
-            _ => break,
-        }
-    }
-    if let (LoadKind::Moment, Some(point)) = (load.kind, &load.point) {
-        errors.push(
-            point.extent,
-            "a moment is the same about every point: leave `.at(..)` out",
-        );
-    }
-    load.vector = Some(value);
-    Some(load)
 }

@@ -1,0 +1,93 @@
+//! Names: what was defined, and what every description knows without defining it.
+
+use proc_macro2::Ident;
+
+use crate::symbolic::Number;
+
+use super::dimension::Dimension;
+use super::frame::{Attitude, Frame};
+use super::lower::Lowering;
+use super::value::{Point, Value};
+
+impl Lowering<'_> {
+    pub fn name(&mut self, name: &Ident) -> Option<Value> {
+        let word = name.to_string();
+        if let Some(value) = self.scope.look_up(&word) {
+            return value;
+        }
+        let graph = &mut self.frames.graph;
+        match word.as_str() {
+            "t" => Some(Value::Scalar(self.state.time, Dimension::TIME)),
+            "PI" => Some(Value::Scalar(graph.number(Number::pi()), Dimension::NONE)),
+            "TAU" => Some(Value::Scalar(
+                graph.number(Number::pi() * Number::integer(2)),
+                Dimension::NONE,
+            )),
+            "G" => Some(Value::Point(Point::Body(graph.zeros()))),
+            "position" | "velocity" => self.motion_of_center(name),
+            "attitude" if !self.motion.has_attitude() => self.absent(name, "attitude"),
+            "attitude" => match self.frames.attitude {
+                Attitude::Angle(angle) => Some(Value::Scalar(angle, Dimension::NONE)),
+                _ => Some(Value::Attitude),
+            },
+            "angular_velocity" if !self.motion.has_attitude() => {
+                self.absent(name, "angular velocity")
+            }
+            "angular_velocity" if self.motion.is_planar() => Some(Value::Scalar(
+                self.state.angular_velocity[2],
+                Dimension::FREQUENCY,
+            )),
+            "angular_velocity" => {
+                let vector = self.frames.vector(Frame::Body, self.state.angular_velocity);
+                Some(Value::Vector(vector, Dimension::FREQUENCY))
+            }
+            "mass" => self.report(name.span(), "this body has no mass: write `mass: ..`"),
+            keyword if keyword.starts_with("r#") => self.report(
+                name.span(),
+                format!("`{}` is a keyword of Rust, and no name here", &keyword[2..]),
+            ),
+            "body" | "world" => self.report(
+                name.span(),
+                format!("`{word}` makes a vector: write `{word}(..)` with components"),
+            ),
+            _ => {
+                let hint = self.scope.hint(&word);
+                self.report(
+                    name.span(),
+                    format!("nothing here is called `{word}`{hint}"),
+                )
+            }
+        }
+    }
+
+    fn absent(&mut self, name: &Ident, what: &str) -> Option<Value> {
+        self.report(
+            name.span(),
+            format!(
+                "under `motion: {}` a body has no {what}",
+                self.motion.word()
+            ),
+        )
+    }
+
+    fn motion_of_center(&mut self, name: &Ident) -> Option<Value> {
+        if !self.motion.has_position() {
+            return self.report(
+                name.span(),
+                format!(
+                    "`{name}` is not known under `motion: rotation`: the motion of G is not \
+                     modelled"
+                ),
+            );
+        }
+        let (components, dimension) = if name == "position" {
+            (self.state.position, Dimension::LENGTH)
+        } else {
+            (self.state.velocity, Dimension::VELOCITY)
+        };
+        Some(Value::Vector(
+            self.frames.vector(Frame::World, components),
+            dimension,
+        ))
+    }
+}

@@ -1,0 +1,61 @@
+//! Loads, and the pole of the moment balance.
+
+use crate::syntax::{self, LoadKind, Written};
+
+use super::Load;
+use super::dimension::Dimension;
+use super::frame::Frame;
+use super::lower::Lowering;
+use super::value::Point;
+
+impl Lowering<'_> {
+    pub fn load(&mut self, written: &syntax::Load) -> Option<Load> {
+        let value = written.vector.as_ref();
+        let vector = value.and_then(|value| match written.kind {
+            LoadKind::Force => self.vector(value, Dimension::FORCE, "a force"),
+            LoadKind::Moment if self.motion.is_planar() => {
+                let moment = self.scalar(value, Dimension::MOMENT, "a moment")?;
+                let zero = self.frames.graph.zero();
+                Some(self.frames.vector(Frame::Body, [zero, zero, moment]))
+            }
+            LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
+        });
+        let point = match &written.point {
+            Some(None) => None,
+            Some(Some(point)) => self.point(point).and_then(|found| match found {
+                Point::World(_) if !self.motion.has_position() => self.report(
+                    point.extent,
+                    "where this point is relative to the body is not known under `motion: \
+                     rotation`: the motion of G is not modelled",
+                ),
+                found => Some(found),
+            }),
+            None => Some(Point::Body(self.frames.graph.zeros())),
+        };
+        Some(Load {
+            name: written.name.clone(),
+            family: written.family,
+            kind: written.kind,
+            vector: vector?,
+            point: point?,
+            extent: written.name.span().into(),
+        })
+    }
+
+    pub fn pole(&mut self, written: Option<&Written>) -> Option<Point> {
+        let Some(written) = written else {
+            return Some(Point::Body(self.frames.graph.zeros()));
+        };
+        let value = written.value.as_ref()?;
+        let point = self.point(value)?;
+        let is_center = point == Point::Body(self.frames.graph.zeros());
+        if !self.motion.has_position() && !is_center {
+            return self.report(
+                value.extent,
+                "under `motion: rotation` the moment balance is written about G: the motion of G \
+                 is not modelled",
+            );
+        }
+        Some(point)
+    }
+}

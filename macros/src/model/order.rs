@@ -1,0 +1,161 @@
+//! The order in which definitions can be read: each after those it refers to.
+
+use std::collections::{BTreeSet, HashMap};
+
+use proc_macro2::Ident;
+
+use crate::errors::Errors;
+use crate::syntax::{Description, Expression};
+
+/// A definition that may refer to others.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Definition {
+    Mass,
+    Point(usize),
+    Local(usize),
+}
+
+/// Members of a circle that a message names.
+const SHOWN: usize = 6;
+
+/// Definitions and what each of them mentions of the others.
+struct References<'d> {
+    definitions: Vec<(String, Definition)>,
+    /// For each definition, those it refers to, with the name that does.
+    uses: Vec<Vec<(usize, &'d Ident)>>,
+}
+
+/// Points, locals and the mass in the order in which they can be read, and those that cannot be,
+/// because they refer to themselves or to such that do. Each circle is reported once.
+pub fn definition_order(
+    description: &Description,
+    errors: &mut Errors,
+) -> (Vec<Definition>, Vec<Definition>) {
+    let references = References::find(description);
+    let (order, mut left) = references.sort();
+    let unread = left
+        .iter()
+        .map(|index| references.definitions[*index].1)
+        .collect();
+    while let Some(circle) = references.circle(&left) {
+        references.report(&circle, errors);
+        for (index, _) in circle {
+            left.remove(&index);
+        }
+    }
+    let order = order
+        .into_iter()
+        .map(|index| references.definitions[index].1);
+    (order.collect(), unread)
+}
+
+impl<'d> References<'d> {
+    fn find(description: &'d Description) -> Self {
+        let mut definitions = Vec::new();
+        let mut values: Vec<Option<&Expression>> = Vec::new();
+        if let Some(mass) = &description.mass {
+            definitions.push(("mass".to_owned(), Definition::Mass));
+            values.push(mass.value.as_ref());
+        }
+        for (index, point) in description.points.iter().enumerate() {
+            definitions.push((point.name.to_string(), Definition::Point(index)));
+            values.push(point.value.as_ref());
+        }
+        for (index, local) in description.locals.iter().enumerate() {
+            definitions.push((local.name.to_string(), Definition::Local(index)));
+            values.push(local.value.as_ref());
+        }
+        // of two with one name, the first counts
+        let index: HashMap<String, usize> = definitions
+            .iter()
+            .enumerate()
+            .rev()
+            .map(|(index, (name, _))| (name.clone(), index))
+            .collect();
+        let uses = values.into_iter().map(|value| {
+            let names = value.map(Expression::names).unwrap_or_default();
+            let used = names
+                .into_iter()
+                .filter_map(|name| Some((*index.get(&name.to_string())?, name)));
+            used.collect()
+        });
+        Self {
+            uses: uses.collect(),
+            definitions,
+        }
+    }
+
+    /// What can be read, in order, and what is left.
+    fn sort(&self) -> (Vec<usize>, BTreeSet<usize>) {
+        let mut waiting: Vec<usize> = self.uses.iter().map(Vec::len).collect();
+        let mut users: Vec<Vec<usize>> = vec![Vec::new(); waiting.len()];
+        for (user, uses) in self.uses.iter().enumerate() {
+            for (used, _) in uses {
+                users[*used].push(user);
+            }
+        }
+        let all = 0..waiting.len();
+        let mut ready: BTreeSet<usize> = all.clone().filter(|index| waiting[*index] == 0).collect();
+        let mut order = Vec::new();
+        while let Some(next) = ready.pop_first() {
+            order.push(next);
+            for &user in &users[next] {
+                waiting[user] -= 1;
+                if waiting[user] == 0 {
+                    ready.insert(user);
+                }
+            }
+        }
+        (order, all.filter(|index| waiting[*index] > 0).collect())
+    }
+
+    /// A circle among `left`: each member with the name by which it refers to the next.
+    fn circle(&self, left: &BTreeSet<usize>) -> Option<Vec<(usize, &'d Ident)>> {
+        let mut finished: BTreeSet<usize> = BTreeSet::new();
+        for &start in left {
+            // the way from `start`: each member, and how many of its uses were followed
+            let mut way: Vec<(usize, usize)> = vec![(start, 0)];
+            let mut on_way: BTreeSet<usize> = BTreeSet::from([start]);
+            while let Some((current, followed)) = way.last_mut() {
+                let Some((used, _)) = self.uses[*current].get(*followed) else {
+                    finished.insert(*current);
+                    on_way.remove(current);
+                    way.pop();
+                    continue;
+                };
+                *followed += 1;
+                if on_way.contains(used) {
+                    let first = way.iter().position(|(member, _)| member == used)?;
+                    let member = |(member, followed): &(usize, usize)| {
+                        (*member, self.uses[*member][followed - 1].1)
+                    };
+                    return Some(way[first..].iter().map(member).collect());
+                }
+                if left.contains(used) && !finished.contains(used) {
+                    on_way.insert(*used);
+                    way.push((*used, 0));
+                }
+            }
+        }
+        None
+    }
+
+    fn report(&self, circle: &[(usize, &Ident)], errors: &mut Errors) {
+        let Some((first, mention)) = circle.first() else {
+            return;
+        };
+        let name = &self.definitions[*first].0;
+        let message = if circle.len() == 1 {
+            format!("`{name}` cannot be defined by itself")
+        } else {
+            let members = circle.iter().map(|(_, mention)| format!("`{mention}`"));
+            let mut way: Vec<String> = members.collect();
+            if way.len() > SHOWN {
+                way.splice(SHOWN / 2..way.len() - SHOWN / 2, ["..".to_owned()]);
+            }
+            let way = way.join(", which needs ");
+            format!("definitions go in a circle: `{name}` needs {way}")
+        };
+        errors.push(mention.span(), message);
+    }
+}

@@ -1,0 +1,216 @@
+//! Which inertias a body can have, and the decimal point that one may have lost.
+//!
+//! A tensor is possible if it is symmetric and half its trace minus itself is positive
+//! semidefinite, which is the triangle inequality in every frame (EQUATIONS.md, F08). Numbers are
+//! checked exactly; equality, a flat body, is allowed.
+
+use crate::symbolic::{Id, Number};
+
+use super::draft::Draft;
+use super::inertia::Inertia;
+use super::lower::Lowering;
+use super::value::shown;
+
+impl Lowering<'_> {
+    /// Checks an inertia as far as it is known.
+    pub fn check_inertia(
+        &mut self,
+        draft: &Draft,
+        defaults: impl Fn(Id) -> Option<Id>,
+    ) -> Option<()> {
+        let graph = &mut self.frames.graph;
+        let entries = draft.inertia.entries();
+        let parts = draft.parts.iter().map(|part| part.entry);
+        let all: Vec<Id> = entries.iter().copied().chain(parts).collect();
+        let known = graph.substitute(&all, defaults);
+        let numbers: Option<Vec<Number>> = known
+            .iter()
+            .map(|id| graph.as_number(*id).cloned())
+            .collect();
+        let Some(numbers) = numbers else {
+            // it depends on what is given when a body is built, and is checked there
+            return Some(());
+        };
+        match draft.inertia {
+            Inertia::Absent => Some(()),
+            Inertia::Planar(_) if numbers[0].is_positive() => Some(()),
+            Inertia::Planar(_) => self.report(
+                draft.extent,
+                format!(
+                    "the inertia of a body that turns is positive, and J_G = {}",
+                    shown(&numbers[0])
+                ),
+            ),
+            Inertia::Spatial(_) => {
+                let matrix =
+                    core::array::from_fn(|i| core::array::from_fn(|j| numbers[3 * i + j].clone()));
+                match Violation::find(&matrix) {
+                    None => Some(()),
+                    Some(violation) => {
+                        self.report_violation(draft, &violation, &matrix, &numbers[9..])
+                    }
+                }
+            }
+        }
+    }
+
+    /// `entries` are the values of the parts as they were written, in SI units.
+    fn report_violation(
+        &mut self,
+        draft: &Draft,
+        violation: &Violation,
+        matrix: &Matrix,
+        entries: &[Number],
+    ) -> Option<()> {
+        let message = format!("no body has this inertia: {}", violation.message);
+        let literals: Vec<Entry<'_>> = draft
+            .parts
+            .iter()
+            .zip(entries)
+            .filter_map(|(part, value)| {
+                Some(Entry {
+                    row: part.row,
+                    column: part.column,
+                    literal: part.literal.as_ref()?,
+                    value,
+                })
+            })
+            .collect();
+        if let Some((row, column, mended)) = mend(matrix, &literals)
+            && let Some(part) = draft.part(row, column)
+        {
+            let digits = &part.digits;
+            return self.report(
+                part.extent,
+                format!(
+                    "{message}; is a decimal point out of place? `{mended}` instead of \
+                     `{digits}` would do"
+                ),
+            );
+        }
+        let blamed = violation
+            .entry
+            .and_then(|(row, column)| draft.part(row, column));
+        self.report(blamed.map_or(draft.extent, |part| part.extent), message)
+    }
+}
+
+/// A symmetric matrix, by rows.
+type Matrix = [[Number; 3]; 3];
+
+/// Names of the axes in messages.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A condition that a matrix violates, and the entry to blame, if it is one.
+struct Violation {
+    entry: Option<(usize, usize)>,
+    message: String,
+}
+
+/// A literal that was written for an entry, and what it stands for in SI units.
+struct Entry<'a> {
+    row: usize,
+    column: usize,
+    literal: &'a Number,
+    value: &'a Number,
+}
+
+impl Violation {
+    /// The first violated condition, from the simplest to the most general.
+    fn find(j: &Matrix) -> Option<Self> {
+        for (i, axis) in AXES.iter().enumerate() {
+            if !j[i][i].is_positive() {
+                let value = shown(&j[i][i]);
+                return Some(Self {
+                    entry: Some((i, i)),
+                    message: format!(
+                        "its moment about {axis} is {value}, and moments of inertia are positive"
+                    ),
+                });
+            }
+        }
+        let half = Number::ratio(1, 2);
+        let trace = j[0][0].clone() + j[1][1].clone() + j[2][2].clone();
+        let sigma = |i: usize, k: usize| {
+            if i == k {
+                half.clone() * trace.clone() - j[i][i].clone()
+            } else {
+                -j[i][k].clone()
+            }
+        };
+        for (i, axis) in AXES.iter().enumerate() {
+            let (k, l) = ((i + 1) % 3, (i + 2) % 3);
+            if sigma(i, i).is_negative() {
+                let (largest, sum) = (shown(&j[i][i]), shown(&(j[k][k].clone() + j[l][l].clone())));
+                let message = format!(
+                    "its moment about {axis} is larger than the other two together \
+                     ({largest} > {sum})"
+                );
+                return Some(Self {
+                    entry: Some((i, i)),
+                    message,
+                });
+            }
+        }
+        for (i, k) in [(0, 1), (1, 2), (2, 0)] {
+            if (sigma(i, i) * sigma(k, k) - sigma(i, k) * sigma(i, k)).is_negative() {
+                let message = format!(
+                    "the product of inertia in {}{} is too large for its moments of inertia",
+                    AXES[i], AXES[k]
+                );
+                return Some(Self {
+                    entry: Some((i, k)),
+                    message,
+                });
+            }
+        }
+        let whole = |message: &str| {
+            Some(Self {
+                entry: None,
+                message: message.to_owned(),
+            })
+        };
+        if determinant(&sigma).is_negative() {
+            return whole(
+                "turned to its principal axes, one moment is larger than the other two together",
+            );
+        }
+        if !determinant(&|i, k| j[i][k].clone()).is_positive() {
+            return whole("turned to its principal axes, one moment is not positive");
+        }
+        None
+    }
+}
+
+fn determinant(m: &impl Fn(usize, usize) -> Number) -> Number {
+    let minor = |i: usize, k: usize| m(1, i) * m(2, k) - m(1, k) * m(2, i);
+    m(0, 0) * minor(1, 2) - m(0, 1) * minor(0, 2) + m(0, 2) * minor(0, 1)
+}
+
+/// The one literal, if there is only one, that a moved decimal point turns into one of a possible
+/// inertia: its row and column, and what to write.
+fn mend(matrix: &Matrix, literals: &[Entry<'_>]) -> Option<(usize, usize, String)> {
+    for shift in 1..=3 {
+        let mut found = Vec::new();
+        for entry in literals {
+            for power in [shift, -shift] {
+                let factor = Number::power_of_ten(power);
+                let added = (factor.clone() - Number::one()) * entry.value.clone();
+                let mut mended = matrix.clone();
+                let (row, column) = (entry.row, entry.column);
+                mended[row][column] = mended[row][column].clone() + added;
+                mended[column][row] = mended[row][column].clone();
+                if Violation::find(&mended).is_none() {
+                    let digits = shown(&(entry.literal.clone() * factor));
+                    found.push((row, column, digits));
+                }
+            }
+        }
+        match found.len() {
+            0 => {}
+            1 => return found.pop(),
+            _ => return None,
+        }
+    }
+    None
+}

@@ -1,0 +1,212 @@
+//! The methods of vectors and points, and the components of vectors.
+
+use proc_macro2::Ident;
+
+use crate::errors::hint;
+use crate::symbolic::{Components, Function, Id};
+use crate::syntax::Expression;
+
+use super::dimension::Dimension;
+use super::frame::{Attitude, Frame, Vector};
+use super::functions::VECTOR_METHODS;
+use super::lower::{Lowering, dimension};
+use super::value::{Point, Value};
+
+impl Lowering<'_> {
+    /// In the plane: `w.cross(v)` of a scalar `w` about z.
+    pub fn planar_rotation(
+        &mut self,
+        w: Id,
+        of_w: Dimension,
+        method: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        self.expect_arguments(method, arguments, 1)?;
+        let (vector, of_vector) = self.vector_argument(&arguments[0])?;
+        let zero = self.frames.graph.zero();
+        let axis = [zero, zero, w];
+        let graph = &mut self.frames.graph;
+        let turned = Vector {
+            body: graph.cross(axis, vector.body),
+            world: graph.cross(axis, vector.world),
+        };
+        Some(Value::Vector(turned, of_w.times(of_vector)))
+    }
+
+    fn vector_argument(&mut self, argument: &Expression) -> Option<(Vector, Dimension)> {
+        let value = self.value(argument)?;
+        match (self.as_vector(value), dimension(value)) {
+            (Some(vector), Some(dimension)) => Some((vector, dimension)),
+            _ => self.report(
+                argument.extent,
+                format!("expected a vector, and this is {}", value.kind()),
+            ),
+        }
+    }
+
+    pub fn vector_method(
+        &mut self,
+        value: Value,
+        method: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        let word = method.to_string();
+        let (vector, of_vector) = (self.as_vector(value)?, dimension(value)?);
+        if !VECTOR_METHODS.contains(&word.as_str()) {
+            return self.report(
+                method.span(),
+                format!(
+                    "there is no method `{word}` of a vector{}",
+                    hint(&word, VECTOR_METHODS)
+                ),
+            );
+        }
+        let count = usize::from(matches!(word.as_str(), "cross" | "dot"));
+        self.expect_arguments(method, arguments, count)?;
+        match word.as_str() {
+            "cross" => {
+                let (other, of_other) = self.vector_argument(&arguments[0])?;
+                let product = self.frames.cross(vector, other);
+                Some(self.moment_value(product, of_vector.times(of_other)))
+            }
+            "dot" => {
+                let (other, of_other) = self.vector_argument(&arguments[0])?;
+                Some(Value::Scalar(
+                    self.frames.dot(vector, other),
+                    of_vector.times(of_other),
+                ))
+            }
+            "norm" => Some(Value::Scalar(self.frames.norm(vector), of_vector)),
+            "norm_squared" => Some(Value::Scalar(
+                self.frames.norm_squared(vector),
+                of_vector.power(2, 1),
+            )),
+            "normalize" => {
+                let norm = self.frames.norm(vector);
+                let one = self.frames.graph.one();
+                let reciprocal = self.frames.graph.divide(one, norm);
+                let reciprocal = self.frames.graph.quantity(reciprocal);
+                self.scaled(reciprocal, value, Dimension::NONE)
+            }
+            frame => {
+                let frame = if frame == "in_body" {
+                    Frame::Body
+                } else {
+                    Frame::World
+                };
+                let components = self.frames.components(vector, frame);
+                Some(Value::Components(frame, components, of_vector))
+            }
+        }
+    }
+
+    /// A cross product: in the plane, its component along z.
+    fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
+        if self.motion.is_planar() {
+            Value::Scalar(
+                self.frames.graph.add(product.body[2], product.world[2]),
+                dimension,
+            )
+        } else {
+            Value::Vector(product, dimension)
+        }
+    }
+
+    pub fn point_method(
+        &mut self,
+        point: Point,
+        method: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        let word = method.to_string();
+        if !matches!(word.as_str(), "position" | "velocity") {
+            return self.report(
+                method.span(),
+                format!("a point has `.position()` and `.velocity()`, and no `{word}`"),
+            );
+        }
+        self.expect_arguments(method, arguments, 0)?;
+        let dimension = if word == "position" {
+            Dimension::LENGTH
+        } else {
+            Dimension::VELOCITY
+        };
+        if !self.motion.has_position() && matches!(point, Point::Body(_)) {
+            return self.report(
+                method.span(),
+                format!(
+                    "the {word} of a point of the body is not known under `motion: rotation`: \
+                     the motion of G is not modelled"
+                ),
+            );
+        }
+        let vector = match (point, word.as_str()) {
+            (Point::Body(offset), "position") => Vector {
+                body: offset,
+                world: self.state.position,
+            },
+            (Point::Body(offset), _) => Vector {
+                body: self.swept(offset),
+                world: self.state.velocity,
+            },
+            (Point::World(position), "position") => self.frames.vector(Frame::World, position),
+            (Point::World(_), _) => self.frames.zero_vector(),
+        };
+        Some(Value::Vector(vector, dimension))
+    }
+
+    /// `w x r`, body axes.
+    fn swept(&mut self, offset: Components) -> Components {
+        self.frames.graph.cross(self.state.angular_velocity, offset)
+    }
+
+    pub fn field(&mut self, receiver: &Expression, field: &Ident) -> Option<Value> {
+        let value = self.value(receiver)?;
+        let word = field.to_string();
+        let axes = &["x", "y", "z"][..self.motion.axes()];
+        match value {
+            Value::Components(_, components, dimension) => {
+                match axes.iter().position(|axis| *axis == word) {
+                    Some(axis) => Some(Value::Scalar(components[axis], dimension)),
+                    None => self.report(
+                        field.span(),
+                        format!("components are called `{}`", axes.join("`, `")),
+                    ),
+                }
+            }
+            Value::Vector(..) if !VECTOR_METHODS.contains(&word.as_str()) => self.report(
+                field.span(),
+                format!(
+                    "a component in which axes? write `.in_body().{word}` or `.in_world().{word}`"
+                ),
+            ),
+            Value::Attitude => {
+                let Attitude::Quaternion { scalar, vector } = self.frames.attitude else {
+                    return None;
+                };
+                match ["w", "i", "j", "k"].iter().position(|part| *part == word) {
+                    Some(0) => Some(Value::Scalar(scalar, Dimension::NONE)),
+                    Some(part) => Some(Value::Scalar(vector[part - 1], Dimension::NONE)),
+                    None => self.report(
+                        field.span(),
+                        "the parts of the attitude quaternion are called `w`, `i`, `j` and `k`",
+                    ),
+                }
+            }
+            other => {
+                let word = word.trim_start_matches("r#");
+                let is_method = Function::from_name(word).is_some()
+                    || VECTOR_METHODS.contains(&word)
+                    || ["position", "velocity"].contains(&word);
+                self.report(
+                    field.span(),
+                    if is_method {
+                        format!("parentheses are missing: write `.{word}()`")
+                    } else {
+                        format!("{} has no field `{word}`", other.kind())
+                    },
+                )
+            }
+        }
+    }
+}

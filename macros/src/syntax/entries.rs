@@ -1,0 +1,219 @@
+//! The entries of lists: declarations, definitions, loads and single words.
+
+use proc_macro2::{Delimiter, Ident, TokenTree};
+
+use crate::errors::Errors;
+
+use super::expression::{Expression, Kind};
+use super::tokens::{after_sign, bracketed, is_punct, start, stream};
+use super::unit::UnitExpression;
+use super::words::check_name;
+use super::{Declaration, Definition, Description, Family, Load, LoadKind, Value};
+
+/// Reads one entry of the list `key`. Without a name there is none; without a value it stays
+/// known, and silent.
+pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], errors: &mut Errors) {
+    let Some((name, rest)) = parse_name(into, key, entry, errors) else {
+        return;
+    };
+    match key {
+        "params" => into.params.push(parse_declaration(name, rest, errors)),
+        "inputs" => into.inputs.push(parse_declaration(name, rest, errors)),
+        "points" => {
+            let value = parse_value(&name, rest, errors);
+            into.points.push(Definition { name, value });
+        }
+        "locals" => {
+            let value = parse_value(&name, rest, errors);
+            into.locals.push(Definition { name, value });
+        }
+        "outputs" => {
+            if let Some(extra) = rest.first() {
+                errors.push(
+                    start(extra),
+                    format!("an output is one word: write `{name}`"),
+                );
+            }
+            into.outputs.push(name);
+        }
+        loads => {
+            let value = parse_value(&name, rest, errors);
+            let load = parse_load(name, value, family(loads), errors);
+            into.loads.push(load);
+        }
+    }
+}
+
+fn parse_name<'t>(
+    into: &mut Description,
+    key: &str,
+    entry: &'t [TokenTree],
+    errors: &mut Errors,
+) -> Option<(Ident, &'t [TokenTree])> {
+    match entry {
+        [TokenTree::Ident(word), TokenTree::Group(group), ..]
+            if group.delimiter() == Delimiter::Parenthesis && key != "outputs" =>
+        {
+            errors.push(
+                word.span(),
+                format!("every entry has a name: write `name = {word}(..)`"),
+            );
+            None
+        }
+        [TokenTree::Ident(name), rest @ ..] => {
+            let what = if key == "outputs" {
+                "the name of an output, such as `energy`"
+            } else {
+                "a name"
+            };
+            if check_name(name, what, errors).is_none() {
+                let word = name.to_string();
+                into.lost.push(word.trim_start_matches("r#").to_owned());
+                return None;
+            }
+            Some((name.clone(), rest))
+        }
+        [first, ..] if key == "outputs" => {
+            errors.push(
+                start(first),
+                "expected the name of an output, such as `energy`",
+            );
+            None
+        }
+        [first, ..] => {
+            errors.push(
+                start(first),
+                "expected a name: an entry is written `name = ..`",
+            );
+            None
+        }
+        [] => None,
+    }
+}
+
+/// What a key of loads says about its entries; `None`: each entry says itself whether it is a
+/// moment.
+fn family(key: &str) -> (Family, Option<LoadKind>) {
+    match key {
+        "forces" => (Family::External, Some(LoadKind::Force)),
+        "moments" => (Family::External, Some(LoadKind::Moment)),
+        "joint_forces" => (Family::Joint, Some(LoadKind::Force)),
+        "joint_moments" => (Family::Joint, Some(LoadKind::Moment)),
+        "reactions" => (Family::Reaction, None),
+        _ => (Family::Field, None),
+    }
+}
+
+fn parse_declaration(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Declaration {
+    let (unit, value) = match rest {
+        [] => (None, None),
+        [TokenTree::Group(group), tail @ ..] if group.delimiter() == Delimiter::Bracket => {
+            if tail.first().is_some_and(|token| is_punct(token, '=')) {
+                let unit = group.stream();
+                errors.push(
+                    group.span(),
+                    format!("a unit stands behind its number: write `{name} = ..[{unit}]`"),
+                );
+                (None, Some(None))
+            } else if bracketed(rest).is_some() {
+                let unit = UnitExpression::parse(group, errors);
+                let refused = unit.is_none();
+                (unit, refused.then_some(None))
+            } else {
+                errors.push(
+                    start(&tail[0]),
+                    format!("expected `{name}`, `{name}[unit]` or `{name} = value`"),
+                );
+                (None, Some(None))
+            }
+        }
+        _ => (None, Some(parse_value(&name, rest, errors))),
+    };
+    Declaration { name, unit, value }
+}
+
+/// The value behind the `=`.
+fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Value {
+    let Some((_, value)) = after_sign(rest, '=') else {
+        let place = rest.first().map_or(name.span(), start);
+        errors.push(place, format!("expected a value: write `{name} = ..`"));
+        return None;
+    };
+    if value.is_empty() {
+        errors.push(
+            name.span(),
+            format!("`{name}` has no value: write `{name} = ..`"),
+        );
+        return None;
+    }
+    Expression::parse(stream(value), errors)
+}
+
+/// Splits `vector.at(point)` and `moment(vector)` off the expression of a load.
+fn parse_load(
+    name: Ident,
+    value: Value,
+    (family, kind): (Family, Option<LoadKind>),
+    errors: &mut Errors,
+) -> Load {
+    let mut load = Load {
+        name,
+        family,
+        kind: kind.unwrap_or(LoadKind::Force),
+        vector: None,
+        point: None,
+    };
+    let Some(mut value) = value else {
+        return load;
+    };
+    let mut at: Option<Ident> = None;
+    loop {
+        match value.kind {
+            Kind::Method(inner, method, mut arguments) if method == "at" => {
+                if at.is_some() {
+                    errors.push(
+                        method.span(),
+                        "a load acts at one point: leave one `.at(..)` out",
+                    );
+                } else if arguments.len() == 1 {
+                    load.point = Some(arguments.pop());
+                } else {
+                    errors.push(method.span(), "`.at` takes one point: write `.at(P)`");
+                    load.point = Some(None);
+                }
+                at = Some(method);
+                value = *inner;
+            }
+            Kind::Call(function, mut arguments)
+                if function == "moment" && load.kind == LoadKind::Force =>
+            {
+                if kind.is_some() {
+                    errors.push(
+                        function.span(),
+                        "a force is expected here: moments stand in `moments` or `joint_moments`",
+                    );
+                    return load;
+                }
+                if arguments.len() != 1 {
+                    errors.push(
+                        function.span(),
+                        "`moment` takes one vector: write `moment(body(0, 0, 1))`",
+                    );
+                    return load;
+                }
+                load.kind = LoadKind::Moment;
+                value = arguments.remove(0);
+            }
+            _ => break,
+        }
+    }
+    if let (LoadKind::Moment, Some(at)) = (load.kind, at) {
+        errors.push(
+            at.span(),
+            "a moment is the same about every point: leave `.at(..)` out",
+        );
+        load.point = None;
+    }
+    load.vector = Some(value);
+    load
+}

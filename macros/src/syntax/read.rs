@@ -1,0 +1,313 @@
+//! From tokens to an [`Expression`], by way of syn's tree.
+
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::parse::{ParseStream, Parser};
+use syn::{BinOp, Expr, Lit, UnOp, parenthesized};
+
+use crate::errors::{Errors, Extent};
+
+use super::expression::{Expression, Kind, Operator, Prefix, Step};
+use super::screen::{DEPTH, Screened, screen, too_deep};
+use super::unit::UnitExpression;
+
+impl Expression {
+    /// Reads an expression that stands between two commas; what is wrong with it is reported.
+    pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Self> {
+        let last = tokens.clone().into_iter().last()?.span();
+        let Screened { tokens, units } = screen(tokens, errors)?;
+        // inside a group, syn places what is missing at the end on the last token
+        let mut group = Group::new(Delimiter::Parenthesis, tokens);
+        group.set_span(last);
+        let parsed = complete.parse2(TokenTree::Group(group).into());
+        let parsed = parsed.map_err(|error| errors.push(error.span(), reworded(&error)));
+        Some(Reader { units, errors }.expression(&parsed.ok()?, 0))
+    }
+}
+
+/// An expression in its group, and nothing else.
+fn complete(input: ParseStream<'_>) -> syn::Result<Expr> {
+    let content;
+    parenthesized!(content in input);
+    let expr = content.parse()?;
+    if !content.is_empty() {
+        return Err(content.error(BEFORE));
+    }
+    Ok(expr)
+}
+
+/// What syn says, in the words of this language.
+fn reworded(error: &syn::Error) -> String {
+    let message = error.to_string();
+    match message.strip_prefix("unexpected end of input, ") {
+        Some("expected an expression") => "expected a value after this".to_owned(),
+        Some(expected) => format!("{expected} after this"),
+        None if message == "expected `,`" => BEFORE.to_owned(),
+        None if message.contains("chained") => {
+            "comparisons cannot be chained: join two by `&&`".to_owned()
+        }
+        None => message.replace("an expression", "a value"),
+    }
+}
+
+struct Reader<'a> {
+    units: Vec<Option<UnitExpression>>,
+    errors: &'a mut Errors,
+}
+
+impl Reader<'_> {
+    fn expression(&mut self, expr: &Expr, depth: usize) -> Expression {
+        let extent = Extent::of(expr);
+        let kind = match expr {
+            _ if depth > DEPTH => {
+                self.errors.push(extent, too_deep());
+                None
+            }
+            Expr::Paren(inner) => return self.expression(&inner.expr, depth + 1),
+            Expr::Group(inner) => return self.expression(&inner.expr, depth + 1),
+            Expr::Block(block) if block.label.is_none() => {
+                return self.block(&block.block, depth);
+            }
+            Expr::Lit(literal) => self.literal(&literal.lit),
+            Expr::Infer(_) => Some(Kind::Placeholder),
+            Expr::Path(path) => self.name(path),
+            Expr::Tuple(tuple) => Some(Kind::Tuple(self.all(&tuple.elems, depth))),
+            Expr::Index(index) => self.unit(index, depth),
+            Expr::Unary(unary) => self.prefix(unary, depth),
+            Expr::Binary(_) => Some(self.chain(expr, depth)),
+            Expr::Call(call) => self.call(call, depth),
+            Expr::MethodCall(call) => {
+                let receiver = self.expression(&call.receiver, depth + 1);
+                let arguments = self.all(&call.args, depth);
+                let method = call.method.clone();
+                Some(Kind::Method(Box::new(receiver), method, arguments))
+            }
+            Expr::Field(field) => self.field(field, depth),
+            Expr::Struct(record) => self.record(record, depth),
+            Expr::If(choice) => self.choice(choice, depth),
+            other => self.refuse(other, FORMS),
+        };
+        Expression {
+            kind: kind.unwrap_or(Kind::Poisoned),
+            extent,
+        }
+    }
+
+    fn refuse<T>(&mut self, place: impl ToTokens, message: &str) -> Option<T> {
+        self.errors.push(Extent::of(place), message);
+        None
+    }
+
+    fn all<'e>(
+        &mut self,
+        exprs: impl IntoIterator<Item = &'e Expr>,
+        depth: usize,
+    ) -> Vec<Expression> {
+        exprs
+            .into_iter()
+            .map(|expr| self.expression(expr, depth + 1))
+            .collect()
+    }
+
+    fn unit(&mut self, index: &syn::ExprIndex, depth: usize) -> Option<Kind> {
+        let operand = self.expression(&index.expr, depth + 1);
+        let Expr::Lit(number) = &*index.index else {
+            return None;
+        };
+        let Lit::Int(number) = &number.lit else {
+            return None;
+        };
+        let unit = self.units.get(number.base10_parse::<usize>().ok()?)?;
+        Some(Kind::Unit(Box::new(operand), unit.clone()?))
+    }
+
+    fn prefix(&mut self, unary: &syn::ExprUnary, depth: usize) -> Option<Kind> {
+        let prefix = match unary.op {
+            UnOp::Neg(_) => Prefix::Minus,
+            UnOp::Not(_) => Prefix::Not,
+            _ => {
+                let message = "there are no references here: write the operand alone";
+                return self.refuse(unary.op, message);
+            }
+        };
+        let operand = self.expression(&unary.expr, depth + 1);
+        Some(Kind::Prefix(prefix, Box::new(operand)))
+    }
+
+    fn call(&mut self, call: &syn::ExprCall, depth: usize) -> Option<Kind> {
+        let arguments = self.all(&call.args, depth);
+        match &*call.func {
+            Expr::Path(path) if path.path.get_ident().is_some() => {
+                Some(Kind::Call(path.path.get_ident()?.clone(), arguments))
+            }
+            other => self.refuse(
+                other,
+                "expected a function in front of the parentheses, such as `world` or `body`; \
+                 a product is written with `*`",
+            ),
+        }
+    }
+
+    fn field(&mut self, field: &syn::ExprField, depth: usize) -> Option<Kind> {
+        let receiver = self.expression(&field.base, depth + 1);
+        match &field.member {
+            syn::Member::Named(name) => Some(Kind::Field(Box::new(receiver), name.clone())),
+            syn::Member::Unnamed(index) => {
+                self.refuse(index, "components are called `.x`, `.y` and `.z`")
+            }
+        }
+    }
+
+    fn choice(&mut self, choice: &syn::ExprIf, depth: usize) -> Option<Kind> {
+        let condition = self.expression(&choice.cond, depth + 1);
+        let first = self.block(&choice.then_branch, depth);
+        let Some((_, branch)) = &choice.else_branch else {
+            let message = "an `if` needs an `else` here: every expression has a value";
+            return self.refuse(choice.if_token, message);
+        };
+        let second = self.expression(branch, depth + 1);
+        Some(Kind::If(Box::new([condition, first, second])))
+    }
+
+    fn literal(&mut self, literal: &Lit) -> Option<Kind> {
+        let (digits, suffix) = match literal {
+            Lit::Int(int) => (int.to_string(), int.suffix().to_owned()),
+            Lit::Float(float) => (float.to_string(), float.suffix().to_owned()),
+            Lit::Bool(value) => {
+                let message = "there are no literal conditions here: write a comparison";
+                return self.refuse(value, message);
+            }
+            other => return self.refuse(other, "expected a number"),
+        };
+        if suffix.is_empty() {
+            return Some(Kind::Number(digits));
+        }
+        let digits = digits.strip_suffix(&suffix).unwrap_or(&digits);
+        let digits = digits.trim_end_matches('_');
+        let message = if TYPES.contains(&suffix.as_str()) {
+            format!("numbers have no type here, they are exact: write `{digits}`")
+        } else {
+            format!("a unit stands in brackets: write `{digits}[{suffix}]`")
+        };
+        self.errors.push(literal.span(), message);
+        None
+    }
+
+    fn name(&mut self, path: &syn::ExprPath) -> Option<Kind> {
+        if let Some(name) = path.path.get_ident() {
+            return Some(Kind::Name(name.clone()));
+        }
+        let mut segments = path.path.segments.iter().rev();
+        let (last, module) = (segments.next(), segments.next());
+        match (last, module) {
+            (Some(last), Some(module)) if module.ident == "consts" => {
+                Some(Kind::Name(last.ident.clone()))
+            }
+            _ => self.refuse(
+                path,
+                "paths cannot be used here: descriptions see only their own names and `PI`",
+            ),
+        }
+    }
+
+    /// Unwinds the left spine in a loop: a long sum is as flat here as it looks.
+    fn chain(&mut self, expr: &Expr, depth: usize) -> Kind {
+        let mut rest = Vec::new();
+        let mut first = expr;
+        while let Expr::Binary(binary) = first {
+            let operator = self.operator(&binary.op);
+            let operand = self.expression(&binary.right, depth + 1);
+            rest.push((operator, Extent::of(binary.op), operand));
+            first = &binary.left;
+        }
+        let first = self.expression(first, depth + 1);
+        let steps = rest
+            .into_iter()
+            .rev()
+            .map(|(operator, place, operand)| Step {
+                // beside an operator that is none, nothing has a value
+                operand: match operator {
+                    Some(_) => operand,
+                    None => Expression {
+                        kind: Kind::Poisoned,
+                        extent: operand.extent,
+                    },
+                },
+                operator: operator.unwrap_or(Operator::Add),
+                place,
+            });
+        Kind::Chain(Box::new(first), steps.collect())
+    }
+
+    fn operator(&mut self, operator: &BinOp) -> Option<Operator> {
+        Some(match operator {
+            BinOp::Add(_) => Operator::Add,
+            BinOp::Sub(_) => Operator::Subtract,
+            BinOp::Mul(_) => Operator::Multiply,
+            BinOp::Div(_) => Operator::Divide,
+            BinOp::Lt(_) => Operator::Less,
+            BinOp::Le(_) => Operator::LessOrEqual,
+            BinOp::Gt(_) => Operator::Greater,
+            BinOp::Ge(_) => Operator::GreaterOrEqual,
+            BinOp::Eq(_) => Operator::Equal,
+            BinOp::Ne(_) => Operator::NotEqual,
+            BinOp::And(_) => Operator::And,
+            BinOp::Or(_) => Operator::Or,
+            BinOp::BitXor(_) => {
+                let message = "`^` is a power only inside unit brackets: write `.powi(2)`";
+                return self.refuse(operator, message);
+            }
+            BinOp::Rem(_) => {
+                let message = "there is no remainder here: write `x - (x / y).floor() * y`";
+                return self.refuse(operator, message);
+            }
+            other => return self.refuse(other, OPERATORS),
+        })
+    }
+
+    fn record(&mut self, record: &syn::ExprStruct, depth: usize) -> Option<Kind> {
+        let Some(name) = record.path.get_ident() else {
+            return self.refuse(&record.path, "expected `tensor` or `products`");
+        };
+        let mut fields = Vec::new();
+        let mut named = true;
+        for field in &record.fields {
+            let value = self.expression(&field.expr, depth + 1);
+            match &field.member {
+                syn::Member::Named(member) => fields.push((member.clone(), value)),
+                syn::Member::Unnamed(index) => {
+                    named = false;
+                    let message = "fields have names: `xx`, `yy`, `zz`, `xy`, `yz`, `zx`";
+                    self.errors.push(Extent::of(index), message);
+                }
+            }
+        }
+        named.then(|| Kind::Record(name.clone(), fields))
+    }
+
+    fn block(&mut self, block: &syn::Block, depth: usize) -> Expression {
+        let refused = match block.stmts.as_slice() {
+            [syn::Stmt::Expr(value, None)] => return self.expression(value, depth + 1),
+            [] => self.refuse(block, "an empty branch has no value"),
+            [first, ..] => self.refuse(
+                first,
+                "a branch is one expression: name intermediate values as `locals`",
+            ),
+        };
+        Expression {
+            kind: refused.unwrap_or(Kind::Poisoned),
+            extent: Extent::of(block),
+        }
+    }
+}
+
+const BEFORE: &str = "expected an operator or a comma before this";
+const FORMS: &str = "not part of the language of descriptions: write arithmetic, functions, `if` \
+                     or the name of a local";
+const OPERATORS: &str = "not an operator of descriptions: write `+`, `-`, `*`, `/`, a comparison, \
+                         `&&` or `||`";
+/// Rust's types of numbers, as suffixes.
+const TYPES: [&str; 14] = [
+    "f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128",
+    "usize",
+];

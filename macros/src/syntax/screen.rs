@@ -1,0 +1,349 @@
+//! What of an expression is shown to syn: the tokens of the language, within stated limits.
+//!
+//! Whatever else Rust's expressions may contain is refused here, at its token, before anything
+//! recurses into it. Units are taken out on the way: to syn, `2[kg * m ^ 2]` is `2[0]`, the unit
+//! of number 0.
+
+use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, TokenTree};
+
+use crate::errors::{Errors, Extent};
+
+use super::tokens::{is_punct, start};
+use super::unit::UnitExpression;
+use super::words::is_keyword;
+
+/// Tokens that one expression may have: a stated limit instead of an exhausted stack.
+const TOKENS: usize = 2000;
+/// Brackets that may be nested in each other.
+const NESTING: usize = 48;
+/// Brackets, prefixes, methods and branches that may be nested in each other.
+pub const DEPTH: usize = 128;
+
+/// An expression that syn can be trusted with.
+pub struct Screened {
+    pub tokens: TokenStream,
+    /// The units, by number; what was wrong with `None` is reported.
+    pub units: Vec<Option<UnitExpression>>,
+}
+
+/// Refuses what is not part of the language; `None` if anything was.
+pub fn screen(tokens: TokenStream, errors: &mut Errors) -> Option<Screened> {
+    if let Some((place, message)) = crossed_limit(&tokens) {
+        errors.push(place, message);
+        return None;
+    }
+    let mut screen = Screen {
+        units: Vec::new(),
+        refused: false,
+        errors,
+    };
+    let tokens = screen.stream(tokens, 0, None);
+    let Screen { units, refused, .. } = screen;
+    (!refused).then_some(Screened { tokens, units })
+}
+
+/// The token at which a limit is crossed, found without recursion.
+fn crossed_limit(tokens: &TokenStream) -> Option<(Span, String)> {
+    let mut open = vec![tokens.clone().into_iter()];
+    let mut count = 0;
+    while let Some(current) = open.last_mut() {
+        let Some(token) = current.next() else {
+            open.pop();
+            continue;
+        };
+        count += 1;
+        if count > TOKENS {
+            let message = format!(
+                "here this expression has more than {TOKENS} tokens: name parts of it as `locals`"
+            );
+            return Some((start(&token), message));
+        }
+        if let TokenTree::Group(group) = &token {
+            open.push(group.stream().into_iter());
+            if open.len() > NESTING {
+                let message = format!(
+                    "brackets nested more than {NESTING} deep: name parts of this expression as \
+                     `locals`"
+                );
+                return Some((start(&token), message));
+            }
+        }
+    }
+    None
+}
+
+pub fn too_deep() -> String {
+    format!("nested more than {DEPTH} deep: name parts of this expression as `locals`")
+}
+
+struct Screen<'a> {
+    units: Vec<Option<UnitExpression>>,
+    /// Whether syn could not read what is left.
+    refused: bool,
+    errors: &'a mut Errors,
+}
+
+impl Screen<'_> {
+    /// The tokens between two brackets; `function` is the word in front of them.
+    fn stream(
+        &mut self,
+        tokens: TokenStream,
+        depth: usize,
+        function: Option<&Ident>,
+    ) -> TokenStream {
+        let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+        let mut shown = Vec::with_capacity(tokens.len());
+        let mut nested = Nested::default();
+        let mut index = 0;
+        while let Some(token) = tokens.get(index) {
+            let before = index.checked_sub(1).map(|before| &tokens[before]);
+            nested.pass(before, token, tokens.get(index + 1));
+            if depth + nested.depth() > DEPTH {
+                self.errors.push(start(token), too_deep());
+                self.refused = true;
+                break;
+            }
+            let read = match token {
+                TokenTree::Group(group) => {
+                    let group = self.group(group, before, depth + nested.depth(), function);
+                    shown.push(group);
+                    Some(1)
+                }
+                TokenTree::Ident(word) => {
+                    let word = self.word(word, before, &tokens[index + 1..]);
+                    word.map(|word| {
+                        shown.extend(word.map(TokenTree::Ident));
+                        1
+                    })
+                }
+                TokenTree::Literal(_) => {
+                    shown.push(token.clone());
+                    Some(1)
+                }
+                TokenTree::Punct(_) => {
+                    let read = self.sign(&tokens[index..]);
+                    shown.extend(tokens[index..index + read.unwrap_or(0)].iter().cloned());
+                    read
+                }
+            };
+            index += match read {
+                Some(read) => read,
+                // one mistake is one error: go on behind the next comma
+                None => tokens[index..]
+                    .iter()
+                    .take_while(|token| !is_punct(token, ','))
+                    .count(),
+            };
+        }
+        shown.into_iter().collect()
+    }
+
+    fn refuse<T>(&mut self, place: impl Into<Extent>, message: &str) -> Option<T> {
+        self.errors.push(place, message);
+        self.refused = true;
+        None
+    }
+
+    fn group(
+        &mut self,
+        group: &Group,
+        before: Option<&TokenTree>,
+        depth: usize,
+        function: Option<&Ident>,
+    ) -> TokenTree {
+        let mut shown = match group.delimiter() {
+            Delimiter::Bracket if before.is_some_and(ends_operand) => {
+                let unit = UnitExpression::parse(group, self.errors);
+                self.units.push(unit);
+                let number = Literal::usize_unsuffixed(self.units.len() - 1);
+                Group::new(Delimiter::Bracket, TokenTree::from(number).into())
+            }
+            Delimiter::Bracket => {
+                let _: Option<()> = match function.filter(|word| is_later(word)) {
+                    Some(later) => self.refuse(
+                        later.span(),
+                        &format!(
+                            "`{later}(..)` is part of the language, but this version does not \
+                             have it yet"
+                        ),
+                    ),
+                    None => self.refuse(
+                        group.span_open(),
+                        "no list can stand here: brackets hold a unit behind a number, as in \
+                         `2[kg]`",
+                    ),
+                };
+                Group::new(Delimiter::Bracket, TokenStream::new())
+            }
+            delimiter => {
+                let function = match before {
+                    Some(TokenTree::Ident(word)) => Some(word),
+                    _ => None,
+                };
+                let inner = self.stream(group.stream(), depth + 1, function);
+                Group::new(delimiter, inner)
+            }
+        };
+        shown.set_span(group.span());
+        TokenTree::Group(shown)
+    }
+
+    /// A word as syn may read it: the inner `None` is left out. A keyword in the place of a name
+    /// becomes a raw name, because the entry that should have defined it was refused for it.
+    #[allow(clippy::option_option, reason = "outer: refused; inner: left out")]
+    fn word(
+        &mut self,
+        word: &Ident,
+        before: Option<&TokenTree>,
+        after: &[TokenTree],
+    ) -> Option<Option<Ident>> {
+        let text = word.to_string();
+        if let Some(TokenTree::Literal(number)) = before
+            && !is_keyword(&text)
+        {
+            let message = format!("a unit stands in brackets: write `{number}[{word}]`");
+            self.errors.push(word.span(), message);
+            return Some(None);
+        }
+        if let [bang, next, ..] = after
+            && is_punct(bang, '!')
+            && !is_keyword(&text)
+            && !is_punct(next, '=')
+        {
+            let place = Extent::from(word.span()).to(bang.span().into());
+            return self.refuse(place, "no macro can be called here");
+        }
+        if matches!(text.as_str(), "if" | "else" | "true" | "false") || !is_keyword(&text) {
+            return Some(Some(word.clone()));
+        }
+        if text == "as" {
+            return self.refuse(
+                word.span(),
+                "there are no casts here: all numbers are exact",
+            );
+        }
+        let is_name = match after.first() {
+            None => true,
+            Some(TokenTree::Punct(sign)) => !matches!(sign.as_char(), '|' | '!' | ':'),
+            Some(TokenTree::Group(group)) => group.delimiter() == Delimiter::Bracket,
+            Some(_) => false,
+        };
+        if is_name && !matches!(text.as_str(), "self" | "Self" | "super" | "crate") {
+            return Some(Some(Ident::new_raw(&text, word.span())));
+        }
+        let message = format!(
+            "`{text}` is not part of the language: write arithmetic, functions, `if` or names"
+        );
+        self.refuse(word.span(), &message)
+    }
+
+    /// How many tokens the sign at the beginning of `tokens` has; one that means nothing here is
+    /// refused.
+    fn sign(&mut self, tokens: &[TokenTree]) -> Option<usize> {
+        let TokenTree::Punct(first) = &tokens[0] else {
+            return Some(1);
+        };
+        let next = match tokens.get(1) {
+            Some(TokenTree::Punct(next)) if first.spacing() == Spacing::Joint => next.as_char(),
+            _ => ' ',
+        };
+        let (length, message) = match (first.as_char(), next) {
+            ('&', '&') | ('|', '|') | ('=' | '!' | '<' | '>', '=') => (2, ""),
+            (':', ':') if !tokens.get(2).is_some_and(|token| is_punct(token, '<')) => (2, ""),
+            (':', ':') => (2, "nothing here takes type arguments"),
+            ('.', '.') => (2, "`..` cannot be used here: write every value out"),
+            ('-', '>') => (2, "there are no functions here: name the value as a local"),
+            ('+' | '-' | '*' | '/' | '%' | '^', '=') => {
+                (2, "nothing can be assigned to: a name means one value")
+            }
+            ('+' | '-' | '*' | '/' | '%' | '^' | '<' | '>' | '!' | '.' | ',' | ':', _) => (1, ""),
+            ('=', _) => (
+                1,
+                "nothing can be assigned to: compare with `==`, or name the value as a local",
+            ),
+            ('&', _) => (1, "there are no references here: write the operand alone"),
+            ('|', _) => (
+                1,
+                "there are no closures here; conditions are joined by `||`",
+            ),
+            _ => (1, "this sign is not part of the language"),
+        };
+        let last = &tokens[length - 1];
+        let place = Extent::from(first.span()).to(last.span().into());
+        if !message.is_empty() {
+            return self.refuse(place, message);
+        }
+        let at_end = tokens.get(length).is_none_or(|next| is_punct(next, ','));
+        if at_end && first.as_char() != ',' {
+            return self.refuse(place, "expected a value after this");
+        }
+        Some(length)
+    }
+}
+
+/// What nests without brackets.
+#[derive(Default)]
+struct Nested {
+    /// Signs in a row.
+    signs: usize,
+    /// Methods, fields and units in a row.
+    methods: usize,
+    /// `if`s whose condition goes on.
+    conditions: usize,
+    /// `else`s in a row.
+    branches: usize,
+}
+
+impl Nested {
+    fn depth(&self) -> usize {
+        self.signs + self.methods + self.conditions + self.branches
+    }
+
+    fn pass(&mut self, before: Option<&TokenTree>, token: &TokenTree, next: Option<&TokenTree>) {
+        match token {
+            TokenTree::Punct(sign) if sign.as_char() == '.' => {
+                self.signs = 0;
+                self.methods += 1;
+            }
+            TokenTree::Punct(_) => {
+                self.signs += 1;
+                self.methods = 0;
+            }
+            TokenTree::Group(group) if group.delimiter() != Delimiter::Brace => {
+                self.signs = 0;
+                let is_call = group.delimiter() == Delimiter::Parenthesis;
+                let follows_group = matches!(before, Some(TokenTree::Group(_)));
+                self.methods += usize::from(!is_call || follows_group);
+            }
+            TokenTree::Group(_) => {
+                let goes_on = matches!(next, Some(TokenTree::Ident(word)) if word == "else");
+                self.signs = 0;
+                self.methods = 0;
+                self.conditions = self.conditions.saturating_sub(1);
+                if !goes_on && self.conditions == 0 {
+                    self.branches = 0;
+                }
+            }
+            TokenTree::Ident(word) => {
+                self.signs = 0;
+                self.conditions += usize::from(word == "if");
+                self.branches += usize::from(word == "else");
+            }
+            TokenTree::Literal(_) => self.signs = 0,
+        }
+    }
+}
+
+/// Functions of a later version that take lists.
+fn is_later(word: &Ident) -> bool {
+    word == "on" || word == "compose"
+}
+
+/// Whether brackets behind this token hold a unit.
+fn ends_operand(token: &TokenTree) -> bool {
+    match token {
+        TokenTree::Ident(word) => !matches!(word.to_string().as_str(), "if" | "else"),
+        TokenTree::Literal(_) | TokenTree::Group(_) => true,
+        TokenTree::Punct(_) => false,
+    }
+}

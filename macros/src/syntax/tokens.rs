@@ -1,0 +1,146 @@
+//! Tokens between commas: lists are split before anything in them is read, so that a bad entry
+//! hides nothing, and nothing here recurses into what a user can nest.
+
+use proc_macro2::{Delimiter, Group, Ident, Punct, Span, TokenStream, TokenTree};
+
+use crate::errors::Errors;
+
+use super::words::is_keyword;
+
+/// What an entry looks like where it begins, for the detection of a missing comma.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Entry {
+    /// `key: value`
+    Key,
+    /// `name`, `name[unit]` or `name = value`
+    Declared,
+    /// `name = value`
+    Defined,
+}
+
+/// Splits at the commas of the outermost level, and where one is missing.
+pub fn split(tokens: TokenStream, entry: Entry, errors: &mut Errors) -> Vec<Vec<TokenTree>> {
+    let mut entries = Vec::new();
+    let mut current: Vec<TokenTree> = Vec::new();
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(token) = tokens.next() {
+        if is_punct(&token, ',') || is_punct(&token, ';') {
+            if is_punct(&token, ';') {
+                errors.push(token.span(), "expected a comma instead of this");
+            } else if current.is_empty() {
+                errors.push(
+                    token.span(),
+                    "nothing stands in front of this comma: leave it out",
+                );
+            }
+            if !current.is_empty() {
+                entries.push(core::mem::take(&mut current));
+            }
+            continue;
+        }
+        if let TokenTree::Ident(name) = &token
+            && begins(entry, name, &current, tokens.peek())
+        {
+            errors.push(name.span(), format!("expected a comma before `{name}`"));
+            entries.push(core::mem::take(&mut current));
+        }
+        current.push(token);
+    }
+    if !current.is_empty() {
+        entries.push(current);
+    }
+    entries
+}
+
+/// Whether `name` begins an entry, although the token before it is no comma.
+fn begins(entry: Entry, name: &Ident, before: &[TokenTree], after: Option<&TokenTree>) -> bool {
+    let follows_value = match before {
+        [.., hash, TokenTree::Group(_)] if is_punct(hash, '#') => false,
+        [.., TokenTree::Ident(before)] => !is_keyword(&before.to_string()),
+        [.., TokenTree::Literal(_) | TokenTree::Group(_)] => true,
+        _ => false,
+    };
+    let followed_by = |sign| after.is_some_and(|after| is_punct(after, sign));
+    follows_value
+        && match entry {
+            Entry::Key => followed_by(':'),
+            Entry::Declared if !is_keyword(&name.to_string()) => {
+                followed_by('=') || !matches!(before, [.., TokenTree::Literal(_)])
+            }
+            Entry::Declared | Entry::Defined => followed_by('='),
+        }
+}
+
+pub fn is_punct(token: &TokenTree, sign: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == sign)
+}
+
+/// `sign value`, where `sign` is not the first half of another one; the sign and the value.
+pub fn after_sign(tokens: &[TokenTree], sign: char) -> Option<(&Punct, &[TokenTree])> {
+    let [TokenTree::Punct(first), value @ ..] = tokens else {
+        return None;
+    };
+    let doubled = value
+        .first()
+        .is_some_and(|next| is_punct(next, sign) || (sign == '=' && is_punct(next, '>')));
+    (first.as_char() == sign && !doubled).then_some((first, value))
+}
+
+/// The one group in brackets that `tokens` are.
+pub fn bracketed(tokens: &[TokenTree]) -> Option<&Group> {
+    match tokens {
+        [TokenTree::Group(group)] if group.delimiter() == Delimiter::Bracket => Some(group),
+        _ => None,
+    }
+}
+
+/// What follows documentation and other attributes, which are reported.
+pub fn without_attributes<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> &'t [TokenTree] {
+    let rest = skip_attributes(tokens);
+    if let (true, Some(hash)) = (rest.len() < tokens.len(), tokens.first()) {
+        errors.push(
+            hash.span(),
+            "no documentation or attribute can stand here: comments begin with `//`",
+        );
+    }
+    rest
+}
+
+/// What follows `#[..] #[..]`.
+pub fn skip_attributes(tokens: &[TokenTree]) -> &[TokenTree] {
+    let mut rest = tokens;
+    while let [hash, TokenTree::Group(_), tail @ ..] = rest
+        && is_punct(hash, '#')
+    {
+        rest = tail;
+    }
+    rest
+}
+
+/// Where a token begins: of a group, the bracket alone.
+pub fn start(token: &TokenTree) -> Span {
+    match token {
+        TokenTree::Group(group) => group.span_open(),
+        other => other.span(),
+    }
+}
+
+/// Tokens as a stream.
+pub fn stream(tokens: &[TokenTree]) -> TokenStream {
+    tokens.iter().cloned().collect()
+}
+
+/// The deepest nesting of brackets in `tokens`, found without recursion.
+pub fn nesting(tokens: &TokenStream) -> usize {
+    let mut deepest = 0;
+    let mut pending = vec![(tokens.clone(), 0)];
+    while let Some((stream, depth)) = pending.pop() {
+        deepest = deepest.max(depth);
+        let groups = stream.into_iter().filter_map(|token| match token {
+            TokenTree::Group(group) => Some((group.stream(), depth + 1)),
+            _ => None,
+        });
+        pending.extend(groups);
+    }
+    deepest
+}

@@ -1,0 +1,38 @@
+//! Words that Rust keeps for itself, and how they are refused as names.
+
+use proc_macro2::Ident;
+
+use crate::errors::Errors;
+
+/// Rust's keywords of all editions, without `_`.
+const KEYWORDS: [&str; 52] = [
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
+    "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
+    "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
+    "return", "self", "Self", "static", "struct", "super", "trait", "true", "try", "type",
+    "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
+pub fn is_keyword(word: &str) -> bool {
+    KEYWORDS.contains(&word)
+}
+
+/// Whether generated code can use `name` as it is; what it cannot use is reported.
+pub fn check_name(name: &Ident, what: &str, errors: &mut Errors) -> Option<()> {
+    let word = name.to_string();
+    let message = if let Some(plain) = word.strip_prefix("r#") {
+        if is_keyword(plain) {
+            format!("`{plain}` is a keyword of Rust: choose another name")
+        } else {
+            format!("write `{plain}`, without `r#`")
+        }
+    } else if is_keyword(&word) {
+        format!("`{word}` is a keyword of Rust: choose another name")
+    } else if word == "_" {
+        format!("`_` is no name: expected {what}")
+    } else {
+        return Some(());
+    };
+    errors.push(name.span(), message);
+    None
+}

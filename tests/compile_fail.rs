@@ -1,0 +1,55 @@
+//! Wrong descriptions, and what a user reads about them: one mistake a file, in folders named by
+//! the kind of mistake, and `many/ten_mistakes.rs` with ten at once.
+//!
+//! The messages depend on the toolchain, which `rust-toolchain.toml` pins. After a change of
+//! wording: `TRYBUILD=overwrite cargo test --test compile_fail`, and read the difference.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+#[test]
+fn wrong_descriptions_are_refused_in_these_words() {
+    trybuild::TestCases::new().compile_fail("tests/compile_fail/*/*.rs");
+}
+
+/// What rustc prints about each case.
+fn reports() -> Vec<(PathBuf, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compile_fail");
+    let folders = fs::read_dir(root).expect("the folder of cases is there");
+    let files = folders.flat_map(|folder| fs::read_dir(folder.unwrap().path()).unwrap());
+    let paths = files.map(|file| file.unwrap().path());
+    let reports = paths.filter(|path| path.extension().is_some_and(|end| end == "stderr"));
+    reports
+        .map(|path| (path.clone(), fs::read_to_string(path).unwrap()))
+        .collect()
+}
+
+#[test]
+fn messages_are_lower_case_and_know_no_path() {
+    let reports = reports();
+    assert!(reports.len() >= 40);
+    for (path, report) in reports {
+        let path = path.display();
+        assert!(!report.contains("$WORKSPACE"), "{path} names a path");
+        assert!(!report.contains("panicked"), "{path}: the macro panicked");
+        for message in report
+            .lines()
+            .filter_map(|line| line.strip_prefix("error: "))
+        {
+            let first = message.chars().next();
+            assert!(!first.is_some_and(char::is_uppercase), "{path}: {message}");
+            assert!(!message.ends_with('.'), "{path}: {message}");
+        }
+    }
+}
+
+#[test]
+fn ten_mistakes_are_ten_errors() {
+    let all = reports();
+    let (_, report) = all
+        .iter()
+        .find(|(path, _)| path.ends_with("many/ten_mistakes.stderr"))
+        .expect("the case is there");
+    let errors = report.lines().filter(|line| line.starts_with("error"));
+    assert_eq!(errors.count(), 10, "{report}");
+}

@@ -1,0 +1,10 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drone {
+    motion: spatial,
+    mass: 1.2[kg],
+    inertia: principal(0.02, 0.03, 0.04)[kg * m ^ 2],
+    forces: [push = body(1[N], 2[N * m], 3[N])],
+});
+
+fn main() {}

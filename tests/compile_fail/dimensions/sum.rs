@@ -1,0 +1,11 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drone {
+    motion: spatial,
+    mass: 1.2[kg],
+    inertia: principal(0.02, 0.03, 0.04)[kg * m ^ 2],
+    inputs: [thrust[N], torque[N * m]],
+    forces: [lift = body(0, 0, thrust + torque)],
+});
+
+fn main() {}

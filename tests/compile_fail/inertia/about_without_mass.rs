@@ -1,0 +1,8 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Top {
+    motion: rotation,
+    inertia: principal(0.2, 0.2, 0.1)[kg * m ^ 2].about((0, 0, 0.1)),
+});
+
+fn main() {}

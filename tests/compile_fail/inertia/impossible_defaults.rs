@@ -1,0 +1,10 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drone {
+    motion: spatial,
+    mass: 1.2[kg],
+    inertia: principal(0.02, 0.03, yaw)[kg * m ^ 2],
+    params: [yaw = 0.06],
+});
+
+fn main() {}

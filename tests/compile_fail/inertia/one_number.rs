@@ -1,0 +1,9 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drone {
+    motion: spatial,
+    mass: 1.2[kg],
+    inertia: 0.02[kg * m ^ 2],
+});
+
+fn main() {}

@@ -1,0 +1,11 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Pendulum {
+    motion: pivot(hinge),
+    mass: 1[kg],
+    inertia: 0.1[kg * m ^ 2],
+    points: [hinge = (0, 0.5)],
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+});
+
+fn main() {}

@@ -1,0 +1,11 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Plank {
+    motion: planar,
+    mass: 2[kg],
+    inertia: 0.3[kg * m ^ 2],
+    points: [foot = (0, -0.5)],
+    reactions: [ground = world(_, _).at(foot)],
+});
+
+fn main() {}

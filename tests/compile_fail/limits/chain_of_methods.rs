@@ -1,0 +1,45 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Plank {
+    motion: planar,
+    mass: 2[kg],
+    inertia: 0.3[kg * m ^ 2],
+    forces: [
+        push = body(
+            0,
+            t .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin() .sin()
+            .sin()
+        ),
+    ],
+});
+
+fn main() {}

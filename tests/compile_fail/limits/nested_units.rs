@@ -1,0 +1,15 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Plank {
+    motion: planar,
+    mass: 2[kg],
+    inertia: 0.3[kg * m ^ 2],
+    forces: [
+        push = body(
+            0,
+            2[((((((((((((((((((((m))))))))))))))))))))]
+        ),
+    ],
+});
+
+fn main() {}

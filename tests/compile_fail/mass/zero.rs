@@ -1,0 +1,9 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drone {
+    motion: spatial,
+    mass: 0[kg],
+    inertia: principal(0.02, 0.03, 0.04)[kg * m ^ 2],
+});
+
+fn main() {}

@@ -1,0 +1,10 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Plank {
+    motion: planer,
+    mass: 2[kg],
+    inertia: 0.3[kg * m ^ 2],
+    forces: [push = body(0, 1)],
+});
+
+fn main() {}

@@ -1,0 +1,11 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Plank {
+    motion: planar,
+    mass: 2[kg],
+    inertia: 0.3[kg * m ^ 2],
+    locals: [total = total + 1[N]],
+    forces: [push = body(0, total)],
+});
+
+fn main() {}

@@ -1,0 +1,16 @@
+#![deny(unused_variables)]
+
+use newton_euler::rigid_body;
+
+rigid_body!(Plank {
+    motion: planar,
+    mass: 2[kg],
+    inertia: 0.3[kg * m ^ 2],
+    params: [arm = 0.5[m], span = 0.7[m]],
+    inputs: [thrust[N], rudder],
+    points: [tip = (arm, 0), tail = (-arm, 0)],
+    locals: [half = thrust / 2],
+    forces: [push = body(0, thrust).at(tip)],
+});
+
+fn main() {}

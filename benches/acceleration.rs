@@ -232,7 +232,7 @@ fn compare_planar(by_hand: &ByHand) {
     let theirs = || {
         throughput(&space, &forces, |state, force| {
             by_hand.acceleration(state, force)
-        })
+        });
     };
     let [low, median, high] = paired(ours, theirs);
     println!(

@@ -1,4 +1,5 @@
 //! The method CF4: order four in every coordinate, against closed forms and 40-digit trajectories.
+#![allow(clippy::cast_precision_loss, reason = "numbers of steps")]
 
 use std::ops::Range;
 

@@ -1,4 +1,5 @@
 //! What is written is read back bit for bit; what cannot be is refused.
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;

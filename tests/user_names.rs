@@ -174,7 +174,7 @@ mod tests {
     fn constants_of_the_user_are_not_the_bodys() {
         shadowed::fallible().unwrap();
         let body = shadowed::Craft::default();
-        assert_eq!(body.params().J, 3.0);
+        assert_eq!(body.params().J.to_bits(), 3.0_f64.to_bits());
         let input = shadowed::CraftInput {
             push: Vector3::x(),
             G_X: 5.0,

@@ -122,13 +122,13 @@ fn many_forces(count: usize) -> TokenStream {
     let names: Vec<_> = (0..count).map(|i| format_ident!("force_{i}")).collect();
     let points: Vec<_> = (0..count).map(|i| format_ident!("point_{i}")).collect();
     let inputs: Vec<_> = (0..count).map(|i| format_ident!("input_{i}")).collect();
-    let offsets = (0..count).map(|i| proc_macro2::Literal::f64_unsuffixed(0.01 * i as f64 + 0.001));
+    let offsets = (1..=count).map(proc_macro2::Literal::usize_unsuffixed);
     quote!(Many {
         motion: spatial,
         inputs: [#(#inputs[N]),*],
         mass: 3[kg],
         inertia: tensor { xx: 1.3, yy: 1.7, zz: 2.1, xy: -0.12, yz: -0.05, zx: 0.07 }[kg * m ^ 2],
-        points: [#(#points = (#offsets, 0.2, -0.1)),*],
+        points: [#(#points = (0.01 * #offsets, 0.2, -0.1)),*],
         forces: [#(#names = body(#inputs, 0.5 * #inputs, 1).at(#points)),*],
     })
 }

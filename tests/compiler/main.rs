@@ -1,5 +1,9 @@
 //! The compiler, looked at from inside: its rooms are mounted here, since a proc-macro crate cannot be linked.
 #![allow(missing_docs, dead_code)]
+#![allow(
+    clippy::needless_pass_by_value,
+    reason = "a description is consumed by its expansion"
+)]
 
 #[path = "../../macros/src/emit/mod.rs"]
 mod emit;

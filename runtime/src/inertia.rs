@@ -13,6 +13,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::principal::{PrincipalAxes, diagonalized};
+use crate::scale;
 
 mod invalid;
 mod points;
@@ -306,12 +307,7 @@ impl InertiaTensor {
 
 /// The power of two next below the largest entry, so that scaling by it is exact.
 fn exponent(matrix: &Matrix3<f64>) -> i32 {
-    let largest = matrix.amax();
-    if largest > 0.0 {
-        libm::ilogb(largest)
-    } else {
-        0
-    }
+    scale::exponent(matrix.amax())
 }
 
 /// The matrix times a power of two.

@@ -61,6 +61,7 @@ pub mod prelude;
 pub mod principal;
 #[doc(hidden)]
 pub mod private;
+mod scale;
 #[doc(hidden)]
 pub mod schema;
 pub mod state;

@@ -1,7 +1,8 @@
 //! Wrenches: the resultant force of a system of loads together with its moment about a pole.
 //!
 //! A wrench does not carry its pole, and only wrenches about the same pole may be added. Another pole takes another
-//! moment, by (34.5) `K = K' + a × F`, where the pole of K' lies at a from the pole of K.
+//! moment, by (34.5) `K = K' + a × F`, where the pole of K' lies at a from the pole of K. What a wrench comes down to
+//! (nothing, a couple, a single force, a screw) is its [`Reduction`].
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Neg, Sub};
@@ -9,6 +10,12 @@ use core::ops::{Add, AddAssign, Neg, Sub};
 use nalgebra::{Vector2, Vector3};
 #[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
+
+mod line;
+mod reduction;
+
+pub use line::Line;
+pub use reduction::{PlanarReduction, Reduction, Tolerance};
 
 /// Force and moment about a pole, in one set of axes.
 ///

@@ -17,11 +17,13 @@ use crate::scale;
 
 mod invalid;
 mod points;
+mod shape;
 #[cfg(feature = "serde")]
 mod written;
 
 pub use invalid::InvalidInertia;
 pub use points::MassProperties;
+pub use shape::{Extent, Symmetry};
 
 /// The inertia tensor about a point of the body, in body axes \[kg m²\].
 ///

@@ -118,8 +118,12 @@ pub(super) fn check_mass(value: f64) -> Result<(), InvalidInertia> {
 
 /// What rounding may add to a moment, relative to the largest.
 pub(super) fn slack(matrix: &Matrix3<f64>) -> f64 {
-    let diagonal = matrix.m12 == 0.0 && matrix.m23 == 0.0 && matrix.m13 == 0.0;
-    InertiaTensor::SLACK * if diagonal { 1.0 } else { 4.0 }
+    InertiaTensor::SLACK * if is_diagonal(matrix) { 1.0 } else { 4.0 }
+}
+
+/// Without products.
+pub(super) fn is_diagonal(matrix: &Matrix3<f64>) -> bool {
+    matrix.m12 == 0.0 && matrix.m23 == 0.0 && matrix.m13 == 0.0
 }
 
 /// Finite, and opposite entries equal to the slack.

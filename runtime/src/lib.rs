@@ -52,6 +52,7 @@
 
 pub mod attitude;
 pub mod body;
+pub mod field;
 pub mod gyroscopic;
 pub mod inertia;
 pub mod integrate;
@@ -65,6 +66,7 @@ mod scale;
 #[doc(hidden)]
 pub mod schema;
 pub mod state;
+mod twofold;
 pub mod wrench;
 
 pub use nalgebra;

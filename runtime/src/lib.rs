@@ -29,8 +29,9 @@
 //! ```
 //!
 //! What the macro uses is here for use by hand as well: [`inertia`] tensors that cannot be impossible, the
-//! [`gyroscopic`] term, [`wrench`]es and their change of pole, maps of [`attitude`]. Plain SI numbers, right-handed
-//! axes; every vector says in whose axes its components are. No `std`, no `unsafe`.
+//! [`gyroscopic`] term, [`wrench`]es, their change of pole and their reduction, uniform [`field`]s on charges, steady
+//! [`precession`] of [`top`]s, maps of [`attitude`]. Plain SI numbers, right-handed axes; every vector says in whose axes
+//! its components are. No `std`, no `unsafe`.
 //!
 //! # An erratum
 //!
@@ -58,6 +59,7 @@ pub mod inertia;
 pub mod integrate;
 pub mod load;
 pub mod operations;
+pub mod precession;
 pub mod prelude;
 pub mod principal;
 #[doc(hidden)]
@@ -66,6 +68,7 @@ mod scale;
 #[doc(hidden)]
 pub mod schema;
 pub mod state;
+pub mod top;
 mod twofold;
 pub mod wrench;
 

@@ -46,6 +46,9 @@ proptest! {
         assert_round_trip(&Translation { position, velocity });
         assert_round_trip(&SpatialAcceleration { linear: c, angular: d });
         assert_round_trip(&Wrench { force: a, moment: d });
+        let axis = attitude * Vector3::x_axis();
+        assert_round_trip(&Rod { position, velocity, axis, axis_rate: attitude * Vector3::y() * c.x });
+        assert_round_trip(&RodAcceleration { linear: c, axis: d });
     }
 
     #[test]
@@ -53,6 +56,7 @@ proptest! {
         let [position, velocity] = [a, b];
         assert_round_trip(&Planar { position, angle, velocity, angular_velocity: rate });
         assert_round_trip(&PlanarTranslation { position, velocity });
+        assert_round_trip(&Hinge { angle, angular_velocity: rate });
         assert_round_trip(&PlanarAcceleration { linear: a, angular: angle });
         assert_round_trip(&PlanarWrench { force: b, moment: rate });
     }
@@ -112,6 +116,36 @@ fn attitudes_that_are_not_unit() {
     let nothing = json!({ "attitude": { "w": null, "x": 0.0, "y": 0.6, "z": 0.0 }, "angular_velocity": [0.0, 0.0, 0.0] });
     assert!(from_value::<Rotation>(nothing).is_err());
     assert!(from_value::<Spatial>(json!({ "position": [0.0, 0.0, 0.0] })).is_err());
+}
+
+#[test]
+fn rods_that_cannot_be() {
+    let rod = |axis: [f64; 3], rate: [f64; 3]| json!({ "position": [0.0, 0.0, 0.0], "velocity": [0.0, 0.0, 0.0], "axis": axis, "axis_rate": rate });
+    let read: Rod = from_value(rod([0.6, 0.0, 0.8], [0.4, 1.5, -0.3])).unwrap();
+    assert_eq!(read.axis.z, 0.8);
+    assert_eq!(
+        serde_json::to_value(read).unwrap(),
+        rod([0.6, 0.0, 0.8], [0.4, 1.5, -0.3])
+    );
+    for z in [0.0, 0.7, 0.8 + 1e-9, 1e200] {
+        let message = refusal::<Rod>(rod([0.6, 0.0, z], [0.0; 3]));
+        assert!(
+            message.starts_with("axis must be a unit vector: |u|² is "),
+            "{message}"
+        );
+    }
+    for size in [1e-308, 1.0, 1e308] {
+        let message = refusal::<Rod>(rod([0.0, 0.0, 1.0], [0.0, size, 2e-9 * size]));
+        assert!(
+            message.starts_with("axis_rate must be perpendicular to axis: "),
+            "{message}"
+        );
+        assert!(from_value::<Rod>(rod([0.0, 0.0, 1.0], [size, -size, 0.5e-9 * size])).is_ok());
+    }
+    assert!(
+        from_value::<Rod>(json!({ "position": [0.0, 0.0, 0.0], "velocity": [0.0, 0.0, 0.0] }))
+            .is_err()
+    );
 }
 
 #[test]

@@ -43,8 +43,8 @@
 //!
 //! # Features
 //!
-//! `serde`: serialisation of states, accelerations, wrenches and inertia tensors. What cannot be (an attitude that is not
-//! unit, an impossible inertia) is refused on reading. Numbers are passed on bit for bit; `serde_json` reads them so with
+//! `serde`: serialisation of states, accelerations, wrenches and inertia tensors. What cannot be (an attitude or an axis that
+//! is not unit, an impossible inertia) is refused on reading. Numbers are passed on bit for bit; `serde_json` reads them so with
 //! its feature `float_roundtrip`.
 
 #![no_std]

@@ -8,8 +8,8 @@ pub use crate::inertia::InertiaTensor;
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::operations::{Operations, Stage};
 pub use crate::state::{
-    Planar, PlanarAcceleration, PlanarTranslation, Rotation, Spatial, SpatialAcceleration, State,
-    Translation,
+    Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod, RodAcceleration, Rotation, Spatial,
+    SpatialAcceleration, State, Translation,
 };
 pub use crate::wrench::{PlanarWrench, Wrench};
 

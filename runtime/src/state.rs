@@ -13,6 +13,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::attitude;
 
+mod hinge;
+mod rod;
+
+pub use hinge::Hinge;
+pub use rod::{Rod, RodAcceleration};
+
 /// A point of the space of states: what an integrator needs to know of it.
 ///
 /// That space is a product of straight lines and rotations, so states are not added: a state is moved by a

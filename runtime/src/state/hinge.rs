@@ -1,0 +1,46 @@
+//! The state of a body that turns about a fixed axis.
+
+use nalgebra::Vector2;
+#[cfg(feature = "serde")]
+use serde::{Deserialize, Serialize};
+
+use super::State;
+
+/// State of `motion: pivot` and `motion: fixed_axis`, one degree of freedom; its acceleration is a scalar \[rad/s²\].
+///
+/// ```
+/// use newton_euler::prelude::*;
+///
+/// let wheel = Hinge { angle: 0.5, angular_velocity: 2.0 };
+/// let later = wheel.moved(&(wheel.rate(&-1.0) * 0.1));
+/// assert_eq!(later, Hinge { angle: 0.7, angular_velocity: 1.9 });
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+pub struct Hinge {
+    /// Zero with body axes along world axes; right-handed about the axis, in the plane anticlockwise; not wrapped
+    /// \[rad\].
+    pub angle: f64,
+    /// Rate of the angle \[rad/s\].
+    pub angular_velocity: f64,
+}
+
+impl State for Hinge {
+    type Scalar = f64;
+    type Acceleration = f64;
+    /// Angular velocity, angular acceleration.
+    type Rate = Vector2<f64>;
+
+    #[inline]
+    fn rate(&self, acceleration: &f64) -> Self::Rate {
+        Vector2::new(self.angular_velocity, *acceleration)
+    }
+
+    #[inline]
+    fn moved(&self, displacement: &Self::Rate) -> Self {
+        Self {
+            angle: self.angle + displacement.x,
+            angular_velocity: self.angular_velocity + displacement.y,
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! What a rigid body answers: its acceleration, its balance, its energy and its momenta.
+//! What a rigid body answers: its acceleration, its balance, its reactions, its energy and its momenta.
 //!
 //! [`rigid_body!`](crate::rigid_body) implements these traits; by hand they are implemented just as well.
 //!
@@ -121,6 +121,108 @@ pub trait Momentum: RigidBody {
     fn angular_momentum_about_pole(&self, time: Self::Scalar, state: &Self::State)
     -> Self::Angular;
 }
+
+/// The loads that constraints put on the body: the unknowns of (1.3) and (1.4).
+///
+/// With the motion known, the balances are linear in the unknown reactions R,
+///
+/// ```text
+/// A R = b        A: the sum and the moments of unit reactions,   b = (m a_G, J ω̇ + ω × Jω) - given loads
+/// ```
+///
+/// and `acceleration` has used up the equations in the free directions; the rest gives the reactions. Where A depends on
+/// the configuration and may lose rank in it, [`Self::Reactions`] is a `Result` with [`Singular`] as its error.
+///
+/// ```
+/// use newton_euler::prelude::*;
+/// use nalgebra::Vector2;
+///
+/// /// A bob of mass m at l below a pin, angle from the vertical.
+/// struct Pendulum { mass: f64, length: f64 }
+///
+/// impl RigidBody for Pendulum {
+///     type Scalar = f64;
+///     type State = Hinge;
+///     type Input = ();
+///
+///     fn acceleration(&self, _time: f64, state: &Hinge, (): &()) -> f64 {
+///         -9.80665 / self.length * state.angle.sin()
+///     }
+/// }
+///
+/// impl Reactions for Pendulum {
+///     /// The force of the pin on the body \[N\].
+///     type Reactions = Vector2<f64>;
+///
+///     fn reactions(&self, _time: f64, state: &Hinge, (): &()) -> Vector2<f64> {
+///         let (sine, cosine) = state.angle.sin_cos();
+///         let tension = self.mass * (9.80665 * cosine + self.length * state.angular_velocity.powi(2));
+///         Vector2::new(-sine, cosine) * tension
+///     }
+/// }
+///
+/// let bob = Pendulum { mass: 2.0, length: 0.75 };
+/// assert_eq!(bob.reactions(0.0, &Hinge::default(), &()).y, 2.0 * 9.80665);
+/// ```
+pub trait Reactions: RigidBody {
+    /// One field for each load with unknowns, world axes \[N, N m\]; or a `Result` of that and [`Singular`].
+    type Reactions;
+
+    /// The reactions in the motion that [`RigidBody::acceleration`] gives. About which pole the balances are written does
+    /// not matter.
+    fn reactions(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Reactions;
+}
+
+/// A configuration in which the balances do not determine what is asked.
+///
+/// Solving them divides by a quantity that depends on the configuration and vanishes in this one, such as the sine of the
+/// angle between two guides: there its load is undetermined, or grows beyond bounds.
+///
+/// ```
+/// use newton_euler::body::Singular;
+///
+/// let toggle = Singular { unknown: "knee.normal", value: 1e-17, scale: 0.8 };
+/// assert_eq!(
+///     toggle.to_string(),
+///     "singular configuration: the divisor of `knee.normal` is 1e-17, nothing but rounding of terms of size 0.8",
+/// );
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Singular {
+    /// The unknown that a division would have given.
+    pub unknown: &'static str,
+    /// Its divisor.
+    pub value: f64,
+    /// The largest of the terms it was summed from.
+    pub scale: f64,
+}
+
+impl Singular {
+    /// A divisor not above this fraction of its largest term is singular: eight units in the last place, which a sum of a
+    /// few rounded products may leave of zero. What is above has lost digits in proportion, but is determined.
+    pub const TOLERANCE: f64 = 8.0 * f64::EPSILON;
+}
+
+impl fmt::Display for Singular {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            unknown,
+            value,
+            scale,
+        } = self;
+        write!(
+            f,
+            "singular configuration: the divisor of `{unknown}` is {value:e}, nothing but rounding of terms of size {scale}"
+        )
+    }
+}
+
+impl core::error::Error for Singular {}
 
 /// Why a body cannot be built from these parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 pub use nalgebra::{UnitQuaternion, Vector2, Vector3};
 pub use newton_euler_macros::rigid_body;
 
-pub use crate::body::{Balance, Energy, InvalidBody, Momentum, RigidBody};
+pub use crate::body::{Balance, Energy, InvalidBody, Momentum, Reactions, RigidBody, Singular};
 pub use crate::inertia::InertiaTensor;
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::operations::{Operations, Stage};
@@ -57,4 +57,22 @@ pub fn check_planar_inertia(value: f64) -> Result<(), InvalidBody> {
 pub fn check_inertia([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> Result<(), InvalidBody> {
     InertiaTensor::tensor(xx, yy, zz, xy, yz, zx)?.inverse()?;
     Ok(())
+}
+
+/// The reciprocal of the divisor of an unknown, where it depends on the configuration, given the largest of the terms it was
+/// summed from.
+///
+/// # Errors
+/// [`Singular`] if it is zero to [`Singular::TOLERANCE`] of that term, or not a number.
+#[inline]
+pub fn reciprocal(unknown: &'static str, value: f64, scale: f64) -> Result<f64, Singular> {
+    if value.abs() > Singular::TOLERANCE * scale {
+        Ok(value.recip())
+    } else {
+        Err(Singular {
+            unknown,
+            value,
+            scale,
+        })
+    }
 }

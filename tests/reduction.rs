@@ -164,6 +164,13 @@ fn every_size() {
     assert!(
         matches!(extreme(1e200, 1e-200), Reduction::Force { line, .. } if line.point == Vector3::zeros())
     );
+    let along = |force: f64, moment: f64| {
+        let [force, moment] = [Vector3::x() * force, Vector3::x() * moment];
+        Wrench { force, moment }.reduce()
+    };
+    assert!(matches!(along(1e200, 1e-200), Reduction::Force { .. }));
+    assert!(matches!(along(1e-200, 1e200), Reduction::Couple { .. }));
+    assert!(matches!(along(1e-150, 1e150), Reduction::Screw { .. }));
 }
 
 /// In the plane: a couple, or a force whose every point gives the moment.
@@ -184,6 +191,18 @@ fn in_the_plane() {
         let tolerance = Tolerance::at_scale(1e18 * force.amax(), 1.0);
         assert_eq!(push.reduce_within(&tolerance), PlanarReduction::Zero);
     }
+}
+
+/// By itself, eight units in the last place of |F||K| are none.
+#[test]
+fn nearly_perpendicular() {
+    let reduced = |units: f64| {
+        let moment = Vector3::new(units * f64::EPSILON, 1.0, 0.0);
+        let force = Vector3::x();
+        Wrench { force, moment }.reduce()
+    };
+    assert!(matches!(reduced(8.0), Reduction::Force { .. }));
+    assert!(matches!(reduced(9.0), Reduction::Screw { pitch, .. } if pitch == 9.0 * f64::EPSILON));
 }
 
 /// Not finite in, not finite out; no panic.

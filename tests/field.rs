@@ -1,5 +1,11 @@
 //! Uniform fields on charges: F19, H14.
 
+#![allow(
+    clippy::float_cmp,
+    clippy::cast_precision_loss,
+    clippy::excessive_precision,
+    reason = "what is exact is compared exactly, with all digits of the references"
+)]
 use nalgebra::Vector3;
 use newton_euler::field::Charges;
 use newton_euler::inertia::InertiaTensor;

@@ -1,5 +1,11 @@
 //! Kinds of bodies by their tensor: symmetry and extent, in any axes and at any scale.
 
+#![allow(
+    clippy::float_cmp,
+    clippy::cast_precision_loss,
+    clippy::excessive_precision,
+    reason = "what is exact is compared exactly, with all digits of the references"
+)]
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use newton_euler::inertia::{Extent, InertiaTensor, Symmetry};
 use proptest::prelude::*;

@@ -1,5 +1,11 @@
 //! Reduction of wrenches: F17, F18, the four cases, every size (H13).
 
+#![allow(
+    clippy::float_cmp,
+    clippy::cast_precision_loss,
+    clippy::excessive_precision,
+    reason = "what is exact is compared exactly, with all digits of the references"
+)]
 use nalgebra::{Vector2, Vector3};
 use newton_euler::prelude::*;
 use newton_euler::wrench::{PlanarReduction, Reduction, Tolerance};

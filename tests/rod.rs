@@ -1,5 +1,11 @@
 //! The slender rod and the hinge: states of five and of one degree of freedom.
 
+#![allow(
+    clippy::float_cmp,
+    clippy::cast_precision_loss,
+    clippy::excessive_precision,
+    reason = "what is exact is compared exactly, with all digits of the references"
+)]
 use std::f64::consts::TAU;
 
 use nalgebra::{Unit, UnitQuaternion, UnitVector3, Vector3};

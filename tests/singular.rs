@@ -1,5 +1,11 @@
 //! The guard of divisions by what depends on the configuration.
 
+#![allow(
+    clippy::float_cmp,
+    clippy::cast_precision_loss,
+    clippy::excessive_precision,
+    reason = "what is exact is compared exactly, with all digits of the references"
+)]
 use newton_euler::body::Singular;
 use newton_euler::private::reciprocal;
 

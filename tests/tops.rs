@@ -1,5 +1,11 @@
 //! Steady precession: F12, M7, against integration, at thresholds, after a long time (H19).
 
+#![allow(
+    clippy::float_cmp,
+    clippy::cast_precision_loss,
+    clippy::excessive_precision,
+    reason = "what is exact is compared exactly, with all digits of the references"
+)]
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};

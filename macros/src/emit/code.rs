@@ -46,6 +46,7 @@ pub enum Source {
     Time,
     State,
     Acceleration,
+    Reactions,
     Params,
     Input,
 }

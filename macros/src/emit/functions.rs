@@ -1,10 +1,10 @@
 //! The bodies of all functions that are generated for a body.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use crate::mechanics::{Balance, Equations, Resultant};
-use crate::model::{Family, Model, Outline, Output};
+use crate::model::{Family, LoadKind, Model, Outline, Output};
 use crate::symbolic::{Components, Cost, Id, Stage};
 
 use super::code::{Fields, Source, Writer};
@@ -24,6 +24,7 @@ pub struct Functions {
     pub applied: Function,
     pub residual: Function,
     pub loads: Function,
+    pub reactions: Function,
     /// Number of loads.
     pub load_count: usize,
 }
@@ -111,7 +112,7 @@ impl Functions {
             };
             functions.angular_momentum = moment(&momentum.angular);
             functions.angular_momentum_about_pole = moment(&momentum.about_pole);
-            if model.motion.has_position() {
+            if model.motion.knows_position() {
                 let linear = shapes.vector_part(&momentum.linear);
                 functions.linear_momentum =
                     Function::write(&writer, linear, |values| shapes.vector(values));
@@ -126,6 +127,9 @@ impl Functions {
             functions.residual = wrench(&balance.residual);
             functions.loads = write_loads(&writer, &shapes, balance);
             functions.load_count = balance.loads.len();
+        }
+        if outline.outputs.contains(&Output::Reactions) {
+            functions.reactions = write_reactions(&writer, &shapes, equations);
         }
         functions
     }
@@ -146,6 +150,7 @@ impl Functions {
             applied: never(),
             residual: never(),
             loads: never(),
+            reactions: never(),
             load_count: 0,
         }
     }
@@ -167,6 +172,7 @@ impl Functions {
                         &self.angular_momentum_about_pole,
                     ),
                 ]),
+                Output::Reactions => functions.push(("reactions", &self.reactions)),
                 Output::Balance => functions.extend([
                     ("applied", &self.applied),
                     ("residual", &self.residual),
@@ -194,6 +200,29 @@ fn write_acceleration(writer: &Writer<'_>, shapes: &Shapes, equations: &Equation
     });
     function.text.extend(text);
     function
+}
+
+/// `BodyReactions { pin: .., guide: .. }`
+fn write_reactions(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) -> Function {
+    let reactions = || writer.outline.reactions.iter().zip(&equations.reactions);
+    let part = |(kind, vector): (LoadKind, &'_ Components)| match kind {
+        LoadKind::Force => shapes.vector_part(vector).to_vec(),
+        LoadKind::Moment => shapes.moment_part(vector).to_vec(),
+    };
+    let outputs: Vec<Id> = reactions()
+        .flat_map(|((_, kind), reaction)| part((*kind, &reaction.vector)))
+        .collect();
+    let name = format_ident!("{}Reactions", writer.outline.name);
+    Function::write(writer, &outputs, |values| {
+        let fields = reactions().map(|((field, kind), _)| {
+            let value = match kind {
+                LoadKind::Force => shapes.vector(values),
+                LoadKind::Moment => shapes.moment(values),
+            };
+            quote!(#field: #value)
+        });
+        quote!(#name { #(#fields),* })
+    })
 }
 
 /// `[Load { name, family, force, point, moment }, ..]`

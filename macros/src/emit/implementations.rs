@@ -15,6 +15,7 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
         Output::Energy => emit_energy(outline, &shapes, functions),
         Output::Momentum => emit_momentum(outline, &shapes, functions),
         Output::Balance => emit_balance(outline, &shapes, functions),
+        Output::Reactions => emit_reactions(outline, &shapes, functions),
     });
     let rigid_body = emit_rigid_body(outline, &shapes, &functions.acceleration);
     core::iter::once(rigid_body).chain(outputs).collect()
@@ -24,6 +25,16 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
 fn input_type(outline: &Outline) -> TokenStream {
     let name = format_ident!("{}Input", outline.name);
     if outline.inputs.is_empty() {
+        quote!(())
+    } else {
+        quote!(#name)
+    }
+}
+
+/// The type of the unknown reactions, if there are any.
+fn reactions_type(outline: &Outline) -> TokenStream {
+    let name = format_ident!("{}Reactions", outline.name);
+    if outline.reactions.is_empty() {
         quote!(())
     } else {
         quote!(#name)
@@ -152,21 +163,40 @@ fn emit_balance(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
     let time = function.argument(Source::Time, "time");
     let acceleration = function.argument(Source::Acceleration, "acceleration");
     let input = function.argument(Source::Input, "input");
+    let reactions = function.argument(Source::Reactions, "reactions");
+    let reactions_type = reactions_type(outline);
     let (state, acceleration_type, input_type) = (
         state_argument(shapes, function),
         shapes.acceleration_type(),
         input_type(outline),
     );
-    let of_residual = quote!(#time: f64, #state, #acceleration: &#acceleration_type, _reactions: &(), #input: &#input_type);
+    let of_residual = quote!(#time: f64, #state, #acceleration: &#acceleration_type, #reactions: &#reactions_type, #input: &#input_type);
     let residual = method("residual", &of_residual, &wrench, function);
     quote! {
         impl #private::Balance for #name {
             type Wrench = #wrench;
-            type Reactions = ();
+            type Reactions = #reactions_type;
             type Loads = #loads;
             #applied
             #residual
             #listed
+        }
+    }
+}
+
+fn emit_reactions(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
+    let (name, private) = (&outline.name, &shapes.private);
+    let (function, kind) = (&functions.reactions, reactions_type(outline));
+    let reactions = method(
+        "reactions",
+        &arguments(outline, shapes, function),
+        &kind,
+        function,
+    );
+    quote! {
+        impl #private::Reactions for #name {
+            type Reactions = #kind;
+            #reactions
         }
     }
 }

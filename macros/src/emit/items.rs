@@ -4,13 +4,14 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::mechanics::Equations;
-use crate::model::{Declared, Inertia, Meaning, Model, Outline};
+use crate::model::{Declared, Inertia, LoadKind, Meaning, Model, Outline};
 use crate::symbolic::{Cost, Id, Node, Stage};
 
 use super::code::{Fields, Writer};
 use super::docs::{Documentation, declared_doc};
 use super::expression::number_literal;
 use super::naming::local_name;
+use super::shapes::Shapes;
 use super::text::to_text;
 
 /// What a body is built from and keeps.
@@ -214,6 +215,29 @@ fn emit_struct(
     }
 }
 
+/// One field for each load with unknown components.
+fn emit_reactions(outline: &Outline) -> TokenStream {
+    let shapes = Shapes::of(outline);
+    let name = format_ident!("{}Reactions", outline.name);
+    let doc = format!(
+        " The unknown reactions of [`{}`], world axes.",
+        outline.name
+    );
+    let fields = outline.reactions.iter().map(|(field, kind)| {
+        let (kind, unit) = match kind {
+            LoadKind::Force => (shapes.vector_type(), "N"),
+            LoadKind::Moment => (shapes.moment_type(), "N * m"),
+        };
+        let doc = format!(" `{field}` in {unit}.");
+        quote!(#[doc = #doc] pub #field: #kind)
+    });
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct #name { #(#fields),* }
+    }
+}
+
 /// Users may call a parameter `J`, and inputs `thrust_1`, `thrust_2`, ...
 fn lints(declared: &[Declared]) -> TokenStream {
     let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
@@ -254,12 +278,14 @@ pub fn emit_items(
             &outline.inputs,
         )
     });
+    let reactions = (!outline.reactions.is_empty()).then(|| emit_reactions(outline));
     if outline.params.is_empty() {
         return quote! {
             #documentation_lines
             #[derive(Clone, Debug, Default)]
             pub struct #name {}
             #inputs
+            #reactions
             impl #name { #constants }
         };
     }
@@ -282,6 +308,7 @@ pub fn emit_items(
         pub struct #name { params: #params, #(#stored: f64),* }
         #param_struct
         #inputs
+        #reactions
         impl #name {
             #constants
             #[doc = #new_doc]

@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use crate::model::{AXES, Declared, Meaning, Motion};
+use crate::model::{AXES, Declared, LoadKind, Meaning, Motion};
 use crate::symbolic::{Id, Node, Program};
 
 use super::code::{Body, Source};
@@ -29,7 +29,7 @@ fn places(motion: Motion) -> Vec<Place> {
             .collect::<Vec<_>>()
     };
     let angular = |name: &str, prefix: &str| {
-        if motion.is_planar() {
+        if motion.is_planar() || motion.is_hinged() {
             vec![name.to_owned()]
         } else {
             vector(prefix)
@@ -38,7 +38,7 @@ fn places(motion: Motion) -> Vec<Place> {
     // the acceleration of a motion with one kind of coordinates is not a struct
     let part = |name: &str| {
         let name = format_ident!("{name}");
-        if motion.has_position() && motion.has_attitude() {
+        if motion.translates() && motion.has_attitude() {
             quote!(#acceleration.#name)
         } else {
             quote!((*#acceleration))
@@ -140,6 +140,7 @@ impl Body<'_> {
             self.reads.push(Source::Time);
             self.names.insert(*id, local("time"));
         }
+        tokens.extend(self.read_reactions(&symbols));
         for place in places(model.motion) {
             let found: Vec<(usize, Id)> = symbols
                 .iter()
@@ -149,6 +150,35 @@ impl Body<'_> {
                 self.reads.push(place.source);
                 tokens.extend(self.read_components(&found, &place.path, &place.names));
             }
+        }
+        tokens
+    }
+
+    /// `let [pin_x, pin_y]: [f64; 2] = reactions.pin.into();`
+    fn read_reactions(&mut self, symbols: &[(Id, Meaning)]) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        for (index, (word, kind)) in self.writer.outline.reactions.iter().enumerate() {
+            let component = |meaning: Meaning| match meaning {
+                Meaning::Reaction(reaction, axis) if reaction == index => Some(axis),
+                _ => None,
+            };
+            let found: Vec<(usize, Id)> = symbols
+                .iter()
+                .filter_map(|(id, meaning)| Some((component(*meaning)?, *id)))
+                .collect();
+            if found.is_empty() {
+                continue;
+            }
+            self.reads.push(Source::Reactions);
+            let (reactions, field) = (local("reactions"), local(&word.to_string()));
+            let motion = self.writer.model.motion;
+            let names: Vec<String> = if motion.is_planar() && *kind == LoadKind::Moment {
+                vec![word.to_string()]
+            } else {
+                let axes = AXES[..motion.axes()].iter();
+                axes.map(|axis| format!("{word}_{axis}")).collect()
+            };
+            tokens.extend(self.read_components(&found, &quote!(#reactions.#field), &names));
         }
         tokens
     }

@@ -1,5 +1,7 @@
 //! Shapes: the types of the runtime that a kind of motion has, and how they are filled.
 
+use core::ops::Range;
+
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -32,7 +34,8 @@ impl Shapes {
             Motion::PlanarTranslation => format_ident!("PlanarTranslation"),
             Motion::Spatial => format_ident!("Spatial"),
             Motion::Translation => format_ident!("Translation"),
-            Motion::Rotation => format_ident!("Rotation"),
+            Motion::Rotation | Motion::FixedPoint => format_ident!("Rotation"),
+            Motion::Pivot | Motion::FixedAxis => format_ident!("Hinge"),
         };
         quote!(#private::#name)
     }
@@ -60,7 +63,11 @@ impl Shapes {
         match self.motion {
             Motion::Planar => quote!(#private::PlanarAcceleration),
             Motion::Spatial => quote!(#private::SpatialAcceleration),
-            _ => self.vector_type(),
+            Motion::Pivot | Motion::FixedAxis => quote!(f64),
+            Motion::PlanarTranslation
+            | Motion::Translation
+            | Motion::Rotation
+            | Motion::FixedPoint => self.vector_type(),
         }
     }
 
@@ -68,8 +75,8 @@ impl Shapes {
         let private = &self.private;
         match self.motion {
             Motion::Rotation => self.moment_type(),
-            Motion::Planar | Motion::PlanarTranslation => quote!(#private::PlanarWrench),
-            Motion::Spatial | Motion::Translation => quote!(#private::Wrench),
+            _ if self.motion.is_planar() => quote!(#private::PlanarWrench),
+            _ => quote!(#private::Wrench),
         }
     }
 
@@ -92,15 +99,24 @@ impl Shapes {
         &components[if self.motion.is_planar() { 2..3 } else { 0..3 }]
     }
 
+    /// The components of an angular acceleration: one in the plane and about an axis.
+    fn angular_axes(&self) -> Range<usize> {
+        if self.motion.is_planar() || self.motion.is_hinged() {
+            2..3
+        } else {
+            0..3
+        }
+    }
+
     /// The components of a pair of a linear and an angular vector, as far as the motion has them.
     pub fn pair_part(&self, linear: &Components, angular: &Components) -> Vec<Id> {
-        let linear = if self.motion.has_position() {
+        let linear = if self.motion.translates() {
             self.vector_part(linear)
         } else {
             &[]
         };
         let angular = if self.motion.has_attitude() {
-            self.moment_part(angular)
+            &angular[self.angular_axes()]
         } else {
             &[]
         };
@@ -115,22 +131,22 @@ impl Shapes {
                 .map(|axis| format!("{name}_{axis}"))
                 .collect::<Vec<_>>()
         };
-        let linear = if self.motion.has_position() {
+        let linear = if self.motion.translates() {
             named("linear")
         } else {
             Vec::new()
         };
-        let angular = match (self.motion.has_attitude(), self.motion.is_planar()) {
-            (true, true) => vec!["angular".to_owned()],
-            (true, false) => named("angular"),
-            _ => Vec::new(),
+        let angular = match (self.motion.has_attitude(), self.angular_axes().len()) {
+            (true, 1) => vec!["angular".to_owned()],
+            (true, _) => named("angular"),
+            (false, _) => Vec::new(),
         };
         [linear, angular].concat()
     }
 
     /// The components of a wrench; of a body that only turns, those of the moment.
     pub fn wrench_part(&self, force: &Components, moment: &Components) -> Vec<Id> {
-        let force = if self.motion.has_position() {
+        let force = if self.motion.knows_position() {
             self.vector_part(force)
         } else {
             &[]
@@ -159,9 +175,14 @@ impl Shapes {
                 let (linear, angular) = (self.vector(values), self.moment(values));
                 quote!(#kind { linear: #linear, angular: #angular })
             }
-            Motion::Rotation | Motion::Translation | Motion::PlanarTranslation => {
-                self.vector(values)
+            Motion::Pivot | Motion::FixedAxis => {
+                let value = values.next();
+                quote!(#value)
             }
+            Motion::PlanarTranslation
+            | Motion::Translation
+            | Motion::Rotation
+            | Motion::FixedPoint => self.vector(values),
         }
     }
 

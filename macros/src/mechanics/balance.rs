@@ -1,9 +1,9 @@
 //! The balances as they are written, for inspection: given loads, resultants, residuals.
 
-use crate::model::{Family, Frame, Inertia, Model, Point, Vector};
+use crate::model::{Family, Frame, Inertia, LoadKind, Model, Point, Vector};
 use crate::symbolic::Components;
 
-use super::newton_euler::{arm_from_center, moments_about_center, resultant};
+use super::newton_euler::{arm, moments_about, resultant};
 
 /// The expressions of `outputs: [balance]`, in world axes.
 pub struct Balance {
@@ -32,10 +32,12 @@ pub struct LoadExpressions {
 
 pub fn derive_balance(model: &mut Model) -> Balance {
     let force = resultant(model);
-    let moments = moments_about_center(model);
+    let center = Point::Body(model.frames.graph.zeros());
+    let moments = moments_about(model, center);
     let moment = model.frames.sum(moments);
     let applied = in_world(model, force, moment);
 
+    let (force, moment) = with_reactions(model, force, moment);
     // (1.3): sum of F - m a = 0
     let inertial_force = inertial_force(model);
     let force = model.frames.add(force, inertial_force);
@@ -75,11 +77,31 @@ fn in_world(model: &mut Model, force: Vector, moment: Vector) -> Resultant {
     Resultant { force, moment }
 }
 
+/// The given loads together with the reactions, as they are handed in; moment about G.
+fn with_reactions(model: &mut Model, force: Vector, moment: Vector) -> (Vector, Vector) {
+    let center = Point::Body(model.frames.graph.zeros());
+    let reactions: Vec<(LoadKind, Point, Vector)> = model
+        .reactions
+        .iter()
+        .map(|reaction| (reaction.kind, reaction.point, reaction.symbols))
+        .collect();
+    let (mut forces, mut moments) = (vec![force], vec![moment]);
+    for (kind, point, vector) in reactions {
+        if kind == LoadKind::Force {
+            let arm = arm(model, point, center);
+            forces.push(vector);
+            moments.push(model.frames.cross(arm, vector));
+        } else {
+            moments.push(vector);
+        }
+    }
+    (model.frames.sum(forces), model.frames.sum(moments))
+}
+
 /// `G - O`, of the pole O.
 pub fn from_pole(model: &mut Model) -> Vector {
-    let pole = model.pole;
-    let arm = arm_from_center(model, pole);
-    model.frames.negate(arm)
+    let (center, pole) = (Point::Body(model.frames.graph.zeros()), model.pole);
+    arm(model, center, pole)
 }
 
 /// (1.8): `F_iG = -m a`.
@@ -87,10 +109,8 @@ fn inertial_force(model: &mut Model) -> Vector {
     let Some(mass) = model.mass else {
         return model.frames.zero_vector();
     };
-    let momentum_rate = model
-        .frames
-        .vector(Frame::World, model.state.linear_acceleration);
-    let rate = model.frames.scale(mass, momentum_rate);
+    let acceleration = model.state.acceleration;
+    let rate = model.frames.scale(mass, acceleration);
     model.frames.negate(rate)
 }
 
@@ -119,7 +139,6 @@ fn inertial_moment(model: &mut Model) -> Vector {
 }
 
 fn list_loads(model: &mut Model) -> Vec<LoadExpressions> {
-    use crate::model::LoadKind;
     let loads: Vec<_> = model
         .loads
         .iter()
@@ -156,14 +175,6 @@ fn list_loads(model: &mut Model) -> Vec<LoadExpressions> {
 }
 
 fn position(model: &mut Model, point: Point) -> Components {
-    match point {
-        Point::World(position) => position,
-        Point::Body(offset) => {
-            let position = Vector {
-                body: offset,
-                world: model.state.position,
-            };
-            model.frames.components(position, Frame::World)
-        }
-    }
+    let position = model.state.place(&mut model.frames, point);
+    model.frames.components(position, Frame::World)
 }

@@ -3,6 +3,8 @@
 use crate::model::{Family, Inertia, Load, LoadKind, Meaning, Model, Point, Vector};
 use crate::symbolic::{Components, Graph, Id, Node, Number};
 
+use super::newton_euler::{inertia_about_center, moment_of_inertia};
+
 /// The expressions of `outputs: [energy]`, in joules.
 pub struct Energy {
     /// `(m v^2 + w . J w) / 2`
@@ -18,27 +20,30 @@ pub fn derive_energy(model: &mut Model) -> Energy {
     }
 }
 
+/// Of a body with a support, `w . J_P w / 2` about the point that is held.
 fn kinetic(model: &mut Model) -> Id {
-    let w = model.state.angular_velocity;
-    let graph = &mut model.frames.graph;
     let translation = match model.mass {
-        Some(mass) => {
-            let square = graph.norm_squared(model.state.velocity);
-            graph.multiply(mass, square)
+        Some(mass) if model.motion.translates() => {
+            let square = model.frames.norm_squared(model.state.velocity);
+            model.frames.graph.multiply(mass, square)
         }
-        None => graph.zero(),
+        _ => model.frames.graph.zero(),
     };
-    let rotation = match model.inertia {
-        Inertia::Absent => graph.zero(),
-        Inertia::Planar(inertia) => {
-            let square = graph.square(w[2]);
-            graph.multiply(inertia, square)
+    let inertia = inertia_about_center(model);
+    let w = model.state.angular_velocity;
+    let rotation = match (&inertia, model.hinge()) {
+        (Inertia::Absent, _) => model.frames.graph.zero(),
+        (Inertia::Planar(_), _) => {
+            let square = model.frames.graph.square(w[2]);
+            let moment = moment_of_inertia(model, &inertia, w);
+            model.frames.graph.multiply(moment, square)
         }
-        Inertia::Spatial(rows) => {
-            let momentum = graph.transform(&rows, w);
-            graph.dot(w, momentum)
+        (Inertia::Spatial(rows), _) => {
+            let momentum = model.frames.graph.transform(rows, w);
+            model.frames.graph.dot(w, momentum)
         }
     };
+    let graph = &mut model.frames.graph;
     let twice = graph.add(translation, rotation);
     let half = graph.number(Number::ratio(1, 2));
     graph.distribute(half, twice)
@@ -52,11 +57,8 @@ fn potential(model: &mut Model) -> Id {
         .filter_map(|load| Some((load.vector, uniform_field(model, load)?)))
         .collect();
     for (force, offset) in fields {
-        // where G does not move, or its motion is not modelled, positions count from G
-        let position = Vector {
-            body: offset,
-            world: model.state.position,
-        };
+        // where the motion of G is not modelled, positions count from G
+        let position = model.state.place(&mut model.frames, Point::Body(offset));
         let work = model.frames.dot(force, position);
         potential = model.frames.graph.subtract(potential, work);
     }

@@ -7,7 +7,9 @@ mod balance;
 mod energy;
 mod momentum;
 mod newton_euler;
+mod reactions;
 mod skipped;
+mod solvability;
 
 use crate::errors::Errors;
 use crate::model::{Model, Output};
@@ -16,6 +18,7 @@ use crate::symbolic::{Components, Id};
 pub use balance::{Balance, LoadExpressions, Resultant};
 pub use energy::Energy;
 pub use momentum::Momentum;
+pub use reactions::ReactionExpressions;
 
 /// All that is generated for a body, as expressions.
 pub struct Equations {
@@ -26,6 +29,8 @@ pub struct Equations {
     pub energy: Option<Energy>,
     pub momentum: Option<Momentum>,
     pub balance: Option<Balance>,
+    /// Empty unless asked for.
+    pub reactions: Vec<ReactionExpressions>,
     /// What does not appear in the equations, and why.
     pub skipped: Vec<String>,
 }
@@ -37,6 +42,12 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
     let (linear, angular) = newton_euler::derive_accelerations(model, errors)?;
     let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));
     let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model));
+    let solved = reactions::derive_reactions(model, &linear, &angular, errors)?;
+    let reactions = if asked(Output::Reactions, model) {
+        solved
+    } else {
+        Vec::new()
+    };
     let balance = asked(Output::Balance, model).then(|| balance::derive_balance(model));
     let skipped = skipped::list_skipped(model, &linear, &angular);
     Some(Equations {
@@ -45,6 +56,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         energy,
         momentum,
         balance,
+        reactions,
         skipped,
     })
 }
@@ -104,6 +116,7 @@ impl Equations {
                     .flat_map(|load| load.force.into_iter().chain(load.point).chain(load.moment)),
             );
         }
+        roots.extend(self.reactions.iter().flat_map(|reaction| reaction.vector));
         roots
     }
 }

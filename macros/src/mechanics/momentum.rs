@@ -17,11 +17,12 @@ pub struct Momentum {
 
 pub fn derive_momentum(model: &mut Model) -> Momentum {
     let w = model.state.angular_velocity;
-    let graph = &mut model.frames.graph;
-    let linear = match model.mass {
-        Some(mass) => graph.scale_vector(mass, model.state.velocity),
-        None => graph.zeros(),
+    let moving = match model.mass {
+        Some(mass) => model.frames.scale(mass, model.state.velocity),
+        None => model.frames.zero_vector(),
     };
+    let linear = model.frames.components(moving, Frame::World);
+    let graph = &mut model.frames.graph;
     let spin = match model.inertia {
         Inertia::Absent => graph.zeros(),
         Inertia::Planar(inertia) => graph.scale_vector(inertia, w),
@@ -30,7 +31,6 @@ pub fn derive_momentum(model: &mut Model) -> Momentum {
     let spin = model.frames.vector(Frame::Body, spin);
     let angular = model.frames.components(spin, Frame::World);
     let arm = from_pole(model);
-    let moving = model.frames.vector(Frame::World, linear);
     let orbital = model.frames.cross(arm, moving);
     let orbital = model.frames.components(orbital, Frame::World);
     let about_pole = model.frames.graph.add_vectors(angular, orbital);

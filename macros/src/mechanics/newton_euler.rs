@@ -9,13 +9,15 @@ use crate::errors::Errors;
 use crate::model::{Frame, Inertia, Load, LoadKind, Model, Point, Vector};
 use crate::symbolic::{Components, Id};
 
-/// Linear acceleration of G in world axes and angular acceleration in body axes.
+/// Linear acceleration of G in world axes and angular acceleration in body axes, as far as the motion
+/// has them; that of a hinge stands in the place of z.
 pub fn derive_accelerations(
     model: &mut Model,
     errors: &mut Errors,
 ) -> Option<(Components, Components)> {
     let linear = linear_acceleration(model);
-    let moments = moments_about_center(model);
+    let center = model.state.center(&mut model.frames);
+    let moments = moments_about(model, center);
     let angular = if model.motion.has_attitude() {
         angular_acceleration(model, moments)
     } else {
@@ -27,7 +29,7 @@ pub fn derive_accelerations(
 
 /// (1.3): `a = F / m`. All that is fixed in the body is added before it is turned.
 fn linear_acceleration(model: &mut Model) -> Components {
-    let (true, Some(mass)) = (model.motion.has_position(), model.mass) else {
+    let (true, Some(mass)) = (model.motion.translates(), model.mass) else {
         return model.frames.graph.zeros();
     };
     let resultant = resultant(model);
@@ -67,8 +69,8 @@ pub fn resultant(model: &mut Model) -> Vector {
     model.frames.sum(forces)
 }
 
-/// The moment of each load about G.
-pub fn moments_about_center(model: &mut Model) -> Vec<Vector> {
+/// The moment of each load about `pole`.
+pub fn moments_about(model: &mut Model, pole: Point) -> Vec<Vector> {
     let loads: Vec<(LoadKind, Vector, Point)> = model
         .loads
         .iter()
@@ -79,56 +81,109 @@ pub fn moments_about_center(model: &mut Model) -> Vec<Vector> {
         .map(|(kind, vector, point)| match kind {
             LoadKind::Moment => vector,
             LoadKind::Force => {
-                let arm = arm_from_center(model, point);
+                let arm = arm(model, point, pole);
                 model.frames.cross(arm, vector)
             }
         })
         .collect()
 }
 
-/// `P - G`. For a point of the body it does not depend on where the body is (H9).
-pub fn arm_from_center(model: &mut Model, point: Point) -> Vector {
-    match point {
-        Point::Body(offset) => model.frames.vector(Frame::Body, offset),
-        Point::World(position) => {
-            let arm = model
-                .frames
-                .graph
-                .subtract_vectors(position, model.state.position);
-            model.frames.vector(Frame::World, arm)
+/// `P - O`, from the pole O to the point P.
+pub fn arm(model: &mut Model, point: Point, pole: Point) -> Vector {
+    let end = model.state.place(&mut model.frames, point);
+    let start = model.state.place(&mut model.frames, pole);
+    let backwards = model.frames.negate(start);
+    model.frames.add(end, backwards)
+}
+
+/// (1.4) about G, or about the point that is held, whose reaction has no moment there:
+/// `w' = J^-1 (M - w x J w)`.
+fn angular_acceleration(model: &mut Model, moments: Vec<Vector>) -> Components {
+    let moment = model.frames.sum(moments);
+    let moment = model.frames.components(moment, Frame::Body);
+    let angular = match (inertia_about_center(model), model.hinge()) {
+        (Inertia::Absent, _) => model.frames.graph.zeros(),
+        (inertia, Some(axis)) => about_axis(model, &inertia, axis, moment),
+        (Inertia::Planar(inertia), None) => {
+            let axis = [0, 0, 1].map(|component| model.frames.graph.integer(component));
+            about_axis(model, &Inertia::Planar(inertia), axis, moment)
+        }
+        (Inertia::Spatial(rows), None) if is_diagonal(model, &rows) => {
+            euler(model, [rows[0][0], rows[1][1], rows[2][2]], moment)
+        }
+        (Inertia::Spatial(rows), None) => general(model, &rows, moment),
+    };
+    let angular = model.frames.graph.results(angular);
+    let labels = &mut model.frames.labels;
+    labels.describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
+    if model.motion.is_planar() || model.motion.is_hinged() {
+        labels.name(angular[2], "angular");
+    }
+    labels.vector("angular", angular);
+    angular
+}
+
+/// About one axis d, `w x J w` has no part along it: `w' = d.M / d.J d`.
+fn about_axis(
+    model: &mut Model,
+    inertia: &Inertia,
+    d: Components,
+    moment: Components,
+) -> Components {
+    let about_axis = moment_of_inertia(model, inertia, d);
+    let graph = &mut model.frames.graph;
+    let one = graph.one();
+    let inverse = graph.divide(one, about_axis);
+    let driving = graph.dot(d, moment);
+    model.frames.labels.name(inverse, "inverse_inertia");
+    let zero = graph.zero();
+    [zero, zero, graph.distribute(inverse, driving)]
+}
+
+/// `d.J d`, of a unit vector d; in the plane, the moment of inertia.
+pub fn moment_of_inertia(model: &mut Model, inertia: &Inertia, d: Components) -> Id {
+    let graph = &mut model.frames.graph;
+    match inertia {
+        Inertia::Absent => graph.zero(),
+        Inertia::Planar(moment) => *moment,
+        Inertia::Spatial(rows) => {
+            let momentum = graph.transform(rows, d);
+            graph.dot(d, momentum)
         }
     }
 }
 
-/// (1.4) about G: `w' = J^-1 (M - w x J w)`.
-fn angular_acceleration(model: &mut Model, moments: Vec<Vector>) -> Components {
-    let moment = model.frames.sum(moments);
-    let moment = model.frames.components(moment, Frame::Body);
-    let angular = match model.inertia {
-        Inertia::Absent => model.frames.graph.zeros(),
-        Inertia::Planar(inertia) => {
-            let graph = &mut model.frames.graph;
-            let one = graph.one();
-            let inverse = graph.divide(one, inertia);
-            model.frames.labels.name(inverse, "inverse_inertia");
-            let zero = graph.zero();
-            [zero, zero, graph.distribute(inverse, moment[2])]
-        }
-        Inertia::Spatial(rows) if is_diagonal(model, &rows) => {
-            euler(model, [rows[0][0], rows[1][1], rows[2][2]], moment)
-        }
-        Inertia::Spatial(rows) => general(model, &rows, moment),
+/// The inertia about G, or about the point that is held: `J_P = J_G + m (c^2 1 - c c)`, `c = G - P`.
+pub fn inertia_about_center(model: &mut Model) -> Inertia {
+    let (Some(support), Some(mass)) = (model.state.support, model.mass) else {
+        return model.inertia;
     };
-    let angular = model.frames.graph.results(angular);
-    model
-        .frames
-        .labels
-        .describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
-    if model.motion.is_planar() {
-        model.frames.labels.name(angular[2], "angular");
+    let graph = &mut model.frames.graph;
+    let c = support.offset;
+    let square = graph.norm_squared(c);
+    let mut moved = |i: usize, j: usize, entry: Id| {
+        let product = graph.multiply(c[i], c[j]);
+        let lever = if i == j {
+            graph.subtract(square, product)
+        } else {
+            graph.negate(product)
+        };
+        let change = graph.multiply(mass, lever);
+        graph.add(entry, change)
+    };
+    let inertia = match model.inertia {
+        Inertia::Absent => Inertia::Absent,
+        Inertia::Planar(moment) => Inertia::Planar(moved(2, 2, moment)),
+        Inertia::Spatial(rows) => {
+            Inertia::Spatial([0, 1, 2].map(|i| [0, 1, 2].map(|j| moved(i, j, rows[i][j]))))
+        }
+    };
+    match inertia {
+        Inertia::Planar(moment) => model.frames.labels.name(moment, "inertia_about_support"),
+        Inertia::Spatial(rows) => model.frames.labels.matrix("inertia_about_support", &rows),
+        Inertia::Absent => {}
     }
-    model.frames.labels.vector("angular", angular);
-    angular
+    inertia
 }
 
 fn is_diagonal(model: &Model, rows: &[Components; 3]) -> bool {

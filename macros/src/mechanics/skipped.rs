@@ -33,6 +33,13 @@ fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
             "the moment balance: the body does not turn"
         }
         Motion::Rotation => "the force balance: the motion of G is not modelled",
+        Motion::Pivot => {
+            "the force balance and out of the plane: the body turns about a point of it"
+        }
+        Motion::FixedPoint => {
+            "the force balance: the reaction of the support has no moment about it"
+        }
+        Motion::FixedAxis => "all balances but one: the reactions have no moment about the axis",
         Motion::Spatial => return,
     };
     skipped.push(missing.to_owned());
@@ -98,7 +105,7 @@ fn skip_state(model: &Model, linear: &Components, angular: &Components, skipped:
     let depends = |wanted: fn(Meaning) -> bool| {
         graph.depends_on(&roots, |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(model.meanings.of(*symbol))))
     };
-    let (moves, turns) = (model.motion.has_position(), model.motion.has_attitude());
+    let (moves, turns) = (model.motion.translates(), model.motion.has_attitude());
     let parts: [Part; 4] = [
         (moves, "position", |meaning| {
             matches!(meaning, Meaning::Position(_))

@@ -27,7 +27,7 @@ impl Lowering<'_> {
             "position" | "velocity" => self.motion_of_center(name),
             "attitude" if !self.motion.has_attitude() => self.absent(name, "attitude"),
             "attitude" => match self.frames.attitude {
-                Attitude::Angle(angle) => Some(Value::Scalar(angle, Dimension::NONE)),
+                Attitude::Axis { angle, .. } => Some(Value::Scalar(angle, Dimension::NONE)),
                 _ => Some(Value::Attitude),
             },
             "angular_velocity" if !self.motion.has_attitude() => {
@@ -71,7 +71,7 @@ impl Lowering<'_> {
     }
 
     fn motion_of_center(&mut self, name: &Ident) -> Option<Value> {
-        if !self.motion.has_position() {
+        if !self.motion.knows_position() {
             return self.report(
                 name.span(),
                 format!(
@@ -80,14 +80,22 @@ impl Lowering<'_> {
                 ),
             );
         }
-        let (components, dimension) = if name == "position" {
-            (self.state.position, Dimension::LENGTH)
+        self.check_support_is_read(name)?;
+        Some(if name == "position" {
+            Value::Vector(self.state.position, Dimension::LENGTH)
         } else {
-            (self.state.velocity, Dimension::VELOCITY)
-        };
-        Some(Value::Vector(
-            self.frames.vector(Frame::World, components),
-            dimension,
-        ))
+            Value::Vector(self.state.velocity, Dimension::VELOCITY)
+        })
+    }
+
+    /// What a support is made of cannot depend on the motion that it allows.
+    pub fn check_support_is_read(&mut self, place: &Ident) -> Option<()> {
+        if self.motion.is_supported() && self.state.support.is_none() {
+            return self.report(
+                place.span(),
+                "a support is fixed: it cannot depend on the motion of the body",
+            );
+        }
+        Some(())
     }
 }

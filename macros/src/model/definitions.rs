@@ -3,13 +3,13 @@
 use std::collections::HashMap;
 
 use crate::symbolic::Id;
-use crate::syntax::{Description, Written};
+use crate::syntax::{Description, Expression};
 
 use super::dimension::Dimension;
 use super::frame::{Frames, Vector};
 use super::lower::Lowering;
 use super::motion::Meanings;
-use super::order::{Definition, definition_order};
+use super::order::{Definition, definition_order, split_at_support};
 use super::outline::{self, Outline};
 use super::parameters::Defaults;
 use super::value::{Value, shown};
@@ -64,41 +64,47 @@ impl Lowering<'_> {
         let mut mass = match description.mass {
             Some(_) => Mass::Reported,
             // that it is missing is reported
-            None if self.motion.has_position() => Mass::Reported,
+            None if self.motion.knows_position() => Mass::Reported,
             None => Mass::Absent,
         };
         self.check_mass_key(description, outline::written_motion(description).is_some());
-        for definition in order {
-            match definition {
-                Definition::Mass => {
-                    let id = self.mass(description.mass.as_ref(), defaults);
-                    mass = id.map_or(Mass::Reported, Mass::Known);
-                    self.scope
-                        .define("mass", id.map(|id| Value::Scalar(id, Dimension::MASS)));
-                }
-                Definition::Point(index) => {
-                    let point = &description.points[index];
-                    let value = point.value.as_ref().and_then(|value| self.point(value));
-                    self.scope
-                        .define(&point.name.to_string(), value.map(Value::Point));
-                }
-                Definition::Local(index) => {
-                    let local = &description.locals[index];
-                    let value = local.value.as_ref().and_then(|value| self.value(value));
-                    let value = value.map(|value| self.named(value, &local.name.to_string()));
-                    self.scope.define(&local.name.to_string(), value);
-                }
-            }
+        let (first, rest) = split_at_support(description, &order);
+        for definition in first {
+            self.definition(definition, description, defaults, &mut mass);
+        }
+        if self.motion.is_supported() {
+            self.support(description);
+        }
+        for definition in rest {
+            self.definition(definition, description, defaults, &mut mass);
         }
         for definition in circular {
-            let name = match definition {
-                Definition::Mass => "mass".to_owned(),
-                Definition::Point(index) => description.points[index].name.to_string(),
-                Definition::Local(index) => description.locals[index].name.to_string(),
-            };
-            self.scope.define(&name, None);
+            self.scope.define(&definition.of(description).0, None);
         }
         mass
+    }
+
+    fn definition(
+        &mut self,
+        definition: Definition,
+        description: &Description,
+        defaults: &Defaults,
+        mass: &mut Mass,
+    ) {
+        let (name, value) = definition.of(description);
+        let value = match definition {
+            Definition::Mass => {
+                let id = self.mass(value, defaults);
+                *mass = id.map_or(Mass::Reported, Mass::Known);
+                id.map(|id| Value::Scalar(id, Dimension::MASS))
+            }
+            Definition::Point(_) => value.and_then(|value| self.point(value)).map(Value::Point),
+            Definition::Local(_) => {
+                let value = value.and_then(|value| self.value(value));
+                value.map(|value| self.named(value, &name))
+            }
+        };
+        self.scope.define(&name, value);
     }
 
     /// A local becomes a statement of the code, under its own name.
@@ -135,8 +141,8 @@ impl Lowering<'_> {
         }
     }
 
-    fn mass(&mut self, written: Option<&Written>, defaults: &Defaults) -> Option<Id> {
-        let value = written?.value.as_ref()?;
+    fn mass(&mut self, written: Option<&Expression>, defaults: &Defaults) -> Option<Id> {
+        let value = written?;
         let mass = self.scalar(value, Dimension::MASS, "a mass")?;
         if !self.frames.graph.is_early(mass) {
             let place = self.late_name(value);
@@ -164,7 +170,7 @@ impl Lowering<'_> {
 
     /// A body that moves has a mass.
     fn check_mass_key(&mut self, description: &Description, motion_is_known: bool) {
-        if description.mass.is_some() || !self.motion.has_position() {
+        if description.mass.is_some() || !self.motion.knows_position() {
             return;
         }
         self.scope.define("mass", None);

@@ -22,8 +22,8 @@ pub enum Frame {
 pub enum Attitude {
     /// The axes stay parallel.
     Fixed,
-    /// A rotation about z by an angle, anticlockwise.
-    Angle(Id),
+    /// A rotation by an angle about a unit vector, which is the same in both axes.
+    Axis { angle: Id, direction: Components },
     /// A unit quaternion.
     Quaternion { scalar: Id, vector: Components },
 }
@@ -204,7 +204,7 @@ impl Frames {
         }
         match self.attitude {
             Attitude::Fixed => v,
-            Attitude::Angle(angle) => self.turn_in_plane(angle, v, to),
+            Attitude::Axis { angle, direction } => self.turn_by_angle(angle, direction, v, to),
             Attitude::Quaternion { scalar, vector } => {
                 let axis = match to {
                     Frame::World => vector,
@@ -215,23 +215,27 @@ impl Frames {
         }
     }
 
-    /// `(c x - s y, s x + c y)`
-    fn turn_in_plane(&mut self, angle: Id, [x, y, z]: Components, to: Frame) -> Components {
+    /// `d d.v + c (v - d d.v) + s d x v`: in the plane, `(c x - s y, s x + c y)`.
+    fn turn_by_angle(&mut self, angle: Id, d: Components, v: Components, to: Frame) -> Components {
         let graph = &mut self.graph;
-        let (cosine, sine) = (
-            graph.apply(Function::Cos, &[angle]),
-            graph.apply(Function::Sin, &[angle]),
-        );
+        let cosine = graph.apply(Function::Cos, &[angle]);
+        let sine = graph.apply(Function::Sin, &[angle]);
         self.labels.name(cosine, "cosine");
         self.labels.name(sine, "sine");
-        let sine = if to == Frame::World {
-            sine
-        } else {
-            graph.negate(sine)
+        let sine = match to {
+            Frame::World => sine,
+            Frame::Body => graph.negate(sine),
         };
-        let (cx, sy) = (graph.multiply(cosine, x), graph.multiply(sine, y));
-        let (sx, cy) = (graph.multiply(sine, x), graph.multiply(cosine, y));
-        [graph.subtract(cx, sy), graph.add(sx, cy), z]
+        let along = graph.dot(d, v);
+        let along = graph.scale_vector(along, d);
+        let across = graph.subtract_vectors(v, along);
+        let swept = graph.cross(d, v);
+        let (kept, turned) = (
+            graph.scale_vector(cosine, across),
+            graph.scale_vector(sine, swept),
+        );
+        let turned = graph.add_vectors(kept, turned);
+        graph.add_vectors(turned, along)
     }
 
     /// `v + w t + q x t` with `t = q x 2 v`: 15 multiplications, 15 additions; less where
@@ -274,11 +278,8 @@ impl Frames {
     /// To turn `s v` as `s` times the turned `v` costs nothing where `v` has all its components,
     /// and one whole rotation less where `v` itself is turned too.
     fn common_factor(&mut self, v: Components) -> Option<(Id, Components)> {
-        let axes = if matches!(self.attitude, Attitude::Angle(_)) {
-            2
-        } else {
-            3
-        };
+        let in_plane = self.graph.is_zero(v[2]) && matches!(self.attitude, Attitude::Axis { .. });
+        let axes = if in_plane { 2 } else { 3 };
         let parts = v.map(|component| Part::of(&mut self.graph, component));
         let parts = &parts[..axes];
         if parts.iter().any(|part| self.graph.is_early(part.late)) {

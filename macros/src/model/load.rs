@@ -20,18 +20,7 @@ impl Lowering<'_> {
             }
             LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
         });
-        let point = match &written.point {
-            Some(None) => None,
-            Some(Some(point)) => self.point(point).and_then(|found| match found {
-                Point::World(_) if !self.motion.has_position() => self.report(
-                    point.extent,
-                    "where this point is relative to the body is not known under `motion: \
-                     rotation`: the motion of G is not modelled",
-                ),
-                found => Some(found),
-            }),
-            None => Some(Point::Body(self.frames.graph.zeros())),
-        };
+        let point = self.point_of_load(written);
         Some(Load {
             name: written.name.clone(),
             family: written.family,
@@ -42,6 +31,22 @@ impl Lowering<'_> {
         })
     }
 
+    /// The point at which a load acts; without `.at(..)`, G.
+    pub fn point_of_load(&mut self, written: &syntax::Load) -> Option<Point> {
+        match &written.point {
+            Some(None) => None,
+            Some(Some(point)) => self.point(point).and_then(|found| match found {
+                Point::World(_) if !self.motion.knows_position() => self.report(
+                    point.extent,
+                    "where this point is relative to the body is not known under `motion: \
+                     rotation`: the motion of G is not modelled",
+                ),
+                found => Some(found),
+            }),
+            None => Some(Point::Body(self.frames.graph.zeros())),
+        }
+    }
+
     pub fn pole(&mut self, written: Option<&Written>) -> Option<Point> {
         let Some(written) = written else {
             return Some(Point::Body(self.frames.graph.zeros()));
@@ -49,7 +54,7 @@ impl Lowering<'_> {
         let value = written.value.as_ref()?;
         let point = self.point(value)?;
         let is_center = point == Point::Body(self.frames.graph.zeros());
-        if !self.motion.has_position() && !is_center {
+        if !self.motion.knows_position() && !is_center {
             return self.report(
                 value.extent,
                 "under `motion: rotation` the moment balance is written about G: the motion of G \

@@ -15,8 +15,8 @@ use super::value::Value;
 
 /// Messages that are given in more than one place.
 const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
-pub const UNKNOWN: &str = "unknown loads (`_`) are part of the language, but this version does not \
-                           have them yet: write a value";
+pub const UNKNOWN: &str =
+    "unknown components (`_`) stand in `reactions`, alone: write a value here";
 
 /// All that an expression can see.
 pub struct Lowering<'a> {
@@ -24,7 +24,7 @@ pub struct Lowering<'a> {
     pub scope: &'a mut Scope,
     pub errors: &'a mut Errors,
     pub motion: Motion,
-    pub state: &'a State,
+    pub state: &'a mut State,
 }
 
 impl Lowering<'_> {

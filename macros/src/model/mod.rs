@@ -19,7 +19,9 @@ mod outline;
 mod parameters;
 mod points;
 mod possible;
+mod reaction;
 mod scope;
+mod support;
 mod unit;
 mod value;
 mod vectors;
@@ -27,7 +29,7 @@ mod vectors;
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
-use crate::symbolic::{Graph, Id};
+use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{self, Description};
 
 pub use frame::{Frame, Frames, Vector};
@@ -35,12 +37,14 @@ pub use inertia::Inertia;
 pub use motion::{Meanings, Motion, State};
 pub use names::{AXES, Labels, Meaning};
 pub use outline::{Declared, Outline, Output, outline};
+pub use reaction::Reaction;
 pub use syntax::{Family, LoadKind};
 pub use value::Point;
 
 use inertia::entries;
 use lower::Lowering;
 use parameters::Defaults;
+use reaction::is_unknown;
 use scope::{Scope, check_names};
 
 /// A description, understood.
@@ -52,6 +56,8 @@ pub struct Model {
     pub mass: Option<Id>,
     pub inertia: Inertia,
     pub loads: Vec<Load>,
+    /// Loads with unknown components.
+    pub reactions: Vec<Reaction>,
     pub pole: Point,
     pub outputs: Vec<Output>,
     /// The values of the parameters that have a default.
@@ -70,6 +76,13 @@ pub struct Load {
 }
 
 impl Model {
+    /// The direction of the axis of a hinge, body axes; in the plane, z.
+    pub fn hinge(&mut self) -> Option<Components> {
+        let support = self.state.support.filter(|_| self.motion.is_hinged())?;
+        let z = [0, 0, 1].map(|component| self.frames.graph.integer(component));
+        Some(support.direction.unwrap_or(z))
+    }
+
     /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the one of a planar body.
     pub fn inertia_entries(&self) -> Vec<Id> {
         match self.inertia {
@@ -89,7 +102,7 @@ pub fn lower_description(
     let repeated = check_names(description, errors);
     let mut graph = Graph::default();
     let mut meanings = Meanings::default();
-    let (state, attitude) = motion::state_symbols(outline.motion, &mut graph, &mut meanings);
+    let (mut state, attitude) = motion::state_symbols(outline.motion, &mut graph, &mut meanings);
     let mut frames = Frames {
         graph,
         labels: Labels::default(),
@@ -101,16 +114,19 @@ pub fn lower_description(
         scope: &mut scope,
         errors,
         motion: outline.motion,
-        state: &state,
+        state: &mut state,
     };
 
     let defaults = lowering.declarations(description, outline, &mut meanings);
     let mass = lowering.definitions(description, &defaults);
     let inertia = lowering.inertia(description, mass, &defaults);
-    let loads: Vec<Option<Load>> = description
-        .loads
-        .iter()
-        .map(|load| lowering.load(load))
+    let (unknown, given): (Vec<_>, Vec<_>) =
+        description.loads.iter().partition(|load| is_unknown(load));
+    let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
+    let reactions: Vec<Option<Reaction>> = unknown
+        .into_iter()
+        .enumerate()
+        .map(|(index, load)| lowering.reaction(index, load, &mut meanings))
         .collect();
     let pole = lowering.pole(description.pole.as_ref());
 
@@ -130,11 +146,9 @@ pub fn lower_description(
         .cloned()
         .collect();
 
-    let (inertia, loads, pole) = (
-        inertia?,
-        loads.into_iter().collect::<Option<Vec<_>>>()?,
-        pole?,
-    );
+    let loads = loads.into_iter().collect::<Option<Vec<_>>>();
+    let reactions = reactions.into_iter().collect::<Option<Vec<_>>>();
+    let (inertia, loads, reactions, pole) = (inertia?, loads?, reactions?, pole?);
     let (motion, outputs) = (outline.motion, outline.outputs.clone());
     Some(Model {
         motion,
@@ -144,6 +158,7 @@ pub fn lower_description(
         mass: mass.known(),
         inertia,
         loads,
+        reactions,
         pole,
         outputs,
         defaults,

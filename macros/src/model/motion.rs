@@ -2,8 +2,9 @@
 
 use crate::symbolic::{Components, Graph, Id, Stage};
 
-use super::frame::Attitude;
+use super::frame::{Attitude, Frame, Frames, Vector};
 use super::names::Meaning;
+use super::value::Point;
 
 /// Which coordinates a body has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -13,15 +14,21 @@ pub enum Motion {
     Spatial,
     Translation,
     Rotation,
+    Pivot,
+    FixedPoint,
+    FixedAxis,
 }
 
 impl Motion {
-    pub const ALL: [(&'static str, Self); 5] = [
+    pub const ALL: [(&'static str, Self); 8] = [
         ("planar", Self::Planar),
         ("planar_translation", Self::PlanarTranslation),
         ("spatial", Self::Spatial),
         ("translation", Self::Translation),
         ("rotation", Self::Rotation),
+        ("pivot", Self::Pivot),
+        ("fixed_point", Self::FixedPoint),
+        ("fixed_axis", Self::FixedAxis),
     ];
 
     pub fn word(self) -> &'static str {
@@ -33,17 +40,35 @@ impl Motion {
 
     /// Vectors have two components and moments are scalars.
     pub fn is_planar(self) -> bool {
-        matches!(self, Self::Planar | Self::PlanarTranslation)
+        matches!(self, Self::Planar | Self::PlanarTranslation | Self::Pivot)
     }
 
-    /// G moves.
-    pub fn has_position(self) -> bool {
+    /// Where G is, is known.
+    pub fn knows_position(self) -> bool {
         self != Self::Rotation
+    }
+
+    /// G has coordinates of its own.
+    pub fn translates(self) -> bool {
+        matches!(
+            self,
+            Self::Planar | Self::PlanarTranslation | Self::Spatial | Self::Translation
+        )
+    }
+
+    /// A point of the body is held.
+    pub fn is_supported(self) -> bool {
+        matches!(self, Self::Pivot | Self::FixedPoint | Self::FixedAxis)
+    }
+
+    /// The body turns about one axis, by an angle.
+    pub fn is_hinged(self) -> bool {
+        matches!(self, Self::Pivot | Self::FixedAxis)
     }
 
     /// The body turns.
     pub fn has_attitude(self) -> bool {
-        matches!(self, Self::Planar | Self::Spatial | Self::Rotation)
+        !matches!(self, Self::PlanarTranslation | Self::Translation)
     }
 
     /// Number of components of a vector.
@@ -52,14 +77,80 @@ impl Motion {
     }
 }
 
-/// The symbols of the state. What a motion does not have is zero.
+/// The state of a body, in symbols. What a motion does not have is zero.
 pub struct State {
     pub time: Id,
-    pub position: Components,
-    pub velocity: Components,
+    /// Position, velocity and acceleration of G.
+    pub position: Vector,
+    pub velocity: Vector,
+    pub acceleration: Vector,
+    /// Body axes.
     pub angular_velocity: Components,
-    pub linear_acceleration: Components,
     pub angular_acceleration: Components,
+    /// What holds the body, once it is read.
+    pub support: Option<Support>,
+}
+
+/// A point of the body that is held in space.
+#[derive(Clone, Copy, Debug)]
+pub struct Support {
+    /// Its offset from G, body axes.
+    pub offset: Components,
+    /// Where it is held, world axes.
+    pub anchor: Components,
+    /// The axis about which the body turns, a unit vector, the same in both axes; none about a point.
+    pub direction: Option<Components>,
+}
+
+impl State {
+    /// Where a point is. The difference of two points of the body does not depend on where the
+    /// body is (EQUATIONS.md, H9).
+    pub fn place(&self, frames: &mut Frames, point: Point) -> Vector {
+        match point {
+            Point::World(position) => frames.vector(Frame::World, position),
+            Point::Body(offset) => {
+                let offset = frames.vector(Frame::Body, offset);
+                frames.add(self.position, offset)
+            }
+        }
+    }
+
+    /// The point about which the moments are balanced: that which is held, or G.
+    pub fn center(&self, frames: &mut Frames) -> Point {
+        let offset = self.support.map(|support| support.offset);
+        Point::Body(offset.unwrap_or_else(|| frames.graph.zeros()))
+    }
+
+    /// Holds a point of the body: G moves as the body turns about it.
+    pub fn hold(&mut self, frames: &mut Frames, support: Support) {
+        if let (Some(direction), Attitude::Axis { angle, .. }) =
+            (support.direction, frames.attitude)
+        {
+            frames.attitude = Attitude::Axis { angle, direction };
+            let along = |rate: Components| rate[2];
+            let rates = [
+                along(self.angular_velocity),
+                along(self.angular_acceleration),
+            ];
+            let [velocity, acceleration] =
+                rates.map(|rate| frames.graph.scale_vector(rate, direction));
+            self.angular_velocity = velocity;
+            self.angular_acceleration = acceleration;
+        }
+        let graph = &mut frames.graph;
+        let (w, rate) = (self.angular_velocity, self.angular_acceleration);
+        // c = G - P: v = w x c, a = w' x c + w x (w x c)
+        let center = graph.negate_vector(support.offset);
+        let velocity = graph.cross(w, center);
+        let (driven, centripetal) = (graph.cross(rate, center), graph.cross(w, velocity));
+        let acceleration = graph.add_vectors(driven, centripetal);
+        let held = frames.vector(Frame::World, support.anchor);
+        let from_held = frames.vector(Frame::Body, center);
+        self.position = frames.add(held, from_held);
+        self.velocity = frames.vector(Frame::Body, velocity);
+        self.acceleration = frames.vector(Frame::Body, acceleration);
+        self.support = Some(support);
+    }
 }
 
 /// Symbols and what they stand for: symbol `n` of the graph has meaning `n`.
@@ -94,26 +185,30 @@ impl Meanings {
     }
 }
 
-/// The symbols of a motion's state and the attitude that they make.
+/// The symbols of a motion's state and the attitude that they make. What a support adds comes with
+/// [`State::hold`]: until then the axis of a hinge is z.
 pub fn state_symbols(
     motion: Motion,
     graph: &mut Graph,
     meanings: &mut Meanings,
 ) -> (State, Attitude) {
-    let linear = if motion.has_position() {
+    let linear = if motion.translates() {
         0..motion.axes()
     } else {
         0..0
     };
     let angular = match motion {
-        Motion::Planar => 2..3,
-        Motion::Spatial | Motion::Rotation => 0..3,
+        Motion::Planar | Motion::Pivot | Motion::FixedAxis => 2..3,
+        Motion::Spatial | Motion::Rotation | Motion::FixedPoint => 0..3,
         Motion::PlanarTranslation | Motion::Translation => 0..0,
     };
     let time = meanings.symbol(graph, Stage::State, Meaning::Time);
     let attitude = match motion {
-        Motion::Planar => Attitude::Angle(meanings.symbol(graph, Stage::State, Meaning::Angle)),
-        Motion::Spatial | Motion::Rotation => {
+        Motion::Planar | Motion::Pivot | Motion::FixedAxis => Attitude::Axis {
+            angle: meanings.symbol(graph, Stage::State, Meaning::Angle),
+            direction: [graph.zero(), graph.zero(), graph.one()],
+        },
+        Motion::Spatial | Motion::Rotation | Motion::FixedPoint => {
             let scalar = meanings.symbol(graph, Stage::State, Meaning::Quaternion(0));
             let vector =
                 [1, 2, 3].map(|i| meanings.symbol(graph, Stage::State, Meaning::Quaternion(i)));
@@ -121,13 +216,16 @@ pub fn state_symbols(
         }
         Motion::PlanarTranslation | Motion::Translation => Attitude::Fixed,
     };
+    let zeros = graph.zeros();
+    let in_world = |world: Components| Vector { body: zeros, world };
     let state = State {
         time,
-        position: meanings.vector(graph, linear.clone(), Meaning::Position),
-        velocity: meanings.vector(graph, linear.clone(), Meaning::Velocity),
+        position: in_world(meanings.vector(graph, linear.clone(), Meaning::Position)),
+        velocity: in_world(meanings.vector(graph, linear.clone(), Meaning::Velocity)),
         angular_velocity: meanings.vector(graph, angular.clone(), Meaning::AngularVelocity),
-        linear_acceleration: meanings.vector(graph, linear, Meaning::LinearAcceleration),
+        acceleration: in_world(meanings.vector(graph, linear, Meaning::LinearAcceleration)),
         angular_acceleration: meanings.vector(graph, angular, Meaning::AngularAcceleration),
+        support: None,
     };
     (state, attitude)
 }

@@ -70,6 +70,8 @@ pub enum Meaning {
     /// A parameter, and its component if it is a vector.
     Param(usize, Option<usize>),
     Input(usize, Option<usize>),
+    /// A reaction, given from outside, and its component in world axes.
+    Reaction(usize, usize),
     /// Acceleration of G, world axes.
     LinearAcceleration(usize),
     /// Angular acceleration, body axes.

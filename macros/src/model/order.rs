@@ -1,6 +1,6 @@
 //! The order in which definitions can be read: each after those it refers to.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use proc_macro2::Ident;
 
@@ -47,6 +47,52 @@ pub fn definition_order(
         .into_iter()
         .map(|index| references.definitions[index].1);
     (order.collect(), unread)
+}
+
+impl Definition {
+    /// Its name and its value.
+    pub fn of(self, description: &Description) -> (String, Option<&Expression>) {
+        match self {
+            Self::Mass => {
+                let value = description
+                    .mass
+                    .as_ref()
+                    .and_then(|mass| mass.value.as_ref());
+                ("mass".to_owned(), value)
+            }
+            Self::Point(index) => {
+                let point = &description.points[index];
+                (point.name.to_string(), point.value.as_ref())
+            }
+            Self::Local(index) => {
+                let local = &description.locals[index];
+                (local.name.to_string(), local.value.as_ref())
+            }
+        }
+    }
+}
+
+/// Splits an order of definitions into those that the support needs, and the rest, which can
+/// depend on the motion that the support allows.
+pub fn split_at_support(
+    description: &Description,
+    order: &[Definition],
+) -> (Vec<Definition>, Vec<Definition>) {
+    let support = description.motion.iter().flat_map(|motion| &motion.support);
+    let written = support.flat_map(|support| support.arguments.iter().chain(&support.anchor));
+    let names = |value: &Expression| -> Vec<String> {
+        value.names().into_iter().map(ToString::to_string).collect()
+    };
+    let mut needed: HashSet<String> = written.flatten().flat_map(names).collect();
+    for definition in order.iter().rev() {
+        let (name, value) = definition.of(description);
+        if needed.contains(&name) {
+            needed.extend(value.into_iter().flat_map(names));
+        }
+    }
+    order
+        .iter()
+        .partition(|definition| needed.contains(&definition.of(description).0))
 }
 
 impl<'d> References<'d> {

@@ -7,22 +7,18 @@ use proc_macro2::{Ident, TokenStream};
 
 use crate::errors::{Errors, hint, similar};
 use crate::symbolic::Number;
-use crate::syntax::{Declaration, Description, Expression, Kind, LATER_MOTIONS};
+use crate::syntax::{
+    self, Declaration, Description, Expression, Kind, LATER_MOTIONS, LoadKind, SUPPORTS,
+};
 
 use super::dimension::Dimension;
 use super::frame::Frame;
 use super::motion::Motion;
 use super::parameters::has_placeholder;
+use super::reaction::is_unknown;
 
 /// Outputs of later versions.
-const LATER: [&str; 6] = [
-    "reactions",
-    "linearization",
-    "flow",
-    "taylor",
-    "inverse",
-    "sensitivity",
-];
+const LATER: [&str; 5] = ["linearization", "flow", "taylor", "inverse", "sensitivity"];
 
 /// What can be asked for beyond the accelerations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -30,13 +26,15 @@ pub enum Output {
     Energy,
     Momentum,
     Balance,
+    Reactions,
 }
 
 impl Output {
-    pub const ALL: [(&'static str, Self); 3] = [
+    pub const ALL: [(&'static str, Self); 4] = [
         ("energy", Self::Energy),
         ("momentum", Self::Momentum),
         ("balance", Self::Balance),
+        ("reactions", Self::Reactions),
     ];
 }
 
@@ -50,6 +48,8 @@ pub struct Outline {
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
     pub outputs: Vec<Output>,
+    /// Loads with unknown components, by name.
+    pub reactions: Vec<(Ident, LoadKind)>,
     pub keys: Vec<Ident>,
     /// Names that nothing in the description refers to.
     pub unused: Vec<Ident>,
@@ -98,6 +98,7 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
         outputs: check_outputs(description, errors),
+        reactions: unknown_reactions(description),
         keys: description.keys.clone(),
         unused: Vec::new(),
     }
@@ -124,7 +125,7 @@ fn written_frame(value: &Expression) -> Option<Frame> {
 
 /// The motion that a description names, if there is one of that name.
 pub fn written_motion(description: &Description) -> Option<Motion> {
-    let word = description.motion.as_ref()?.to_string();
+    let word = description.motion.as_ref()?.word.to_string();
     motion(&word)
 }
 
@@ -136,11 +137,11 @@ fn motion(word: &str) -> Option<Motion> {
 /// What a description without a valid motion was probably meant to be, so that the rest of it can
 /// be checked.
 fn likely_motion(description: &Description) -> Motion {
-    let word = description.motion.as_ref().map(Ident::to_string);
+    let word = description
+        .motion
+        .as_ref()
+        .map(|motion| motion.word.to_string());
     let word = word.unwrap_or_default();
-    if word == "pivot" {
-        return Motion::Planar;
-    }
     let meant = similar(&word, Motion::ALL.iter().map(|(known, _)| *known));
     if let Some(motion) = meant.and_then(motion) {
         return motion;
@@ -171,7 +172,7 @@ fn check_motion(description: &Description, errors: &mut Errors) {
     let words = || Motion::ALL.iter().map(|(word, _)| *word);
     let all = || words().collect::<Vec<_>>().join("`, `");
     let name = &description.name;
-    let Some(word) = &description.motion else {
+    let Some(syntax::Motion { word, support }) = &description.motion else {
         // a key without a value is reported already
         if !description.keys.iter().any(|key| key == "motion") {
             errors.push(
@@ -192,6 +193,11 @@ fn check_motion(description: &Description, errors: &mut Errors) {
                 "`{written}(..)` is part of the language, but this version does not have it yet"
             ),
         );
+    } else if SUPPORTS.contains(&written.as_str()) && support.is_none() {
+        errors.push(
+            word.span(),
+            format!("`{written}` about which point? write `{written}(P)` with a point of the body"),
+        );
     } else if written_motion(description).is_none() {
         let hint = hint(&written, words());
         errors.push(
@@ -204,6 +210,16 @@ fn check_motion(description: &Description, errors: &mut Errors) {
     }
 }
 
+/// The loads with unknown components, each name once.
+fn unknown_reactions(description: &Description) -> Vec<(Ident, LoadKind)> {
+    let mut seen = HashSet::new();
+    let unknown = description.loads.iter().filter(|load| is_unknown(load));
+    let reactions = unknown.map(|load| (load.name.clone(), load.kind));
+    reactions
+        .filter(|(name, _)| seen.insert(name.to_string()))
+        .collect()
+}
+
 fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> {
     let mut outputs = Vec::new();
     for word in &description.outputs {
@@ -211,6 +227,13 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
         match Output::ALL.iter().find(|(known, _)| *known == written) {
             Some((_, output)) if outputs.contains(output) => {
                 errors.push(word.span(), format!("`{written}` is asked for twice"));
+            }
+            Some((_, Output::Reactions)) if !description.loads.iter().any(is_unknown) => {
+                errors.push(
+                    word.span(),
+                    "there are no unknown reactions: leave components open, as in `reactions: \
+                     [pin = world(_, _).at(P)]`",
+                );
             }
             Some((_, output)) => outputs.push(*output),
             None if LATER.contains(&written.as_str()) => {

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::hint;
-use crate::symbolic::{Components, Function, Id};
+use crate::symbolic::{Function, Id};
 use crate::syntax::Expression;
 
 use super::dimension::Dimension;
@@ -131,7 +131,7 @@ impl Lowering<'_> {
         } else {
             Dimension::VELOCITY
         };
-        if !self.motion.has_position() && matches!(point, Point::Body(_)) {
+        if !self.motion.knows_position() && matches!(point, Point::Body(_)) {
             return self.report(
                 method.span(),
                 format!(
@@ -140,24 +140,17 @@ impl Lowering<'_> {
                 ),
             );
         }
+        self.check_support_is_read(method)?;
         let vector = match (point, word.as_str()) {
-            (Point::Body(offset), "position") => Vector {
-                body: offset,
-                world: self.state.position,
-            },
-            (Point::Body(offset), _) => Vector {
-                body: self.swept(offset),
-                world: self.state.velocity,
-            },
-            (Point::World(position), "position") => self.frames.vector(Frame::World, position),
+            (point, "position") => self.state.place(self.frames, point),
+            (Point::Body(offset), _) => {
+                let swept = self.frames.graph.cross(self.state.angular_velocity, offset);
+                let swept = self.frames.vector(Frame::Body, swept);
+                self.frames.add(self.state.velocity, swept)
+            }
             (Point::World(_), _) => self.frames.zero_vector(),
         };
         Some(Value::Vector(vector, dimension))
-    }
-
-    /// `w x r`, body axes.
-    fn swept(&mut self, offset: Components) -> Components {
-        self.frames.graph.cross(self.state.angular_velocity, offset)
     }
 
     pub fn field(&mut self, receiver: &Expression, field: &Ident) -> Option<Value> {

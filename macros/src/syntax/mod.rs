@@ -6,6 +6,7 @@
 
 mod entries;
 mod expression;
+mod motion;
 mod parse;
 mod read;
 mod screen;
@@ -15,8 +16,11 @@ mod words;
 
 use proc_macro2::{Ident, TokenStream};
 
+use crate::errors::Extent;
+
 pub use expression::{Expression, Kind, Operator, Prefix, Step};
-pub use parse::{LATER_MOTIONS, parse_description};
+pub use motion::{LATER_MOTIONS, SUPPORTS};
+pub use parse::parse_description;
 pub use unit::UnitExpression;
 
 /// A whole description.
@@ -30,7 +34,7 @@ pub struct Description {
     /// silent.
     pub lost: Vec<String>,
     pub doc: Vec<String>,
-    pub motion: Option<Ident>,
+    pub motion: Option<Motion>,
     pub mass: Option<Written>,
     pub inertia: Option<Written>,
     pub params: Vec<Declaration>,
@@ -71,6 +75,20 @@ pub type Value = Option<Expression>;
 /// `key: value` of a key that was given.
 pub struct Written {
     pub value: Value,
+}
+
+/// `motion: word`, or `motion: word(arguments)` of a body with a support.
+pub struct Motion {
+    pub word: Ident,
+    /// What stands in the parentheses behind the word, and in those of `.at(..)` behind them.
+    pub support: Option<Support>,
+}
+
+/// `(point)` or `(point, direction)`, and `.at(anchor)`.
+pub struct Support {
+    pub arguments: Vec<Value>,
+    pub anchor: Option<Value>,
+    pub extent: Extent,
 }
 
 /// `name`, `name[unit]` or `name = value`: a parameter or an input.

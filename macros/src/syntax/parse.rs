@@ -7,6 +7,7 @@ use crate::errors::{Errors, Extent, similar};
 
 use super::entries::parse_entry;
 use super::expression::Expression;
+use super::motion::parse_motion;
 use super::tokens::{
     Entry, after_sign, is_punct, skip_attributes, split, start, stream, without_attributes,
 };
@@ -31,9 +32,6 @@ const LISTS: [(&str, &str); 11] = [
 const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
 /// Keys of the language that are not there yet.
 const LATER: [&str; 3] = ["potentials", "constraints", "checks"];
-/// Kinds of motion that are not there yet.
-pub const LATER_MOTIONS: [&str; 4] = ["pivot", "fixed_point", "fixed_axis", "rod"];
-
 /// Parses `(runtime) Name { key: value, .. }`. Only without a name is there no description at all.
 pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Description> {
     let (mut description, body) = parse_head(tokens, errors)?;
@@ -355,29 +353,4 @@ fn parse_doc(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
         .lines()
         .map(|line| line.trim().to_owned())
         .collect()
-}
-
-fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
-    match value {
-        [TokenTree::Ident(word)] => Some(word.clone()),
-        [TokenTree::Ident(word), ..] if LATER_MOTIONS.contains(&word.to_string().as_str()) => {
-            Some(word.clone())
-        }
-        [] => None,
-        [TokenTree::Ident(_), extra, ..] => {
-            errors.push(start(extra), "nothing follows the kind of motion");
-            match value {
-                [TokenTree::Ident(word), ..] => Some(word.clone()),
-                _ => None,
-            }
-        }
-        [first, ..] => {
-            errors.push(
-                start(first),
-                "expected a kind of motion: `planar`, `planar_translation`, `spatial`, \
-                 `translation` or `rotation`",
-            );
-            None
-        }
-    }
 }

@@ -1,0 +1,179 @@
+//! Reactions with unknown components, `body(_, _, 0).at(P)` and `moment(body(_, _, 0))`.
+
+use proc_macro2::Ident;
+
+use crate::errors::Extent;
+use crate::symbolic::{Components, Id, Stage};
+use crate::syntax::{self, Expression, Family, Kind, LoadKind};
+
+use super::dimension::Dimension;
+use super::frame::{Frame, Vector};
+use super::lower::Lowering;
+use super::motion::Meanings;
+use super::names::Meaning;
+use super::unit::lower_unit;
+use super::value::Point;
+
+/// A load of which some components are not known.
+pub struct Reaction {
+    pub name: Ident,
+    pub kind: LoadKind,
+    pub point: Point,
+    /// The axes in which its components are written.
+    pub frame: Frame,
+    /// What is given; zero where it is unknown.
+    pub given: Components,
+    /// The unknown components: their axes, and their places.
+    pub unknown: Vec<(usize, Extent)>,
+    /// The whole of it, given from outside, world axes.
+    pub symbols: Vector,
+}
+
+/// Whether a load has unknown components.
+pub fn is_unknown(written: &syntax::Load) -> bool {
+    let value = written.vector.as_ref();
+    written.family == Family::Reaction
+        && value.is_some_and(|value| placeholders(value).next().is_some())
+}
+
+/// The placeholders in `_`, `body(_, 0, _)` and `body(_, 0, _)[N]`, with their axes.
+fn placeholders(value: &Expression) -> impl Iterator<Item = (usize, Extent)> {
+    let inner = match &value.kind {
+        Kind::Unit(inner, _) => inner,
+        _ => value,
+    };
+    let parts = match &inner.kind {
+        Kind::Call(word, parts) if word == "body" || word == "world" => parts.as_slice(),
+        Kind::Placeholder => std::slice::from_ref(inner),
+        _ => &[],
+    };
+    let unknown = parts
+        .iter()
+        .enumerate()
+        .filter(|(_, part)| matches!(part.kind, Kind::Placeholder));
+    unknown.map(|(axis, part)| (axis, part.extent))
+}
+
+impl Lowering<'_> {
+    /// A reaction with unknown components; `index` is its place among them.
+    pub fn reaction(
+        &mut self,
+        index: usize,
+        written: &syntax::Load,
+        meanings: &mut Meanings,
+    ) -> Option<Reaction> {
+        let value = written.vector.as_ref()?;
+        let point = self.point_of_load(written);
+        let (frame, given) = self.known_part(value, written.kind)?;
+        let planar_moment = written.kind == LoadKind::Moment && self.motion.is_planar();
+        let unknown =
+            placeholders(value).map(|(axis, place)| (if planar_moment { 2 } else { axis }, place));
+        let axes = if planar_moment {
+            2..3
+        } else {
+            0..self.motion.axes()
+        };
+        let graph = &mut self.frames.graph;
+        let symbols = [0, 1, 2].map(|axis| {
+            if axes.contains(&axis) {
+                meanings.symbol(graph, Stage::State, Meaning::Reaction(index, axis))
+            } else {
+                graph.zero()
+            }
+        });
+        Some(Reaction {
+            name: written.name.clone(),
+            kind: written.kind,
+            point: point?,
+            frame,
+            given,
+            unknown: unknown.collect(),
+            symbols: self.frames.vector(Frame::World, symbols),
+        })
+    }
+
+    /// The components that are given, and their axes.
+    fn known_part(&mut self, value: &Expression, kind: LoadKind) -> Option<(Frame, Components)> {
+        let expected = if kind == LoadKind::Force {
+            Dimension::FORCE
+        } else {
+            Dimension::MOMENT
+        };
+        let (inner, unit) = match &value.kind {
+            Kind::Unit(inner, unit) => (&**inner, Some(unit)),
+            _ => (value, None),
+        };
+        let factor = match unit {
+            None => self.frames.graph.one(),
+            Some(unit) => {
+                let (factor, found) = lower_unit(unit, self.errors)?;
+                if !found.fits(expected) {
+                    let found = found.described();
+                    return self.report(
+                        unit.extent,
+                        format!(
+                            "a reaction is {}, and this is {found}",
+                            expected.described()
+                        ),
+                    );
+                }
+                self.frames.graph.number(factor)
+            }
+        };
+        let zeros = self.frames.graph.zeros();
+        let Kind::Call(word, parts) = &inner.kind else {
+            // the moment of a planar body
+            let is_moment = kind == LoadKind::Moment && self.motion.is_planar();
+            return if is_moment {
+                Some((Frame::Body, zeros))
+            } else {
+                self.report(
+                    inner.extent,
+                    "in which axes is it unknown? write `body(_, _, _)` or `world(_, _, _)`",
+                )
+            };
+        };
+        let frame = if word == "body" {
+            Frame::Body
+        } else {
+            Frame::World
+        };
+        let axes = self.motion.axes();
+        if parts.len() != axes || (kind == LoadKind::Moment && self.motion.is_planar()) {
+            let form = if kind == LoadKind::Moment {
+                "a moment is one scalar"
+            } else {
+                "a vector has two components"
+            };
+            let form = if self.motion.is_planar() {
+                form
+            } else {
+                "a vector has three components"
+            };
+            return self.report(
+                inner.extent,
+                format!("{form} under `motion: {}`", self.motion.word()),
+            );
+        }
+        let known: Vec<Option<Id>> = parts
+            .iter()
+            .map(|part| match part.kind {
+                Kind::Placeholder => Some(zeros[0]),
+                _ => self.scalar(
+                    part,
+                    if unit.is_some() {
+                        Dimension::NONE
+                    } else {
+                        expected
+                    },
+                    "a component",
+                ),
+            })
+            .collect();
+        let mut given = zeros;
+        for (component, known) in given.iter_mut().zip(known) {
+            *component = self.frames.graph.multiply(factor, known?);
+        }
+        Some((frame, given))
+    }
+}

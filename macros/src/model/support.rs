@@ -1,0 +1,116 @@
+//! Supports: `pivot(P)`, `fixed_point(P)`, `fixed_axis(P, direction)`, held at the world origin or
+//! `.at(world(..))`.
+
+use crate::syntax::{self, Description, Expression};
+
+use super::dimension::Dimension;
+use super::lower::Lowering;
+use super::motion::{Motion, Support};
+use super::value::Point;
+
+impl Lowering<'_> {
+    /// Reads the support that `motion` names, and holds the body by it.
+    pub fn support(&mut self, description: &Description) -> Option<()> {
+        let motion = description.motion.as_ref()?;
+        let support = self.read_support(motion.support.as_ref()?, &motion.word.to_string())?;
+        self.state.hold(self.frames, support);
+        Some(())
+    }
+
+    fn read_support(&mut self, written: &syntax::Support, word: &str) -> Option<Support> {
+        let (point, direction) = match (written.arguments.as_slice(), self.motion) {
+            ([point, direction], Motion::FixedAxis) => (point, Some(direction)),
+            ([point], Motion::Pivot | Motion::FixedPoint) => (point, None),
+            (_, Motion::FixedAxis) => {
+                return self.report(
+                    written.extent,
+                    "write `fixed_axis(P, body(0, 0, 1))`: a point of the body and the direction of \
+                     the axis",
+                );
+            }
+            _ => {
+                return self.report(
+                    written.extent,
+                    format!("write `{word}(P)`: one point of the body"),
+                );
+            }
+        };
+        let anchor = match &written.anchor {
+            None => Some(self.frames.graph.zeros()),
+            Some(anchor) => anchor.as_ref().and_then(|anchor| self.anchor(anchor)),
+        };
+        let offset = point.as_ref().and_then(|point| self.held_point(point));
+        let direction = match direction {
+            None => Some(None),
+            Some(direction) => direction
+                .as_ref()
+                .and_then(|direction| self.direction(direction))
+                .map(Some),
+        };
+        Some(Support {
+            offset: offset?,
+            anchor: anchor?,
+            direction: direction?,
+        })
+    }
+
+    fn held_point(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
+        match self.point(written)? {
+            Point::Body(offset) => Some(offset),
+            Point::World(_) => self.report(
+                written.extent,
+                "a support holds a point of the body, and this one is fixed in space: name the \
+                 point of the body, and where it is held as `.at(world(..))`",
+            ),
+        }
+    }
+
+    fn anchor(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
+        match self.point(written)? {
+            Point::World(position) => Some(position),
+            Point::Body(_) => self.report(
+                written.extent,
+                "a support is held at a point in space: write `.at(world(..))`",
+            ),
+        }
+    }
+
+    /// A unit vector along `written`; at the angle zero both axes are the same.
+    fn direction(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
+        let vector = self.vector(written, Dimension::ANY, "a direction")?;
+        let graph = &mut self.frames.graph;
+        let components = match (
+            graph.is_zero_vector(&vector.body),
+            graph.is_zero_vector(&vector.world),
+        ) {
+            (true, false) => vector.world,
+            (false, true) => vector.body,
+            (true, true) => {
+                return self.report(
+                    written.extent,
+                    "an axis has a direction, and this vector is zero",
+                );
+            }
+            (false, false) => {
+                return self.report(
+                    written.extent,
+                    "write the direction of the axis in body axes alone, or in world axes alone",
+                );
+            }
+        };
+        if components
+            .iter()
+            .any(|component| !graph.is_early(*component))
+        {
+            let place = self.late_name(written);
+            return self.report(
+                place,
+                "the direction of an axis is fixed: it cannot depend on the time, the state or an input",
+            );
+        }
+        let norm = graph.norm(components);
+        let one = graph.one();
+        let reciprocal = graph.divide(one, norm);
+        Some(graph.scale_vector(reciprocal, components))
+    }
+}

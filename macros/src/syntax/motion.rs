@@ -1,0 +1,85 @@
+//! The value of `motion:`: a word, and for a support what stands in parentheses behind it.
+
+use proc_macro2::{Ident, TokenTree};
+
+use crate::errors::Errors;
+
+use super::expression::{Expression, Kind};
+use super::tokens::{start, stream};
+use super::{Motion, Support};
+
+/// Kinds of motion about a support.
+pub const SUPPORTS: [&str; 3] = ["pivot", "fixed_point", "fixed_axis"];
+/// Kinds of motion that are not there yet.
+pub const LATER_MOTIONS: [&str; 1] = ["rod"];
+
+pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> {
+    match value {
+        [TokenTree::Ident(word)] => Some(Motion {
+            word: word.clone(),
+            support: None,
+        }),
+        [TokenTree::Ident(word), ..] if LATER_MOTIONS.contains(&word.to_string().as_str()) => {
+            Some(Motion {
+                word: word.clone(),
+                support: None,
+            })
+        }
+        [TokenTree::Ident(word), TokenTree::Group(_), ..]
+            if SUPPORTS.contains(&word.to_string().as_str()) =>
+        {
+            let written = Expression::parse(stream(value), errors);
+            Some(Motion {
+                word: word.clone(),
+                support: Some(read_support(word, written, errors)),
+            })
+        }
+        [] => None,
+        [TokenTree::Ident(word), extra, ..] => {
+            errors.push(start(extra), "nothing follows the kind of motion");
+            Some(Motion {
+                word: word.clone(),
+                support: None,
+            })
+        }
+        [first, ..] => {
+            errors.push(
+                start(first),
+                "expected a kind of motion: `planar`, `planar_translation`, `spatial`, \
+                 `translation`, `rotation`, or one with a support such as `pivot(P)`",
+            );
+            None
+        }
+    }
+}
+
+/// `word(arguments)` and `word(arguments).at(anchor)`; what cannot be read is reported.
+fn read_support(word: &Ident, written: Option<Expression>, errors: &mut Errors) -> Support {
+    let mut support = Support {
+        arguments: vec![None],
+        anchor: None,
+        extent: word.span().into(),
+    };
+    let mut rest = written;
+    while let Some(expression) = rest.take() {
+        match expression.kind {
+            Kind::Method(inner, method, mut arguments)
+                if method == "at" && support.anchor.is_none() && arguments.len() == 1 =>
+            {
+                support.anchor = Some(arguments.pop());
+                rest = Some(*inner);
+            }
+            Kind::Call(_, arguments) => {
+                support.extent = expression.extent;
+                support.arguments = arguments.into_iter().map(Some).collect();
+            }
+            _ => errors.push(
+                expression.extent,
+                format!(
+                    "a support is `{word}(P)`, or `{word}(P).at(world(..))` away from the origin"
+                ),
+            ),
+        }
+    }
+    support
+}

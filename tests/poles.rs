@@ -42,6 +42,32 @@ mod poles {
     about!(AtOrigin, world(0, 0, 0));
 }
 
+newton_euler::rigid_body!(AtZero {
+    motion: planar,
+    mass: 2,
+    inertia: 0.5,
+    points: [center = body(0, 0), origin = world(0, 0)],
+    forces: [
+        at_center = world(1, 0).at(center),
+        at_origin = world(0, 3).at(origin)
+    ],
+    outputs: [balance],
+});
+
+/// Zero components are those of G in body axes, and of the origin in world axes.
+#[test]
+fn zero_is_a_point_of_the_frame_it_is_written_in() {
+    let state = Planar {
+        position: [2.0, 5.0].into(),
+        ..Planar::default()
+    };
+    let [at_center, at_origin] = AtZero::default().loads(0.0, &state, &());
+    assert_eq!(at_center.point, state.position);
+    assert_eq!(at_origin.point, nalgebra::Vector2::zeros());
+    let acceleration = AtZero::default().acceleration(0.0, &state, &());
+    assert!((acceleration.angular + 2.0 * 3.0 / 0.5).abs() < 1e-14);
+}
+
 /// Acceleration, residual of a given motion and of the true one, and angular momentum, about one pole.
 macro_rules! about {
     ($body:ident, $input:ident, $state:expr, $given:expr, $push:expr, $twist:expr) => {{

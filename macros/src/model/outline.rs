@@ -112,8 +112,8 @@ pub fn distinct(declarations: &[Declaration]) -> impl Iterator<Item = &Declarati
         .filter(move |declaration| seen.insert(declaration.name.to_string()))
 }
 
-/// The axes in which a declared vector is written, as far as its form tells.
-fn written_frame(value: &Expression) -> Option<Frame> {
+/// The axes in which a vector is written, as far as its form tells.
+pub fn written_frame(value: &Expression) -> Option<Frame> {
     match &value.kind {
         Kind::Unit(operand, _) | Kind::Prefix(_, operand) => written_frame(operand),
         Kind::Tuple(_) => Some(Frame::Body),

@@ -7,6 +7,7 @@ use crate::syntax::{Expression, Kind};
 use super::dimension::Dimension;
 use super::frame::Frame;
 use super::lower::{Lowering, UNKNOWN};
+use super::outline::written_frame;
 use super::unit::lower_unit;
 use super::value::{Point, Value};
 
@@ -30,6 +31,15 @@ impl Lowering<'_> {
                     graph.is_zero_vector(&vector.body),
                     graph.is_zero_vector(&vector.world),
                 ) {
+                    (true, true) => match written_frame(expression) {
+                        Some(Frame::Body) => Some(Point::Body(vector.body)),
+                        Some(Frame::World) => Some(Point::World(vector.world)),
+                        None => self.report(
+                            expression.extent,
+                            "this is the zero vector, which points to G and to the origin alike: \
+                             write `G` or `world(..)`",
+                        ),
+                    },
                     (true, _) => self.fixed_point(Point::World(vector.world), found, expression),
                     (_, true) => self.fixed_point(Point::Body(vector.body), found, expression),
                     _ => self.report(

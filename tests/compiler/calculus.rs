@@ -81,6 +81,11 @@ fn what_is_known_early_is_computed_early() {
     let (x, y) = (g.add(a, k), g.add(b, m));
     let sum = g.add(x, y);
     assert_eq!(g.late_cost(&[sum]).add, 2);
+    // 5 - (a + 3) = 2 - a
+    let (five, three, two) = (g.integer(5), g.integer(3), g.integer(2));
+    let inner = g.add(a, three);
+    let minus_inner = g.negate(inner);
+    assert_eq!(g.add(five, minus_inner), g.subtract(two, a));
 }
 
 #[test]

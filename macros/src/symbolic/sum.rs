@@ -134,6 +134,10 @@ impl Graph {
             Node::Add(x, y) if self.is_early(y) => (y, x),
             Node::Subtract(x, y) if self.is_early(x) => (x, self.negate(y)),
             Node::Subtract(x, y) if self.is_early(y) => (self.negate(y), x),
+            Node::Negate(sum) => {
+                let (early, late) = self.split_term(sum);
+                (self.negate(early), self.negate(late))
+            }
             _ => (zero, a),
         }
     }

@@ -241,8 +241,8 @@ impl Frames {
     /// `v + w t + q x t` with `t = q x 2 v`: 15 multiplications, 15 additions; less where
     /// components are zero or known before the state is.
     fn turn_about(&mut self, w: Id, q: Components, v: Components) -> Components {
+        let v = self.late_quantities(v);
         let graph = &mut self.graph;
-        let v = graph.quantities(v);
         let doubled = graph.add_vectors(v, v);
         let doubled = graph.quantities(doubled);
         let swing = graph.cross(q, doubled);
@@ -263,6 +263,17 @@ impl Frames {
         let across = graph.cross(q, swing);
         let change = graph.add_vectors(along, across);
         graph.add_vectors(v, change)
+    }
+
+    /// Statements of the late components: what a turned vector is made of is used more than once.
+    fn late_quantities(&mut self, v: Components) -> Components {
+        v.map(|component| {
+            if self.graph.is_early(component) {
+                component
+            } else {
+                self.graph.quantity(component)
+            }
+        })
     }
 
     /// A vector and its opposite are turned together.

@@ -54,7 +54,13 @@ impl Body<'_> {
             return target.clone();
         }
         let label = |id: Id| frames.labels.get(id).map(str::to_owned);
-        let opposite = || label(frames.graph.negation_of(id)?).map(|name| format!("minus_{name}"));
+        let opposite = || {
+            let mut negations = [id, inner]
+                .map(|id| frames.graph.negation_of(id))
+                .into_iter();
+            let name = negations.find_map(|negation| label(negation?))?;
+            Some(format!("minus_{name}"))
+        };
         let wanted = label(id).or_else(|| label(inner)).or_else(opposite);
         let wanted = wanted.unwrap_or_else(|| self.describe(inner));
         self.unique(&wanted)

@@ -217,6 +217,7 @@ impl Frames {
 
     /// `d d.v + c (v - d d.v) + s d x v`: in the plane, `(c x - s y, s x + c y)`.
     fn turn_by_angle(&mut self, angle: Id, d: Components, v: Components, to: Frame) -> Components {
+        let v = self.late_quantities(v);
         let graph = &mut self.graph;
         let cosine = graph.apply(Function::Cos, &[angle]);
         let sine = graph.apply(Function::Sin, &[angle]);

@@ -188,9 +188,19 @@ impl Lowering<'_> {
                     self.scalar(&arguments[0], of_x, "a bound"),
                     self.scalar(&arguments[1], of_x, "a bound"),
                 );
-                let above = self.frames.graph.apply(Function::Max, &[x, low?]);
+                let (low, high) = (low?, high?);
+                let graph = &mut self.frames.graph;
+                if let (Some(least), Some(most)) = (graph.as_number(low), graph.as_number(high))
+                    && least > most
+                {
+                    return self.report(
+                        method.span(),
+                        "the lower bound comes first, and here it is above the upper one",
+                    );
+                }
+                let above = graph.apply(Function::Max, &[x, low]);
                 return Some(Value::Scalar(
-                    self.frames.graph.apply(Function::Min, &[above, high?]),
+                    graph.apply(Function::Min, &[above, high]),
                     of_x,
                 ));
             }
@@ -209,8 +219,6 @@ impl Lowering<'_> {
                 | Function::Cbrt
                 | Function::Abs
                 | Function::Signum
-                | Function::Floor
-                | Function::Ceil
                 | Function::Atan2
                 | Function::Hypot
                 | Function::Min

@@ -18,10 +18,10 @@ impl Lowering<'_> {
         let graph = &mut self.frames.graph;
         match word.as_str() {
             "t" => Some(Value::Scalar(self.state.time, Dimension::TIME)),
-            "PI" => Some(Value::Scalar(graph.number(Number::pi()), Dimension::NONE)),
+            "PI" => Some(Value::Scalar(graph.number(Number::pi()), Dimension::ANY)),
             "TAU" => Some(Value::Scalar(
                 graph.number(Number::pi() * Number::integer(2)),
-                Dimension::NONE,
+                Dimension::ANY,
             )),
             "G" => Some(Value::Point(Point::Body(graph.zeros()))),
             "position" | "velocity" => self.motion_of_center(name),

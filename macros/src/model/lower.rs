@@ -185,7 +185,7 @@ impl Lowering<'_> {
             expression = match &expression.kind {
                 Kind::Unit(_, unit) => return unit.extent,
                 Kind::Prefix(_, operand) => operand,
-                Kind::Call(_, parts) => {
+                Kind::Call(_, parts) | Kind::Tuple(parts) => {
                     let wrong = parts.iter().filter(|part| match self.value(part) {
                         Some(Value::Scalar(_, found)) => !found.fits(expected),
                         _ => false,

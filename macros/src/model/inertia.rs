@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::Extent;
-use crate::symbolic::{Components, Graph, Id};
+use crate::symbolic::{Components, Id};
 use crate::syntax::{Description, Expression, Kind};
 
 use super::definitions::Mass;
@@ -394,6 +394,6 @@ impl Inertia {
 }
 
 /// The six entries of a symmetric matrix, in the order xx, yy, zz, xy, yz, zx.
-pub fn entries(_: &Graph, rows: &[Components; 3]) -> [Id; 6] {
+pub fn entries(rows: &[Components; 3]) -> [Id; 6] {
     ENTRIES.map(|(_, row, column)| rows[row][column])
 }

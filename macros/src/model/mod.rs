@@ -88,7 +88,7 @@ impl Model {
         match self.inertia {
             Inertia::Absent => Vec::new(),
             Inertia::Planar(moment) => vec![moment],
-            Inertia::Spatial(rows) => entries(&self.frames.graph, &rows).to_vec(),
+            Inertia::Spatial(rows) => entries(&rows).to_vec(),
         }
     }
 }

@@ -28,8 +28,8 @@ impl Lowering<'_> {
             .map(|id| graph.as_number(*id).cloned())
             .collect();
         let Some(numbers) = numbers else {
-            // it depends on what is given when a body is built, and is checked there
-            return Some(());
+            // it depends on what is given when a body is built, and the rest is checked there
+            return self.check_known_moments(draft);
         };
         match draft.inertia {
             Inertia::Absent => Some(()),
@@ -52,6 +52,24 @@ impl Lowering<'_> {
                 }
             }
         }
+    }
+
+    /// Whatever the rest is: a moment that is known is positive.
+    fn check_known_moments(&mut self, draft: &Draft) -> Option<()> {
+        for part in draft.parts.iter().filter(|part| part.row == part.column) {
+            let known = self.frames.graph.as_number(part.entry);
+            if let Some(moment) = known.filter(|moment| !moment.is_positive()) {
+                let (axis, value) = (AXES[part.row], shown(moment));
+                return self.report(
+                    part.extent,
+                    format!(
+                        "no body has this inertia: its moment about {axis} is {value}, and \
+                         moments of inertia are positive"
+                    ),
+                );
+            }
+        }
+        Some(())
     }
 
     /// `entries` are the values of the parts as they were written, in SI units.
@@ -175,11 +193,24 @@ impl Violation {
                 "turned to its principal axes, one moment is larger than the other two together",
             );
         }
-        if !determinant(&|i, k| j[i][k].clone()).is_positive() {
+        let product = determinant(&|i, k| j[i][k].clone());
+        if !product.is_positive() {
             return whole("turned to its principal axes, one moment is not positive");
+        }
+        // where one moment is small beside the others, these are equal, half of the trace each
+        let largest = half * trace;
+        if product <= vanishing() * largest.clone() * largest.clone() * largest {
+            return whole(
+                "turned to its principal axes, one moment vanishes beside the others in the digits of `f64`",
+            );
         }
         None
     }
+}
+
+/// A ratio of moments of inertia that doubles do not tell from zero: twice what `new` refuses.
+fn vanishing() -> Number {
+    Number::ratio(1, 1 << 47)
 }
 
 fn determinant(m: &impl Fn(usize, usize) -> Number) -> Number {

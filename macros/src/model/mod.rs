@@ -29,7 +29,7 @@ mod vectors;
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
-use crate::symbolic::{Components, Graph, Id};
+use crate::symbolic::{Components, Graph, Id, Number};
 use crate::syntax::{self, Description};
 
 pub use frame::{Frame, Frames, Vector};
@@ -181,7 +181,7 @@ pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &
                 .as_number(*id)
                 .is_some_and(|number| !number.fits_f64())
     };
-    if values.iter().any(out_of_range) {
+    if values.iter().any(out_of_range) || outline.has_default() && overflows(model, &early) {
         let with = if outline.params.is_empty() {
             ""
         } else {
@@ -196,4 +196,17 @@ pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &
             ),
         );
     }
+}
+
+/// Whether the constructor, which computes in doubles step by step, leaves their range with the
+/// defaults of all parameters, on its way to one of the `early` values or to mass and inertia.
+fn overflows(model: &Model, early: &[Id]) -> bool {
+    let graph = &model.frames.graph;
+    let wanted = early.iter().copied().chain(model.inertia_entries());
+    let wanted: Vec<Id> = wanted.chain(model.mass).collect();
+    let default = |symbol: Id| graph.as_number(*model.defaults.get(&symbol)?);
+    let values = graph.evaluate(&wanted, |symbol| {
+        default(symbol).map_or(f64::NAN, Number::to_f64)
+    });
+    values.iter().any(|value| !value.is_finite())
 }

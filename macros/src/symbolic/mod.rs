@@ -2,16 +2,14 @@
 //!
 //! This room knows no mechanics and no words: symbols are numbers, and what they stand for is the
 //! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
-//! vectors, a schedule and a cost; and for those who check the equations, so far only tests,
-//! derivatives and a reference interpreter.
+//! vectors, a schedule, a cost and an interpreter; and for those who check the equations, so far
+//! only tests, derivatives.
 
 mod build;
 mod cost;
 #[cfg(test)]
 #[allow(dead_code, reason = "used where the rooms are mounted: tests/compiler")]
 mod derivative;
-#[cfg(test)]
-#[allow(dead_code, reason = "used where the rooms are mounted: tests/compiler")]
 mod evaluate;
 mod graph;
 mod number;

@@ -217,7 +217,10 @@ impl Frames {
 
     /// `d d.v + c (v - d d.v) + s d x v`: in the plane, `(c x - s y, s x + c y)`.
     fn turn_by_angle(&mut self, angle: Id, d: Components, v: Components, to: Frame) -> Components {
-        let v = self.late_quantities(v);
+        let along = self.graph.dot(d, v);
+        let along = self.graph.scale_vector(along, d);
+        let across = self.graph.subtract_vectors(v, along);
+        let across = self.late_quantities(across);
         let graph = &mut self.graph;
         let cosine = graph.apply(Function::Cos, &[angle]);
         let sine = graph.apply(Function::Sin, &[angle]);
@@ -227,10 +230,7 @@ impl Frames {
             Frame::World => sine,
             Frame::Body => graph.negate(sine),
         };
-        let along = graph.dot(d, v);
-        let along = graph.scale_vector(along, d);
-        let across = graph.subtract_vectors(v, along);
-        let swept = graph.cross(d, v);
+        let swept = graph.cross(d, across);
         let (kept, turned) = (
             graph.scale_vector(cosine, across),
             graph.scale_vector(sine, swept),

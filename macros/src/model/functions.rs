@@ -182,28 +182,7 @@ impl Lowering<'_> {
                     of_x.power(-1, 1),
                 ));
             }
-            "clamp" => {
-                self.expect_arguments(method, arguments, 2)?;
-                let (low, high) = (
-                    self.scalar(&arguments[0], of_x, "a bound"),
-                    self.scalar(&arguments[1], of_x, "a bound"),
-                );
-                let (low, high) = (low?, high?);
-                let graph = &mut self.frames.graph;
-                if let (Some(least), Some(most)) = (graph.as_number(low), graph.as_number(high))
-                    && least > most
-                {
-                    return self.report(
-                        method.span(),
-                        "the lower bound comes first, and here it is above the upper one",
-                    );
-                }
-                let above = graph.apply(Function::Max, &[x, low]);
-                return Some(Value::Scalar(
-                    graph.apply(Function::Min, &[above, high]),
-                    of_x,
-                ));
-            }
+            "clamp" => return self.clamp(x, of_x, method, arguments),
             _ => {}
         }
         let Some(function) = Function::from_name(&word) else {
@@ -266,6 +245,35 @@ impl Lowering<'_> {
         Some(Value::Scalar(
             self.frames.graph.apply(function, &operands),
             of_value,
+        ))
+    }
+
+    fn clamp(
+        &mut self,
+        x: Id,
+        of_x: Dimension,
+        method: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        self.expect_arguments(method, arguments, 2)?;
+        let (low, high) = (
+            self.scalar(&arguments[0], of_x, "a bound"),
+            self.scalar(&arguments[1], of_x, "a bound"),
+        );
+        let (low, high) = (low?, high?);
+        let graph = &mut self.frames.graph;
+        if let (Some(least), Some(most)) = (graph.as_number(low), graph.as_number(high))
+            && least > most
+        {
+            return self.report(
+                method.span(),
+                "the lower bound comes first, and here it is above the upper one",
+            );
+        }
+        let above = graph.apply(Function::Max, &[x, low]);
+        Some(Value::Scalar(
+            graph.apply(Function::Min, &[above, high]),
+            of_x,
         ))
     }
 

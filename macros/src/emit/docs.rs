@@ -7,8 +7,9 @@ use crate::mechanics::Equations;
 use crate::model::{Declared, Frame, Outline};
 use crate::symbolic::Cost;
 
+use super::constructor::Constructor;
 use super::functions::Functions;
-use super::items::{Constructor, private};
+use super::paths::private;
 
 /// The rustdoc of the type, and its inherent constants.
 pub struct Documentation {

@@ -8,7 +8,7 @@ use crate::model::{Family, LoadKind, Model, Outline, Output};
 use crate::symbolic::{Components, Cost, Id, Stage};
 
 use super::code::{Fields, Source, Writer};
-use super::items::private;
+use super::paths::private;
 use super::shapes::{Shapes, Values};
 use super::text::to_text;
 

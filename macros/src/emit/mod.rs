@@ -4,12 +4,14 @@
 //! macro passes, so that a renamed dependency or a re-export works.
 
 mod code;
+mod constructor;
 mod docs;
 mod expression;
 mod functions;
 mod implementations;
 mod items;
 mod naming;
+mod paths;
 mod reads;
 mod shapes;
 mod text;
@@ -20,12 +22,12 @@ use quote::quote;
 use crate::mechanics::Equations;
 use crate::model::{Model, Outline};
 
+use constructor::Constructor;
 use functions::Functions;
-use items::Constructor;
 
 /// The type of a body, its parameters and inputs, and all that it implements.
 pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> TokenStream {
-    let fields = items::stored_fields(outline, model, equations);
+    let fields = constructor::stored_fields(outline, model, equations);
     let functions = Functions::write(outline, model, equations, &fields);
     let constructor = Constructor::write(outline, model, &fields);
     let documentation = docs::Documentation::write(outline, &functions, &constructor, equations);

@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use crate::model::{AXES, Motion, Outline};
 use crate::symbolic::{Components, Id};
 
-use super::items::private;
+use super::paths::private;
 
 /// The shapes of one body.
 pub struct Shapes {

@@ -1,0 +1,177 @@
+//! How a body is built: its parameters are checked, and what depends on them alone is computed and
+//! stored.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use crate::mechanics::Equations;
+use crate::model::{Inertia, Meaning, Model, Outline};
+use crate::symbolic::{Cost, Id, Node, Stage};
+
+use super::code::{Fields, Writer};
+use super::naming::local_name;
+use super::paths::private;
+use super::text::to_text;
+
+/// What a body is built from and keeps.
+pub struct Constructor {
+    /// Fields beside `params`: what depends on the parameters alone.
+    pub stored: Vec<Ident>,
+    /// Checks and computations of `new`.
+    pub body: TokenStream,
+    pub cost: Cost,
+    /// The computations as text.
+    pub text: Vec<String>,
+}
+
+/// The expressions of the equations that depend on parameters alone, each with the name of its field.
+pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) -> Fields {
+    let none = Fields::default();
+    let writer = Writer {
+        model,
+        outline,
+        fields: &none,
+        targets: &none,
+        stage: Stage::State,
+        private: private(outline),
+    };
+    let hoisted = writer.schedule(&equations.roots()).hoisted;
+    let mut taken: Vec<String> = vec!["params".to_owned()];
+    let fields = hoisted.into_iter().map(|id| {
+        let labels = &model.frames.labels;
+        let label = labels.get(id).map(str::to_owned);
+        let opposite = || {
+            Some(format!(
+                "minus_{}",
+                labels.get(model.frames.graph.negation_of(id)?)?
+            ))
+        };
+        let wanted = label.or_else(opposite);
+        let wanted = local_name(&wanted.unwrap_or_else(|| field_name(outline, model, id)));
+        let mut name = wanted.clone();
+        let mut repeated = 0;
+        while taken.contains(&name) {
+            repeated += 1;
+            name = format!("{wanted}_{repeated}");
+        }
+        taken.push(name.clone());
+        (id, Ident::new(&name, Span::mixed_site()))
+    });
+    Fields(fields.collect())
+}
+
+/// A constant is called after the parameters that it is computed from.
+fn field_name(outline: &Outline, model: &Model, id: Id) -> String {
+    let graph = &model.frames.graph;
+    let mut words: Vec<String> = Vec::new();
+    for symbol in graph.reachable(&[id], |_| true) {
+        let Node::Symbol(symbol) = graph.node(symbol) else {
+            continue;
+        };
+        if let Meaning::Param(index, _) = model.meanings.of(*symbol) {
+            words.push(outline.params[index].name.to_string());
+        }
+    }
+    words.dedup();
+    words.truncate(3);
+    format!("from_{}", words.join("_"))
+}
+
+impl Constructor {
+    /// `new` checks the parameters, and computes and stores what depends on them alone.
+    pub fn write(outline: &Outline, model: &Model, fields: &Fields) -> Self {
+        let private = private(outline);
+        let none = Fields::default();
+        let writer = Writer {
+            model,
+            outline,
+            fields: &none,
+            targets: fields,
+            stage: Stage::Parameter,
+            private: private.clone(),
+        };
+        let is_open = |id: &Id| model.frames.graph.stage(*id) == Stage::Parameter;
+        let mass: Vec<Id> = model.mass.into_iter().filter(is_open).collect();
+        let inertia = if model.inertia_entries().iter().any(is_open) {
+            model.inertia_entries()
+        } else {
+            Vec::new()
+        };
+        let outputs: Vec<Id> = mass
+            .iter()
+            .chain(&inertia)
+            .copied()
+            .chain(fields.0.iter().map(|(id, _)| *id))
+            .collect();
+        let code = writer.function(&outputs);
+        let (mass_value, rest) = code.outputs.split_at(mass.len());
+        let (inertia_values, values) = rest.split_at(inertia.len());
+
+        let given = finite_checks(outline, model);
+        let mass_check = mass_value
+            .iter()
+            .map(|mass| quote!(#private::check_mass(#mass)?;));
+        let inertia_check = match (model.inertia, inertia_values) {
+            (_, []) => TokenStream::new(),
+            (Inertia::Planar(_), [moment, ..]) => quote!(#private::check_planar_inertia(#moment)?;),
+            (_, entries) => quote!(#private::check_inertia([#(#entries),*])?;),
+        };
+        let stored: Vec<Ident> = fields.0.iter().map(|(_, name)| name.clone()).collect();
+        let words = stored.iter().map(ToString::to_string);
+        let derived = (!stored.is_empty())
+            .then(|| quote!(#private::check_finite(&[#((#words, #stored)),*])?;));
+        let statements = &code.statements;
+        let mut text = code.text;
+        let mut rest = TokenStream::new();
+        for (name, value) in stored.iter().zip(values) {
+            // what is a statement has its name already
+            if *name != to_text(value) {
+                text.push(format!("{name} = {}", to_text(value)));
+                rest.extend(quote!(let #name = #value;));
+            }
+        }
+        let body = quote! {
+            #private::check_finite(&[#(#given),*])?;
+            #statements
+            #(#mass_check)*
+            #inertia_check
+            #rest
+            #derived
+            ::core::result::Result::Ok(Self { params, #(#stored),* })
+        };
+        Self {
+            stored,
+            body,
+            cost: code.cost,
+            text,
+        }
+    }
+
+    pub fn stub() -> Self {
+        Self {
+            stored: Vec::new(),
+            body: quote!(::core::result::Result::Ok(Self { params })),
+            cost: Cost::default(),
+            text: Vec::new(),
+        }
+    }
+}
+
+/// `("arm", params.arm)` of every parameter, by component.
+fn finite_checks(outline: &Outline, model: &Model) -> Vec<TokenStream> {
+    let axes = ["x", "y", "z"];
+    let checks = outline.params.iter().flat_map(|param| {
+        let (name, word) = (&param.name, param.name.to_string());
+        match param.frame {
+            None => vec![quote!((#word, params.#name))],
+            Some(_) => axes[..model.motion.axes()]
+                .iter()
+                .map(|axis| {
+                    let axis = Ident::new(axis, Span::call_site());
+                    quote!((#word, params.#name.#axis))
+                })
+                .collect(),
+        }
+    });
+    checks.collect()
+}

@@ -169,7 +169,10 @@ fn an_inverse_times_its_matrix_is_one() {
     let [xx, yy, zz, xy, yz, zx] =
         ["1.3", "1.7", "2.1", "-0.12", "-0.05", "0.07"].map(|digits| entry(&mut g, digits));
     let matrix = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
-    let inverse = g.inverse_symmetric(&matrix);
+    let cofactors = g.cofactors(&matrix);
+    let (determinant, one) = (g.dot(matrix[0], cofactors[0]), g.one());
+    let reciprocal = g.divide(one, determinant);
+    let inverse = cofactors.map(|row| g.scale_vector(reciprocal, row));
     for (i, row) in inverse.into_iter().enumerate() {
         for (j, column) in matrix.into_iter().enumerate() {
             let entry = g.dot(row, column);

@@ -311,11 +311,18 @@ fn inverse_inertia(model: &mut Model, rows: &[Components; 3]) -> [Components; 3]
     let relative = rows
         .map(|row| graph.scale_vector(scale, row))
         .map(|row| graph.quantities(row));
-    model.frames.labels.name(scale, "inverse_trace");
-    let inverse = graph
-        .inverse_symmetric(&relative)
+    let cofactors = graph.cofactors(&relative);
+    let determinant = graph.dot(relative[0], cofactors[0]);
+    let reciprocal = graph.divide(one, determinant);
+    let inverse = cofactors
+        .map(|row| graph.scale_vector(reciprocal, row))
         .map(|row| graph.scale_vector(scale, row));
-    model.frames.labels.matrix("inverse_inertia", &inverse);
+    let labels = &mut model.frames.labels;
+    labels.name(scale, "inverse_trace");
+    labels.describe("relative_inertia", "J over its trace");
+    labels.matrix("relative_inertia", &relative);
+    labels.name(determinant, "determinant");
+    labels.matrix("inverse_inertia", &inverse);
     inverse
 }
 

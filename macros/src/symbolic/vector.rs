@@ -67,17 +67,13 @@ impl Graph {
         matrix.map(|row| self.dot(row, a))
     }
 
-    /// The inverse of a symmetric matrix, by cofactors.
-    pub fn inverse_symmetric(&mut self, m: &[Components; 3]) -> [Components; 3] {
-        let cofactor_rows = [
+    /// The cofactors of a symmetric matrix: over its determinant, they are its inverse.
+    pub fn cofactors(&mut self, m: &[Components; 3]) -> [Components; 3] {
+        [
             self.cross(m[1], m[2]),
             self.cross(m[2], m[0]),
             self.cross(m[0], m[1]),
-        ];
-        let determinant = self.dot(m[0], cofactor_rows[0]);
-        let one = self.one();
-        let reciprocal = self.divide(one, determinant);
-        cofactor_rows.map(|row| self.scale_vector(reciprocal, row))
+        ]
     }
 
     /// `factor` times a sum, taken into the sum where that costs no operation: an early term is

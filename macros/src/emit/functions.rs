@@ -25,8 +25,6 @@ pub struct Functions {
     pub residual: Function,
     pub loads: Function,
     pub reactions: Function,
-    /// Number of loads.
-    pub load_count: usize,
 }
 
 /// The body of one function.
@@ -126,7 +124,6 @@ impl Functions {
             functions.applied = wrench(&balance.applied);
             functions.residual = wrench(&balance.residual);
             functions.loads = write_loads(&writer, &shapes, balance);
-            functions.load_count = balance.loads.len();
         }
         if outline.outputs.contains(&Output::Reactions) {
             functions.reactions = write_reactions(&writer, &shapes, equations);
@@ -151,7 +148,6 @@ impl Functions {
             residual: never(),
             loads: never(),
             reactions: never(),
-            load_count: 0,
         }
     }
 

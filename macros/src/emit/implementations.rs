@@ -147,7 +147,7 @@ fn emit_momentum(outline: &Outline, shapes: &Shapes, functions: &Functions) -> T
 fn emit_balance(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
     let (name, private) = (&outline.name, &shapes.private);
     let (wrench, load) = (shapes.wrench_type(), shapes.load_type());
-    let count = Literal::usize_unsuffixed(functions.load_count);
+    let count = Literal::usize_unsuffixed(outline.loads);
     let loads = quote!([#load; #count]);
     let given = |name: &str, result: &TokenStream, function: &Function| {
         method(

@@ -38,7 +38,7 @@ impl Output {
     ];
 }
 
-/// The name, motion, parameters, inputs, outputs and keys of a description.
+/// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it has.
 pub struct Outline {
     pub name: Ident,
     /// The path of the runtime crate.
@@ -50,6 +50,8 @@ pub struct Outline {
     pub outputs: Vec<Output>,
     /// Loads with unknown components, by name.
     pub reactions: Vec<(Ident, LoadKind)>,
+    /// Number of given loads.
+    pub loads: usize,
     pub keys: Vec<Ident>,
     /// Names that nothing in the description refers to.
     pub unused: Vec<Ident>,
@@ -99,6 +101,11 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
         inputs: distinct(&description.inputs).map(declared).collect(),
         outputs: check_outputs(description, errors),
         reactions: unknown_reactions(description),
+        loads: description
+            .loads
+            .iter()
+            .filter(|load| !is_unknown(load))
+            .count(),
         keys: description.keys.clone(),
         unused: Vec::new(),
     }

@@ -28,5 +28,7 @@ fn main() {
     let state = Spatial::default();
     let _: SpatialAcceleration = drone.acceleration(0.0, &state, &input);
     let _: f64 = drone.kinetic_energy(&state);
+    let [lift, drag] = drone.loads(0.0, &state, &input);
+    println!("{} {}", lift.name, drag.name);
     println!("{}", Drone::EQUATIONS);
 }

@@ -201,6 +201,11 @@ impl Screen<'_> {
         if let Some(TokenTree::Literal(number)) = before
             && !is_keyword(&text)
         {
+            if after.first().is_some_and(is_parenthesised) {
+                let message =
+                    format!("a product is written with `*`: write `{number} * {word}(..)`");
+                return self.refuse(word.span(), &message);
+            }
             let message = format!("a unit stands in brackets: write `{number}[{word}]`");
             self.errors.push(word.span(), message);
             return Some(None);
@@ -346,4 +351,8 @@ fn ends_operand(token: &TokenTree) -> bool {
         TokenTree::Literal(_) | TokenTree::Group(_) => true,
         TokenTree::Punct(_) => false,
     }
+}
+
+fn is_parenthesised(token: &TokenTree) -> bool {
+    matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis)
 }

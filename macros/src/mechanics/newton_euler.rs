@@ -115,10 +115,11 @@ fn angular_acceleration(model: &mut Model, moments: Vec<Vector>) -> Components {
     };
     let angular = model.frames.graph.results(angular);
     let labels = &mut model.frames.labels;
-    labels.describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
     if model.motion.is_planar() || model.motion.is_hinged() {
+        labels.describe("angular", "(1.4): w' = M / J");
         labels.name(angular[2], "angular");
     }
+    labels.describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
     labels.vector("angular", angular);
     angular
 }

@@ -9,17 +9,17 @@ use super::inertia::Inertia;
 /// An inertia as it was written, with the places to blame.
 pub struct Draft {
     pub inertia: Inertia,
-    pub parts: Vec<Part>,
+    pub entries: Vec<Entry>,
     pub extent: Extent,
 }
 
 /// An entry as it was written.
-pub struct Part {
+pub struct Entry {
     pub row: usize,
     pub column: usize,
     pub extent: Extent,
     /// Its value, before it is moved to G.
-    pub entry: Id,
+    pub value: Id,
     /// Its number, if it is a plain one that can be mended.
     pub literal: Option<Number>,
     pub digits: String,
@@ -27,21 +27,21 @@ pub struct Part {
 
 impl Draft {
     /// What was written for an entry of the symmetric matrix.
-    pub fn part(&self, row: usize, column: usize) -> Option<&Part> {
-        self.parts.iter().find(|part| {
-            (part.row, part.column) == (row, column) || (part.column, part.row) == (row, column)
+    pub fn entry(&self, row: usize, column: usize) -> Option<&Entry> {
+        self.entries.iter().find(|entry| {
+            (entry.row, entry.column) == (row, column) || (entry.column, entry.row) == (row, column)
         })
     }
 }
 
-impl Part {
-    pub fn new(row: usize, column: usize, value: &Expression, entry: Id) -> Self {
-        let digits = literal(value);
+impl Entry {
+    pub fn new(row: usize, column: usize, written: &Expression, value: Id) -> Self {
+        let digits = literal(written);
         Self {
             row,
             column,
-            extent: number_extent(value),
-            entry,
+            extent: number_extent(written),
+            value,
             literal: digits.as_deref().and_then(parse_literal),
             digits: digits.unwrap_or_default(),
         }

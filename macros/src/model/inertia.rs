@@ -1,29 +1,15 @@
 //! Inertia: from the words `principal`, `tensor` and `products` to the tensor about G, checked.
 
-use proc_macro2::Ident;
-
-use crate::errors::Extent;
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Description, Expression, Kind};
 
 use super::definitions::Mass;
 use super::dimension::Dimension;
-use super::draft::{Draft, Part};
+use super::draft::{Draft, Entry};
 use super::lower::Lowering;
 use super::outline::written_motion;
 use super::parameters::Defaults;
 use super::unit::lower_unit;
-use super::value::Point;
-
-/// Entries of a symmetric matrix, by row and column.
-const ENTRIES: [(&str, usize, usize); 6] = [
-    ("xx", 0, 0),
-    ("yy", 1, 1),
-    ("zz", 2, 2),
-    ("xy", 0, 1),
-    ("yz", 1, 2),
-    ("zx", 2, 0),
-];
 
 /// The inertia of a body about G, in body axes.
 #[derive(Clone, Copy, Debug)]
@@ -121,7 +107,7 @@ impl Lowering<'_> {
                 let moment = self.scalar(written, Dimension::INERTIA, "the inertia about G")?;
                 Some(Draft {
                     inertia: Inertia::Planar(moment),
-                    parts: Vec::new(),
+                    entries: Vec::new(),
                     extent: written.extent,
                 })
             }
@@ -152,127 +138,6 @@ impl Lowering<'_> {
         }
     }
 
-    fn refuse_in_plane(&mut self, word: &Ident) -> Option<()> {
-        if self.motion.is_planar() {
-            return self.report(
-                word.span(),
-                "in the plane an inertia is one number, about the axis through G: write \
-                 `inertia: 0.1[kg * m ^ 2]`",
-            );
-        }
-        Some(())
-    }
-
-    fn principal(&mut self, word: &Ident, parts: &[Expression], extent: Extent) -> Option<Draft> {
-        self.refuse_in_plane(word)?;
-        if parts.len() != 3 {
-            return self.report(
-                word.span(),
-                format!(
-                    "`principal` takes three moments of inertia, and this has {}",
-                    parts.len()
-                ),
-            );
-        }
-        let moments: Vec<Option<Id>> = parts
-            .iter()
-            .map(|part| self.scalar(part, Dimension::INERTIA, "a moment of inertia"))
-            .collect();
-        let moments: Vec<Id> = moments.into_iter().collect::<Option<_>>()?;
-        let mut rows = [self.frames.graph.zeros(); 3];
-        for (i, moment) in moments.iter().enumerate() {
-            rows[i][i] = *moment;
-        }
-        let parts = parts
-            .iter()
-            .zip(moments)
-            .enumerate()
-            .map(|(i, (part, moment))| Part::new(i, i, part, moment))
-            .collect();
-        Some(Draft {
-            inertia: Inertia::Spatial(rows),
-            parts,
-            extent,
-        })
-    }
-
-    /// `tensor { .. }` has the entries of the tensor, `products { .. }` the products of inertia
-    /// `J_xy = +integral of x y dm`: their off-diagonals differ in sign (E3).
-    fn record(
-        &mut self,
-        word: &Ident,
-        fields: &[(Ident, Expression)],
-        extent: Extent,
-    ) -> Option<Draft> {
-        if word != "tensor" && word != "products" {
-            return self.report(
-                word.span(),
-                format!("`{word}` is no form of inertia: {FORMS}"),
-            );
-        }
-        self.refuse_in_plane(word)?;
-        let mut rows = [self.frames.graph.zeros(); 3];
-        let mut parts = Vec::new();
-        let mut complete = true;
-        for (index, (name, value)) in fields.iter().enumerate() {
-            let known = name.to_string();
-            let Some((_, row, column)) = ENTRIES.iter().find(|(entry, ..)| *entry == known) else {
-                let reversed: String = known.chars().rev().collect();
-                let hint = if ENTRIES.iter().any(|(entry, ..)| *entry == reversed) {
-                    format!(": the matrix is symmetric, write `{reversed}`")
-                } else {
-                    String::new()
-                };
-                self.errors.push(
-                    name.span(),
-                    format!(
-                        "no entry is called `{known}`; there are `xx`, `yy`, `zz`, `xy`, `yz` and `zx`{hint}"
-                    ),
-                );
-                complete = false;
-                continue;
-            };
-            if fields[..index].iter().any(|(other, _)| other == name) {
-                self.errors
-                    .push(name.span(), format!("`{known}` is given twice"));
-                complete = false;
-            }
-            let Some(entry) = self.scalar(value, Dimension::INERTIA, "an entry of the inertia")
-            else {
-                complete = false;
-                continue;
-            };
-            let entry = if word == "products" && row != column {
-                self.frames.graph.negate(entry)
-            } else {
-                entry
-            };
-            rows[*row][*column] = entry;
-            rows[*column][*row] = entry;
-            parts.push(Part::new(*row, *column, value, entry));
-        }
-        let missing: Vec<&str> = ["xx", "yy", "zz"]
-            .into_iter()
-            .filter(|diagonal| !fields.iter().any(|(name, _)| name == diagonal))
-            .collect();
-        if complete && !missing.is_empty() {
-            let (missing, verb) = (
-                missing.join("` and `"),
-                if missing.len() == 1 { "is" } else { "are" },
-            );
-            self.errors.push(
-                word.span(),
-                format!("`{missing}` {verb} missing: all three moments of inertia are needed"),
-            );
-            complete = false;
-        }
-        complete.then_some(Draft {
-            inertia: Inertia::Spatial(rows),
-            parts,
-            extent,
-        })
-    }
-
     fn scale_draft(&mut self, factor: Id, draft: Draft) -> Draft {
         let graph = &mut self.frames.graph;
         let inertia = match draft.inertia {
@@ -282,67 +147,19 @@ impl Lowering<'_> {
                 Inertia::Spatial(rows.map(|row| graph.scale_vector(factor, row)))
             }
         };
-        let parts = draft.parts.into_iter().map(|part| Part {
-            entry: graph.multiply(factor, part.entry),
-            ..part
+        let entries = draft.entries.into_iter().map(|entry| Entry {
+            value: graph.multiply(factor, entry.value),
+            ..entry
         });
         Draft {
             inertia,
-            parts: parts.collect(),
+            entries: entries.collect(),
             extent: draft.extent,
         }
     }
-
-    /// The parallel-axis theorem, exactly: `J_G = J_P - m (r^2 1 - r r)`.
-    fn moved_to_center(
-        &mut self,
-        draft: Draft,
-        point: Point,
-        mass: Mass,
-        place: &Ident,
-    ) -> Option<Draft> {
-        let Point::Body(r) = point else {
-            return self.report(
-                place.span(),
-                "the inertia is constant only about a point of the body, and this one is fixed \
-                 in space",
-            );
-        };
-        let mass = match mass {
-            Mass::Known(mass) => mass,
-            Mass::Reported => return None,
-            Mass::Absent => {
-                return self.report(
-                    place.span(),
-                    "`.about(P)` needs the mass of the body: write `mass: ..`",
-                );
-            }
-        };
-        let graph = &mut self.frames.graph;
-        let square = graph.norm_squared(r);
-        let minus_mass = graph.negate(mass);
-        let mut change = |i: usize, j: usize, entry: Id| {
-            let product = graph.multiply(r[i], r[j]);
-            let lever = if i == j {
-                graph.subtract(square, product)
-            } else {
-                graph.negate(product)
-            };
-            let change = graph.multiply(minus_mass, lever);
-            graph.add(entry, change)
-        };
-        let inertia = match draft.inertia {
-            Inertia::Absent => Inertia::Absent,
-            Inertia::Planar(moment) => Inertia::Planar(change(2, 2, moment)),
-            Inertia::Spatial(rows) => {
-                Inertia::Spatial([0, 1, 2].map(|i| [0, 1, 2].map(|j| change(i, j, rows[i][j]))))
-            }
-        };
-        Some(Draft { inertia, ..draft })
-    }
 }
 
-const FORMS: &str = "write `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }` or \
+pub const FORMS: &str = "write `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }` or \
                      `products { .. }`; tensor and products differ in the sign of the \
                      off-diagonals, so the word must be said";
 
@@ -383,6 +200,26 @@ fn is_scalar(expression: &Expression) -> bool {
 }
 
 impl Inertia {
+    /// All nine entries; of what is not known, zeros.
+    pub fn rows(self, graph: &mut Graph) -> [Components; 3] {
+        let mut rows = [graph.zeros(); 3];
+        match self {
+            Self::Absent => {}
+            Self::Planar(moment) => rows[2][2] = moment,
+            Self::Spatial(spatial) => rows = spatial,
+        }
+        rows
+    }
+
+    /// An inertia of the same kind with these entries.
+    pub fn with_rows(self, rows: [Components; 3]) -> Self {
+        match self {
+            Self::Absent => Self::Absent,
+            Self::Planar(_) => Self::Planar(rows[2][2]),
+            Self::Spatial(_) => Self::Spatial(rows),
+        }
+    }
+
     /// The one number, or all nine by rows.
     pub fn entries(self) -> Vec<Id> {
         match self {
@@ -391,9 +228,4 @@ impl Inertia {
             Self::Spatial(rows) => rows.into_iter().flatten().collect(),
         }
     }
-}
-
-/// The six entries of a symmetric matrix, in the order xx, yy, zz, xy, yz, zx.
-pub fn entries(rows: &[Components; 3]) -> [Id; 6] {
-    ENTRIES.map(|(_, row, column)| rows[row][column])
 }

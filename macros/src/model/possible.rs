@@ -20,8 +20,8 @@ impl Lowering<'_> {
     ) -> Option<()> {
         let graph = &mut self.frames.graph;
         let entries = draft.inertia.entries();
-        let parts = draft.parts.iter().map(|part| part.entry);
-        let all: Vec<Id> = entries.iter().copied().chain(parts).collect();
+        let written = draft.entries.iter().map(|entry| entry.value);
+        let all: Vec<Id> = entries.iter().copied().chain(written).collect();
         let known = graph.substitute(&all, defaults);
         let numbers: Option<Vec<Number>> = known
             .iter()
@@ -56,12 +56,16 @@ impl Lowering<'_> {
 
     /// Whatever the rest is: a moment that is known is positive.
     fn check_known_moments(&mut self, draft: &Draft) -> Option<()> {
-        for part in draft.parts.iter().filter(|part| part.row == part.column) {
-            let known = self.frames.graph.as_number(part.entry);
+        for entry in draft
+            .entries
+            .iter()
+            .filter(|entry| entry.row == entry.column)
+        {
+            let known = self.frames.graph.as_number(entry.value);
             if let Some(moment) = known.filter(|moment| !moment.is_positive()) {
-                let (axis, value) = (AXES[part.row], shown(moment));
+                let (axis, value) = (AXES[entry.row], shown(moment));
                 return self.report(
-                    part.extent,
+                    entry.extent,
                     format!(
                         "no body has this inertia: its moment about {axis} is {value}, and \
                          moments of inertia are positive"
@@ -72,34 +76,34 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// `entries` are the values of the parts as they were written, in SI units.
+    /// `values` are those of the entries as they were written, in SI units.
     fn report_violation(
         &mut self,
         draft: &Draft,
         violation: &Violation,
         matrix: &Matrix,
-        entries: &[Number],
+        values: &[Number],
     ) -> Option<()> {
         let message = format!("no body has this inertia: {}", violation.message);
-        let literals: Vec<Entry<'_>> = draft
-            .parts
+        let literals: Vec<Literal<'_>> = draft
+            .entries
             .iter()
-            .zip(entries)
-            .filter_map(|(part, value)| {
-                Some(Entry {
-                    row: part.row,
-                    column: part.column,
-                    literal: part.literal.as_ref()?,
+            .zip(values)
+            .filter_map(|(entry, value)| {
+                Some(Literal {
+                    row: entry.row,
+                    column: entry.column,
+                    written: entry.literal.as_ref()?,
                     value,
                 })
             })
             .collect();
         if let Some((row, column, mended)) = mend(matrix, &literals)
-            && let Some(part) = draft.part(row, column)
+            && let Some(entry) = draft.entry(row, column)
         {
-            let digits = &part.digits;
+            let digits = &entry.digits;
             return self.report(
-                part.extent,
+                entry.extent,
                 format!(
                     "{message}; is a decimal point out of place? `{mended}` instead of \
                      `{digits}` would do"
@@ -108,8 +112,8 @@ impl Lowering<'_> {
         }
         let blamed = violation
             .entry
-            .and_then(|(row, column)| draft.part(row, column));
-        self.report(blamed.map_or(draft.extent, |part| part.extent), message)
+            .and_then(|(row, column)| draft.entry(row, column));
+        self.report(blamed.map_or(draft.extent, |entry| entry.extent), message)
     }
 }
 
@@ -126,10 +130,10 @@ struct Violation {
 }
 
 /// A literal that was written for an entry, and what it stands for in SI units.
-struct Entry<'a> {
+struct Literal<'a> {
     row: usize,
     column: usize,
-    literal: &'a Number,
+    written: &'a Number,
     value: &'a Number,
 }
 
@@ -220,19 +224,19 @@ fn determinant(m: &impl Fn(usize, usize) -> Number) -> Number {
 
 /// The one literal, if there is only one, that a moved decimal point turns into one of a possible
 /// inertia: its row and column, and what to write.
-fn mend(matrix: &Matrix, literals: &[Entry<'_>]) -> Option<(usize, usize, String)> {
+fn mend(matrix: &Matrix, literals: &[Literal<'_>]) -> Option<(usize, usize, String)> {
     for shift in 1..=3 {
         let mut found = Vec::new();
-        for entry in literals {
+        for literal in literals {
             for power in [shift, -shift] {
                 let factor = Number::power_of_ten(power);
-                let added = (factor.clone() - Number::one()) * entry.value.clone();
+                let added = (factor.clone() - Number::one()) * literal.value.clone();
                 let mut mended = matrix.clone();
-                let (row, column) = (entry.row, entry.column);
+                let (row, column) = (literal.row, literal.column);
                 mended[row][column] = mended[row][column].clone() + added;
                 mended[column][row] = mended[row][column].clone();
                 if Violation::find(&mended).is_none() {
-                    let digits = shown(&(entry.literal.clone() * factor));
+                    let digits = shown(&(literal.written.clone() * factor));
                     found.push((row, column, digits));
                 }
             }

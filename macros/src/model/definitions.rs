@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::symbolic::Id;
-use crate::syntax::{Description, Expression};
+use crate::syntax::{Composition, Description, Expression};
 
 use super::dimension::Dimension;
 use super::frame::{Frames, Vector};
@@ -69,8 +69,14 @@ impl Lowering<'_> {
         };
         self.check_mass_key(description, outline::written_motion(description).is_some());
         let (first, rest) = split_at_support(description, &order);
-        for definition in first {
-            self.definition(definition, description, defaults, &mut mass);
+        for definition in &first {
+            self.definition(*definition, description, defaults, &mut mass);
+        }
+        if self.composed.is_some() {
+            let is_point_or_local = |definition: &&Definition| **definition != Definition::Mass;
+            for definition in first.iter().take_while(is_point_or_local) {
+                self.read_from_center(*definition, description);
+            }
         }
         if self.motion.is_supported() {
             self.support(description);
@@ -80,6 +86,9 @@ impl Lowering<'_> {
         }
         for definition in circular {
             self.scope.define(&definition.of(description).0, None);
+            if definition == Definition::Mass {
+                self.scope.define("G", None);
+            }
         }
         mass
     }
@@ -92,19 +101,45 @@ impl Lowering<'_> {
         mass: &mut Mass,
     ) {
         let (name, value) = definition.of(description);
-        let value = match definition {
-            Definition::Mass => {
-                let id = self.mass(value, defaults);
-                *mass = id.map_or(Mass::Reported, Mass::Known);
-                id.map(|id| Value::Scalar(id, Dimension::MASS))
-            }
-            Definition::Point(_) => value.and_then(|value| self.point(value)).map(Value::Point),
-            Definition::Local(_) => {
-                let value = value.and_then(|value| self.value(value));
-                value.map(|value| self.named(value, &name))
-            }
+        let value = if definition == Definition::Mass {
+            let id = match &description.composition {
+                None => self.mass(value, defaults),
+                Some(parts) => self.mass_of_parts(parts, defaults),
+            };
+            *mass = id.map_or(Mass::Reported, Mass::Known);
+            id.map(|id| Value::Scalar(id, Dimension::MASS))
+        } else {
+            self.read(definition, description)
         };
         self.scope.define(&name, value);
+    }
+
+    /// The value of a point or a local.
+    fn read(&mut self, definition: Definition, description: &Description) -> Option<Value> {
+        let (name, value) = definition.of(description);
+        if let Definition::Point(_) = definition {
+            return self.point(value?).map(Value::Point);
+        }
+        let value = self.value(value?)?;
+        Some(self.named(value, &name))
+    }
+
+    /// Reads again, now that G is known, what the parts refer to.
+    fn read_from_center(&mut self, definition: Definition, description: &Description) {
+        let (name, _) = definition.of(description);
+        if self.scope.peek(&name).is_some() {
+            let value = self.read(definition, description);
+            self.scope.redefine(&name, value);
+        }
+    }
+
+    /// The mass that the parts have together; with it, G becomes known.
+    fn mass_of_parts(&mut self, parts: &Composition, defaults: &Defaults) -> Option<Id> {
+        self.composed = self.compose(parts, defaults);
+        if self.composed.is_none() {
+            self.scope.define("G", None);
+        }
+        self.composed.map(|composed| composed.mass)
     }
 
     /// A local becomes a statement of the code, under its own name.
@@ -144,18 +179,10 @@ impl Lowering<'_> {
     fn mass(&mut self, written: Option<&Expression>, defaults: &Defaults) -> Option<Id> {
         let value = written?;
         let mass = self.scalar(value, Dimension::MASS, "a mass")?;
-        if !self.frames.graph.is_early(mass) {
-            let place = self.late_name(value);
-            return self.report(
-                place,
-                "the mass is constant: it cannot depend on the time, the state or an input",
-            );
-        }
-        let graph = &mut self.frames.graph;
-        let known = graph.substitute(&[mass], |id| defaults.get(&id).copied())[0];
-        match graph.as_number(known) {
+        self.check_early(value, &[mass], "the mass is constant")?;
+        match self.known(mass, defaults) {
             Some(number) if !number.is_positive() => {
-                let number = shown(number);
+                let number = shown(&number);
                 self.report(
                     value.extent,
                     format!("the mass of a body that moves is positive, and this is {number}"),
@@ -168,8 +195,17 @@ impl Lowering<'_> {
         }
     }
 
-    /// A body that moves has a mass.
+    /// A body that moves has a mass, once.
     fn check_mass_key(&mut self, description: &Description, motion_is_known: bool) {
+        if description.composition.is_some() {
+            if let Some(key) = description.keys.iter().find(|key| *key == "mass") {
+                self.errors.push(
+                    key.span(),
+                    "the parts of `compose([..])` have the mass of the body: leave `mass` out",
+                );
+            }
+            return;
+        }
         if description.mass.is_some() || !self.motion.knows_position() {
             return;
         }

@@ -4,7 +4,16 @@ use crate::errors::Extent;
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, Prefix};
 
+use super::definitions::Mass;
 use super::inertia::Inertia;
+use super::parameters::Defaults;
+
+/// What an inertia is read with.
+#[derive(Clone, Copy)]
+pub struct Given<'d> {
+    pub mass: Mass,
+    pub defaults: &'d Defaults,
+}
 
 /// An inertia as it was written, with the places to blame.
 pub struct Draft {

@@ -9,6 +9,7 @@ use crate::syntax::{Expression, Kind, Prefix};
 use super::dimension::Dimension;
 use super::frame::Frame;
 use super::lower::Lowering;
+use super::solid::is_solid;
 use super::value::{Value, shown};
 
 pub const VECTOR_METHODS: [&str; 7] = [
@@ -47,9 +48,9 @@ impl Lowering<'_> {
                 function.span(),
                 "`moment(..)` stands alone behind the name of a reaction or a field",
             ),
-            "principal" => self.report(
+            _ if word == "principal" || is_solid(function) => self.report(
                 function.span(),
-                "`principal(..)` is an inertia: it stands behind `inertia:`",
+                format!("`{word}(..)` is an inertia: it stands behind `inertia:`"),
             ),
             _ if Function::from_name(&word).is_some()
                 || SCALAR_METHODS.contains(&word.as_str()) =>

@@ -1,14 +1,16 @@
-//! Inertia: from the words `principal`, `tensor` and `products` to the tensor about G, checked.
+//! Inertia: from what was written to the tensor about G, checked.
 
+use crate::errors::similar;
 use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Description, Expression, Kind};
 
 use super::definitions::Mass;
 use super::dimension::Dimension;
-use super::draft::{Draft, Entry};
+use super::draft::{Draft, Entry, Given};
 use super::lower::Lowering;
 use super::outline::written_motion;
 use super::parameters::Defaults;
+use super::solid::{self, is_of_solid, is_solid};
 use super::unit::lower_unit;
 
 /// The inertia of a body about G, in body axes.
@@ -32,6 +34,15 @@ impl Lowering<'_> {
         defaults: &Defaults,
     ) -> Option<Inertia> {
         let name = &description.name;
+        if description.composition.is_some() {
+            return self.composed.map(|composed| {
+                if self.motion.has_attitude() {
+                    composed.inertia
+                } else {
+                    Inertia::Absent
+                }
+            });
+        }
         let Some(written) = &description.inertia else {
             if !self.motion.has_attitude() {
                 return Some(Inertia::Absent);
@@ -49,28 +60,52 @@ impl Lowering<'_> {
         };
         let value = written.value.as_ref()?;
         // what is not needed is read all the same, so that its mistakes are found
-        let draft = self.draft(value, mass)?;
-        let entries = draft.inertia.entries();
-        if !entries.iter().all(|id| self.frames.graph.is_early(*id)) {
-            let place = self.late_name(value);
-            return self.report(
-                place,
-                "the inertia is constant in body axes: it cannot depend on the time, the state \
-                 or an input",
-            );
+        let draft = self.form(value, Given { mass, defaults })?;
+        let turns = self.motion.has_attitude();
+        match base(value) {
+            Kind::Call(word, _) if word == "rod" && !self.motion.is_planar() => {
+                if turns {
+                    let motion = self.motion.word();
+                    return self.report(
+                        word.span(),
+                        format!(
+                            "a rod has no moment of inertia about its own axis, and under \
+                             `motion: {motion}` it could turn about it: give it a radius, \
+                             `cylinder(r, l)`"
+                        ),
+                    );
+                }
+            }
+            _ => self.check_inertia(&draft, defaults)?,
         }
-        self.check_inertia(&draft, |id| defaults.get(&id).copied())?;
-        Some(if self.motion.has_attitude() {
+        Some(if turns {
             draft.inertia
         } else {
             Inertia::Absent
         })
     }
 
-    fn draft(&mut self, written: &Expression, mass: Mass) -> Option<Draft> {
+    /// An inertia, constant, as the kind of motion has it.
+    pub fn form(&mut self, written: &Expression, given: Given<'_>) -> Option<Draft> {
+        let mut draft = self.draft(written, given)?;
+        if let (true, Inertia::Spatial(rows)) = (self.motion.is_planar(), draft.inertia) {
+            draft.inertia = Inertia::Planar(rows[2][2]);
+        }
+        let entries = draft.inertia.entries();
+        self.check_early(written, &entries, CONSTANT)?;
+        Some(draft)
+    }
+
+    fn draft(&mut self, written: &Expression, given: Given<'_>) -> Option<Draft> {
         match &written.kind {
             Kind::Unit(inner, unit) if !is_scalar(inner) => {
-                let draft = self.draft(inner, mass);
+                let draft = self.draft(inner, given);
+                if is_of_solid(inner) {
+                    return self.report(
+                        unit.extent,
+                        "the lengths of a solid have the units: write `sphere(0.1[m])`",
+                    );
+                }
                 let (factor, dimension) = lower_unit(unit, self.errors)?;
                 let draft = draft?;
                 if !dimension.fits(Dimension::INERTIA) {
@@ -84,23 +119,43 @@ impl Lowering<'_> {
                 Some(self.scale_draft(factor, draft))
             }
             Kind::Method(inner, method, arguments) if method == "about" => {
-                let draft = self.draft(inner, mass);
+                let draft = self.draft(inner, given);
                 let [point] = arguments.as_slice() else {
                     return self
                         .report(method.span(), "`.about` takes one point: write `.about(P)`");
                 };
                 let point = self.point(point)?;
-                self.moved_to_center(draft?, point, mass, method)
+                self.moved_to_center(draft?, point, given.mass, method)
+            }
+            Kind::Method(inner, method, arguments) if method == "along" => {
+                let draft = self.draft(inner, given)?;
+                self.along(draft, method, arguments)
+            }
+            Kind::Method(inner, method, arguments) if method == "turned" => {
+                let draft = self.draft(inner, given)?;
+                self.turned(draft, method, arguments)
+            }
+            Kind::Method(inner, method, _)
+                if (method == "mass" || method == "at") && !is_scalar(inner) =>
+            {
+                self.report(
+                    method.span(),
+                    format!(
+                        "`.{method}(..)` stands behind a part of `compose([..])`: this is the \
+                         whole body, about G"
+                    ),
+                )
             }
             Kind::Call(word, parts) if word == "principal" => {
                 self.principal(word, parts, written.extent)
             }
             Kind::Record(word, fields) => self.record(word, fields, written.extent),
-            Kind::Call(word, _) if SOLIDS.contains(&word.to_string().as_str()) => self.report(
+            Kind::Call(word, lengths) if is_solid(word) => {
+                self.solid(word, lengths, written.extent, given)
+            }
+            Kind::Call(word, _) if word == "point" => self.report(
                 word.span(),
-                format!(
-                    "`{word}(..)` is part of the language, but this version does not have it yet"
-                ),
+                "a point has no inertia about itself: points are parts of `compose([..])`",
             ),
             Kind::Poisoned => None,
             _ if self.motion.is_planar() => {
@@ -119,7 +174,12 @@ impl Lowering<'_> {
                 self.visit(parts);
                 self.report(
                     word.span(),
-                    format!("`{word}` is no form of inertia: {FORMS}"),
+                    match similar(&word.to_string(), solid::words()) {
+                        Some(meant) => {
+                            format!("`{word}` is no form of inertia; did you mean `{meant}`?")
+                        }
+                        None => format!("`{word}` is no form of inertia: {FORMS}"),
+                    },
                 )
             }
             Kind::Chain(..) | Kind::Prefix(..) | Kind::Method(..) | Kind::Unit(..)
@@ -159,31 +219,19 @@ impl Lowering<'_> {
     }
 }
 
-pub const FORMS: &str = "write `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }` or \
-                     `products { .. }`; tensor and products differ in the sign of the \
-                     off-diagonals, so the word must be said";
+/// Why an inertia is early.
+pub const CONSTANT: &str = "the inertia is constant in body axes";
 
-/// Solids of a later version.
-const SOLIDS: [&str; 11] = [
-    "cuboid",
-    "box",
-    "sphere",
-    "shell",
-    "cylinder",
-    "tube",
-    "cone",
-    "ellipsoid",
-    "disc",
-    "torus",
-    "compose",
-];
+pub const FORMS: &str = "write `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }`, \
+                         `products { .. }` or a solid such as `cylinder(r, h)`; tensor and \
+                         products differ in the sign of the off-diagonals, so the word must be said";
 
 /// Whether one of the forms of inertia stands somewhere in `expression`.
 fn has_form(expression: &Expression) -> bool {
     let mut found = false;
     expression.visit(|part| {
         found |= match &part.kind {
-            Kind::Call(word, _) => word == "principal",
+            Kind::Call(word, _) => word == "principal" || is_solid(word),
             Kind::Record(..) => true,
             _ => false,
         };
@@ -194,9 +242,23 @@ fn has_form(expression: &Expression) -> bool {
 fn is_scalar(expression: &Expression) -> bool {
     match &expression.kind {
         Kind::Call(..) | Kind::Record(..) => false,
-        Kind::Method(inner, method, _) => method != "about" || is_scalar(inner),
+        Kind::Method(inner, method, _) => {
+            !MOVES.contains(&&*method.to_string()) || is_scalar(inner)
+        }
         _ => true,
     }
+}
+
+/// Methods of an inertia.
+const MOVES: [&str; 5] = ["about", "along", "turned", "mass", "at"];
+
+/// What stands in front of all methods and units.
+pub fn base(expression: &Expression) -> &Kind {
+    let mut expression = expression;
+    while let Kind::Method(inner, ..) | Kind::Unit(inner, _) = &expression.kind {
+        expression = inner;
+    }
+    &expression.kind
 }
 
 impl Inertia {

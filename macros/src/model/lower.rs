@@ -6,9 +6,11 @@ use crate::errors::{Errors, Extent};
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, UnitExpression};
 
+use super::composition::Composed;
 use super::dimension::Dimension;
 use super::frame::{Frames, Vector};
 use super::motion::{Motion, State};
+use super::parameters::Defaults;
 use super::scope::Scope;
 use super::unit::lower_unit;
 use super::value::Value;
@@ -25,6 +27,8 @@ pub struct Lowering<'a> {
     pub errors: &'a mut Errors,
     pub motion: Motion,
     pub state: &'a mut State,
+    /// Of a body that is composed of parts, once they are read.
+    pub composed: Option<Composed>,
 }
 
 impl Lowering<'_> {
@@ -220,6 +224,32 @@ impl Lowering<'_> {
         let names = expression.names();
         let found = names.iter().find(late);
         found.map_or(expression.extent, |name| name.span().into())
+    }
+
+    /// What is fixed is known before the body moves; `rule` says why it has to be.
+    pub fn check_early(&mut self, written: &Expression, ids: &[Id], rule: &str) -> Option<()> {
+        if ids.iter().all(|id| self.frames.graph.is_early(*id)) {
+            return Some(());
+        }
+        let place = self.late_name(written);
+        self.report(
+            place,
+            format!("{rule}: it cannot depend on the time, the state or an input"),
+        )
+    }
+
+    /// The numbers that expressions are, with the defaults of parameters; `None` if one has none.
+    pub fn all_known(&mut self, ids: &[Id], defaults: &Defaults) -> Option<Vec<Number>> {
+        let graph = &mut self.frames.graph;
+        let known = graph.substitute(ids, |id| defaults.get(&id).copied());
+        known
+            .iter()
+            .map(|id| graph.as_number(*id).cloned())
+            .collect()
+    }
+
+    pub fn known(&mut self, id: Id, defaults: &Defaults) -> Option<Number> {
+        self.all_known(&[id], defaults)?.pop()
     }
 
     pub fn check_unitless(&mut self, found: Dimension, place: Extent) -> Option<()> {

@@ -4,6 +4,7 @@
 
 mod arithmetic;
 mod built_in;
+mod composition;
 mod definitions;
 mod dimension;
 mod draft;
@@ -23,7 +24,9 @@ mod points;
 mod possible;
 mod reaction;
 mod scope;
+mod solid;
 mod support;
+mod turn;
 mod unit;
 mod value;
 mod vectors;
@@ -117,6 +120,7 @@ pub fn lower_description(
         errors,
         motion: outline.motion,
         state: &mut state,
+        composed: None,
     };
 
     let defaults = lowering.declarations(description, outline, &mut meanings);

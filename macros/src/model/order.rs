@@ -84,6 +84,11 @@ pub fn split_at_support(
         value.names().into_iter().map(ToString::to_string).collect()
     };
     let mut needed: HashSet<String> = written.flatten().flat_map(names).collect();
+    if let Some(composition) = &description.composition {
+        // no offset from G is known before the parts are
+        needed.insert("mass".to_owned());
+        needed.extend(composition.expressions().flat_map(names));
+    }
     for definition in order.iter().rev() {
         let (name, value) = definition.of(description);
         if needed.contains(&name) {
@@ -98,18 +103,24 @@ pub fn split_at_support(
 impl<'d> References<'d> {
     fn find(description: &'d Description) -> Self {
         let mut definitions = Vec::new();
-        let mut values: Vec<Option<&Expression>> = Vec::new();
-        if let Some(mass) = &description.mass {
+        let mut values: Vec<Vec<&Expression>> = Vec::new();
+        // what is known only when the parts are put together
+        let mut composed = HashMap::new();
+        if let Some(composition) = &description.composition {
+            composed.extend(["mass", "G"].map(|name| (name.to_owned(), definitions.len())));
+            definitions.push((composition.word.to_string(), Definition::Mass));
+            values.push(composition.expressions().collect());
+        } else if let Some(mass) = &description.mass {
             definitions.push(("mass".to_owned(), Definition::Mass));
-            values.push(mass.value.as_ref());
+            values.push(mass.value.iter().collect());
         }
         for (index, point) in description.points.iter().enumerate() {
             definitions.push((point.name.to_string(), Definition::Point(index)));
-            values.push(point.value.as_ref());
+            values.push(point.value.iter().collect());
         }
         for (index, local) in description.locals.iter().enumerate() {
             definitions.push((local.name.to_string(), Definition::Local(index)));
-            values.push(local.value.as_ref());
+            values.push(local.value.iter().collect());
         }
         // of two with one name, the first counts
         let index: HashMap<String, usize> = definitions
@@ -117,12 +128,11 @@ impl<'d> References<'d> {
             .enumerate()
             .rev()
             .map(|(index, (name, _))| (name.clone(), index))
+            .chain(composed)
             .collect();
         let uses = values.into_iter().map(|value| {
-            let names = value.map(Expression::names).unwrap_or_default();
-            let used = names
-                .into_iter()
-                .filter_map(|name| Some((*index.get(&name.to_string())?, name)));
+            let names = value.into_iter().flat_map(Expression::names);
+            let used = names.filter_map(|name| Some((*index.get(&name.to_string())?, name)));
             used.collect()
         });
         Self {

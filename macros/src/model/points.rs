@@ -12,7 +12,8 @@ use super::unit::lower_unit;
 use super::value::{Point, Value};
 
 impl Lowering<'_> {
-    /// A point: a name, `(x, y, z)` from G in body axes, or a vector that is fixed in its frame.
+    /// A point: a name, `(x, y, z)` in body axes, from G or, in the composition of a body, from its
+    /// drawing origin, or a vector that is fixed in its frame.
     pub fn point(&mut self, expression: &Expression) -> Option<Point> {
         if let Some((components, found)) = self.tuple(expression)? {
             return self.fixed_point(Point::Body(components), found, expression);
@@ -32,8 +33,12 @@ impl Lowering<'_> {
                     graph.is_zero_vector(&vector.world),
                 ) {
                     (true, true) => match written_frame(expression) {
-                        Some(Frame::Body) => Some(Point::Body(vector.body)),
-                        Some(Frame::World) => Some(Point::World(vector.world)),
+                        Some(Frame::Body) => {
+                            self.fixed_point(Point::Body(vector.body), found, expression)
+                        }
+                        Some(Frame::World) => {
+                            self.fixed_point(Point::World(vector.world), found, expression)
+                        }
                         None => self.report(
                             expression.extent,
                             "this is the zero vector, which points to G and to the origin alike: \
@@ -67,17 +72,13 @@ impl Lowering<'_> {
             return self.report(place, format!("a point is in m, and this is {found}"));
         }
         let (Point::Body(components) | Point::World(components)) = point;
-        if components
-            .iter()
-            .any(|component| !self.frames.graph.is_early(*component))
-        {
-            let place = self.late_name(written);
-            return self.report(
-                place,
-                "a point is fixed: it cannot depend on the time, the state or an input",
-            );
-        }
-        Some(point)
+        self.check_early(written, &components, "a point is fixed")?;
+        Some(match (point, self.composed) {
+            (Point::Body(written), Some(composed)) => {
+                Point::Body(composed.offset(&mut self.frames.graph, written))
+            }
+            _ => point,
+        })
     }
 
     /// `(x, y, z)` and `(x, y, z)[unit]`; the inner `None` is anything else.

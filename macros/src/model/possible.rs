@@ -4,29 +4,23 @@
 //! semidefinite, which is the triangle inequality in every frame (EQUATIONS.md, F08). Numbers are
 //! checked exactly; equality, a flat body, is allowed.
 
+use proc_macro2::Ident;
+
 use crate::symbolic::{Id, Number};
 
 use super::draft::Draft;
 use super::inertia::Inertia;
 use super::lower::Lowering;
+use super::parameters::Defaults;
 use super::value::shown;
 
 impl Lowering<'_> {
     /// Checks an inertia as far as it is known.
-    pub fn check_inertia(
-        &mut self,
-        draft: &Draft,
-        defaults: impl Fn(Id) -> Option<Id>,
-    ) -> Option<()> {
-        let graph = &mut self.frames.graph;
+    pub fn check_inertia(&mut self, draft: &Draft, defaults: &Defaults) -> Option<()> {
         let entries = draft.inertia.entries();
         let written = draft.entries.iter().map(|entry| entry.value);
         let all: Vec<Id> = entries.iter().copied().chain(written).collect();
-        let known = graph.substitute(&all, defaults);
-        let numbers: Option<Vec<Number>> = known
-            .iter()
-            .map(|id| graph.as_number(*id).cloned())
-            .collect();
+        let numbers = self.all_known(&all, defaults);
         let Some(numbers) = numbers else {
             // it depends on what is given when a body is built, and the rest is checked there
             return self.check_known_moments(draft);
@@ -42,8 +36,7 @@ impl Lowering<'_> {
                 ),
             ),
             Inertia::Spatial(_) => {
-                let matrix =
-                    core::array::from_fn(|i| core::array::from_fn(|j| numbers[3 * i + j].clone()));
+                let matrix = matrix(&numbers);
                 match Violation::find(&matrix) {
                     None => Some(()),
                     Some(violation) => {
@@ -74,6 +67,50 @@ impl Lowering<'_> {
             }
         }
         Some(())
+    }
+
+    /// Checks what parts make together. Each of them is possible, so that without holes the worst
+    /// that can be is that all mass lies on one line.
+    pub fn check_composed(
+        &mut self,
+        inertia: Inertia,
+        has_holes: bool,
+        word: &Ident,
+        defaults: &Defaults,
+    ) -> Option<()> {
+        let Some(numbers) = self.all_known(&inertia.entries(), defaults) else {
+            return Some(());
+        };
+        let violated = match (inertia, numbers.as_slice()) {
+            (Inertia::Planar(_), [moment]) if !moment.is_positive() => {
+                format!("about the normal of the plane it is {}", shown(moment))
+            }
+            (Inertia::Spatial(_), numbers) => match Violation::find(&matrix(numbers)) {
+                Some(violation) => violation.message,
+                None => return Some(()),
+            },
+            _ => return Some(()),
+        };
+        let motion = self.motion.word();
+        self.report(
+            word.span(),
+            if has_holes {
+                format!(
+                    "no body has the inertia of these parts: {violated}; is a hole larger than \
+                     what it is in?"
+                )
+            } else if self.motion.is_planar() {
+                format!(
+                    "all mass of this body is at one point, and under `motion: {motion}` it could \
+                     turn about it: give a part some extent"
+                )
+            } else {
+                format!(
+                    "all mass of this body lies on one line, and under `motion: {motion}` it could \
+                     turn about it: give a part some extent"
+                )
+            },
+        )
     }
 
     /// `values` are those of the entries as they were written, in SI units.
@@ -119,6 +156,11 @@ impl Lowering<'_> {
 
 /// A symmetric matrix, by rows.
 type Matrix = [[Number; 3]; 3];
+
+/// The first nine numbers.
+fn matrix(numbers: &[Number]) -> Matrix {
+    core::array::from_fn(|i| core::array::from_fn(|j| numbers[3 * i + j].clone()))
+}
 
 /// Names of the axes in messages.
 const AXES: [&str; 3] = ["x", "y", "z"];

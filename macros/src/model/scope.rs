@@ -58,6 +58,11 @@ impl Scope {
         self.values.entry(name.to_owned()).or_insert(value);
     }
 
+    /// Gives a name that has a value another one.
+    pub fn redefine(&mut self, name: &str, value: Option<Value>) {
+        self.values.insert(name.to_owned(), value);
+    }
+
     /// `None` for a name that nobody defined.
     #[allow(clippy::option_option, reason = "outer: not defined; inner: reported")]
     pub fn look_up(&mut self, name: &str) -> Option<Option<Value>> {

@@ -4,6 +4,7 @@
 //! nothing: it is reported, and what it would have named stays known, without a value. Nothing is
 //! looked up here and nothing has a meaning yet.
 
+mod composition;
 mod entries;
 mod expression;
 mod motion;
@@ -18,6 +19,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use crate::errors::Extent;
 
+pub use composition::{Composition, Part};
 pub use expression::{Expression, Kind, Operator, Prefix, Step};
 pub use motion::{LATER_MOTIONS, SUPPORTS};
 pub use parse::parse_description;
@@ -37,6 +39,8 @@ pub struct Description {
     pub motion: Option<Motion>,
     pub mass: Option<Written>,
     pub inertia: Option<Written>,
+    /// `inertia: compose([..])`, which is mass, G and inertia together.
+    pub composition: Option<Composition>,
     pub params: Vec<Declaration>,
     pub inputs: Vec<Declaration>,
     pub points: Vec<Definition>,
@@ -58,6 +62,7 @@ impl Description {
             motion: None,
             mass: None,
             inertia: None,
+            composition: None,
             params: Vec::new(),
             inputs: Vec::new(),
             points: Vec::new(),

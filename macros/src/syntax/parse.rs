@@ -5,6 +5,7 @@ use syn::{Lit, LitStr};
 
 use crate::errors::{Errors, Extent, similar};
 
+use super::composition::Composition;
 use super::entries::parse_entry;
 use super::expression::Expression;
 use super::motion::parse_motion;
@@ -301,7 +302,11 @@ fn parse_single(into: &mut Description, key: &str, value: &[TokenTree], errors: 
         "doc" if into.doc.is_empty() => into.doc = parse_doc(value, errors),
         "motion" if into.motion.is_none() => into.motion = parse_motion(value, errors),
         "mass" if into.mass.is_none() => into.mass = written(errors),
-        "inertia" if into.inertia.is_none() => {
+        "inertia" if into.inertia.is_none() && into.composition.is_none() => {
+            into.composition = Composition::parse(value, errors);
+            if into.composition.is_some() {
+                return;
+            }
             into.inertia = match value.first() {
                 Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => {
                     errors.push(

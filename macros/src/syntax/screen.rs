@@ -159,20 +159,22 @@ impl Screen<'_> {
                 Group::new(Delimiter::Bracket, TokenTree::from(number).into())
             }
             Delimiter::Bracket => {
-                let _: Option<()> = match function.filter(|word| is_later(word)) {
-                    Some(later) => self.refuse(
-                        later.span(),
-                        &format!(
-                            "`{later}(..)` is part of the language, but this version does not \
-                             have it yet"
-                        ),
+                let (place, message) = match function {
+                    Some(word) if word == "on" => (
+                        word.span(),
+                        "`on(..)` is part of the language, but this version does not have it yet",
                     ),
-                    None => self.refuse(
+                    Some(word) if word == "compose" => (
+                        word.span(),
+                        "`compose([..])` is a whole body: it stands alone behind `inertia:`",
+                    ),
+                    _ => (
                         group.span_open(),
                         "no list can stand here: brackets hold a unit behind a number, as in \
                          `2[kg]`",
                     ),
                 };
+                let _: Option<()> = self.refuse(place, message);
                 Group::new(Delimiter::Bracket, TokenStream::new())
             }
             delimiter => {
@@ -236,9 +238,13 @@ impl Screen<'_> {
         if is_name && !matches!(text.as_str(), "self" | "Self" | "super" | "crate") {
             return Some(Some(Ident::new_raw(&text, word.span())));
         }
-        let message = format!(
-            "`{text}` is not part of the language: write arithmetic, functions, `if` or names"
-        );
+        let message = if text == "box" {
+            "`box` is a keyword of Rust: the solid is called `cuboid`".to_owned()
+        } else {
+            format!(
+                "`{text}` is not part of the language: write arithmetic, functions, `if` or names"
+            )
+        };
         self.refuse(word.span(), &message)
     }
 
@@ -337,11 +343,6 @@ impl Nested {
             TokenTree::Literal(_) => self.signs = 0,
         }
     }
-}
-
-/// Functions of a later version that take lists.
-fn is_later(word: &Ident) -> bool {
-    word == "on" || word == "compose"
 }
 
 /// Whether brackets behind this token hold a unit.

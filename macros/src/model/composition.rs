@@ -1,0 +1,213 @@
+//! A body composed of parts: its mass, its center of mass and its inertia about it.
+//!
+//! Parts and points are written from one drawing origin. Nothing is ever moved back to G by a
+//! subtraction: offsets are taken from the first part, then from G, and the inertia is built up
+//! about G (EQUATIONS.md, H3).
+
+use crate::symbolic::{Components, Graph, Id};
+use crate::syntax::{Composition, Expression, Kind, Part};
+
+use super::definitions::Mass;
+use super::dimension::Dimension;
+use super::draft::Given;
+use super::inertia::Inertia;
+use super::lower::Lowering;
+use super::parallel_axis::displaced;
+use super::parameters::Defaults;
+use super::solid::is_of_solid;
+use super::value::{Point, shown};
+
+/// What the parts of a body make together.
+#[derive(Clone, Copy, Debug)]
+pub struct Composed {
+    pub mass: Id,
+    /// About G.
+    pub inertia: Inertia,
+    /// Where the first part is, from the drawing origin.
+    first: Components,
+    /// G, from there.
+    center: Components,
+}
+
+const HOLE: &str = "a part of negative mass is a hole, and a hole is a solid or a point: write \
+                    `cylinder(r, h).mass(..)`";
+
+/// A part, read.
+struct Member {
+    mass: Id,
+    is_hole: bool,
+    /// About its own center of mass.
+    rows: [Components; 3],
+    /// From the drawing origin.
+    point: Components,
+}
+
+impl Composed {
+    /// The offset from G of what was written from the drawing origin.
+    pub fn offset(&self, graph: &mut Graph, point: Components) -> Components {
+        let from_first = graph.subtract_vectors(point, self.first);
+        graph.subtract_vectors(from_first, self.center)
+    }
+}
+
+impl Lowering<'_> {
+    /// Reads the parts; from here on, points are offsets from G.
+    pub fn compose(&mut self, written: &Composition, defaults: &Defaults) -> Option<Composed> {
+        let members: Vec<Option<Member>> = written
+            .parts
+            .iter()
+            .map(|part| self.member(part.as_ref()?, defaults))
+            .collect();
+        let members: Vec<Member> = members.into_iter().collect::<Option<_>>()?;
+        let masses: Vec<Id> = members.iter().map(|member| member.mass).collect();
+        let mass = self.frames.graph.sum(&masses);
+        match self.known(mass, defaults) {
+            Some(number) if !number.is_positive() => {
+                let number = shown(&number);
+                return self.report(
+                    written.word.span(),
+                    format!(
+                        "the mass of a body that moves is positive, and that of these parts \
+                         together is {number}"
+                    ),
+                );
+            }
+            _ => {}
+        }
+        let graph = &mut self.frames.graph;
+        let first = members.first()?.point;
+        let offsets: Vec<Components> = members
+            .iter()
+            .map(|member| graph.subtract_vectors(member.point, first))
+            .collect();
+        let center = [0, 1, 2].map(|axis| {
+            let moments = masses.iter().zip(&offsets);
+            let moments: Vec<Id> = moments
+                .map(|(mass, offset)| graph.multiply(*mass, offset[axis]))
+                .collect();
+            let moment = graph.sum(&moments);
+            let center = graph.divide(moment, mass);
+            graph.quantity(center)
+        });
+        self.frames.labels.vector("center", center);
+        let mut rows = [self.frames.graph.zeros(); 3];
+        for (member, offset) in members.iter().zip(offsets) {
+            let graph = &mut self.frames.graph;
+            let from_center = graph.subtract_vectors(offset, center);
+            let about_center = displaced(graph, member.mass, from_center, &member.rows);
+            for (row, added) in rows.iter_mut().zip(about_center) {
+                *row = graph.add_vectors(*row, added);
+            }
+        }
+        let inertia = if self.motion.is_planar() {
+            Inertia::Planar(rows[2][2])
+        } else {
+            Inertia::Spatial(rows)
+        };
+        if self.motion.has_attitude() {
+            let has_holes = members.iter().any(|member| member.is_hole);
+            self.check_composed(inertia, has_holes, &written.word, defaults)?;
+        }
+        Some(Composed {
+            mass,
+            inertia,
+            first,
+            center,
+        })
+    }
+
+    fn member(&mut self, part: &Part, defaults: &Defaults) -> Option<Member> {
+        let point = match &part.point {
+            None => Some(self.frames.graph.zeros()),
+            Some(point) => point.as_ref().and_then(|point| self.place(point)),
+        };
+        let (mass, rows) = match &part.form.kind {
+            Kind::Call(word, arguments) if word == "point" => {
+                if let Some(Some(mass)) = &part.mass {
+                    return self.report(
+                        mass.extent,
+                        "the mass of a point stands in its parentheses: leave `.mass(..)` out",
+                    );
+                }
+                let [mass] = arguments.as_slice() else {
+                    return self.report(
+                        word.span(),
+                        "a point is known by its mass: write `point(1[kg]).at(P)`",
+                    );
+                };
+                let zeros = [self.frames.graph.zeros(); 3];
+                (self.part_mass(mass, defaults), Some(zeros))
+            }
+            _ => self.extended(part, defaults),
+        };
+        let (mass, is_hole) = mass?;
+        Some(Member {
+            mass,
+            is_hole,
+            rows: rows?,
+            point: point?,
+        })
+    }
+
+    /// Mass and inertia of a part that is more than a point.
+    fn extended(
+        &mut self,
+        part: &Part,
+        defaults: &Defaults,
+    ) -> (Option<(Id, bool)>, Option<[Components; 3]>) {
+        let form = &part.form;
+        let mass = match &part.mass {
+            Some(mass) => mass
+                .as_ref()
+                .and_then(|mass| self.part_mass(mass, defaults)),
+            None if matches!(form.kind, Kind::Poisoned) => None,
+            None => self.report(
+                form.extent,
+                "this part has no mass: write `.mass(1[kg])` behind it",
+            ),
+        };
+        let given = Given {
+            mass: mass.map_or(Mass::Reported, |(mass, _)| Mass::Known(mass)),
+            defaults,
+        };
+        let Some(draft) = self.form(form, given) else {
+            return (mass, None);
+        };
+        if !is_of_solid(form) {
+            if let (Some((_, true)), Some(Some(written))) = (mass, &part.mass) {
+                self.errors.push(written.extent, HOLE);
+                return (None, None);
+            }
+            if self.check_inertia(&draft, defaults).is_none() {
+                return (mass, None);
+            }
+        }
+        let rows = draft.inertia.rows(&mut self.frames.graph);
+        (mass, Some(rows))
+    }
+
+    /// The mass of a part, and whether it is that of a hole.
+    fn part_mass(&mut self, written: &Expression, defaults: &Defaults) -> Option<(Id, bool)> {
+        let mass = self.scalar(written, Dimension::MASS, "a mass")?;
+        self.check_early(written, &[mass], "the mass is constant")?;
+        if self.frames.graph.is_zero(mass) {
+            return self.report(
+                written.extent,
+                "a part without mass changes nothing: leave it out",
+            );
+        }
+        let known = self.known(mass, defaults);
+        Some((mass, known.is_some_and(|known| known.is_negative())))
+    }
+
+    /// Where a part is.
+    fn place(&mut self, written: &Expression) -> Option<Components> {
+        match self.point(written)? {
+            Point::Body(offset) => Some(offset),
+            Point::World(_) => self.report(
+                written.extent,
+                "a part is fixed in the body, and this point is fixed in space",
+            ),
+        }
+    }
+}

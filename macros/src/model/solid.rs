@@ -1,0 +1,235 @@
+//! Solids of uniform density, and what their moments of inertia are.
+
+use proc_macro2::Ident;
+
+use crate::errors::Extent;
+use crate::symbolic::{Id, Number};
+use crate::syntax::{Expression, Kind};
+
+use super::definitions::Mass;
+use super::dimension::Dimension;
+use super::draft::{Draft, Given};
+use super::inertia::{Inertia, base};
+use super::lower::Lowering;
+use super::value::shown;
+
+/// A solid about its center of mass, in its principal axes; z is the axis of symmetry.
+struct Solid {
+    word: &'static str,
+    /// What it is measured by.
+    lengths: &'static [&'static str],
+    /// For the moments about x, y and z: what the square of each length is multiplied with, per
+    /// mass.
+    moments: [&'static [(i64, u64)]; 3],
+    /// The length that is smaller than the other, and why.
+    smaller: Option<(usize, usize, &'static str)>,
+}
+
+/// Thickness is zero where it is not asked for.
+const SOLIDS: [Solid; 10] = [
+    Solid {
+        word: "cuboid",
+        lengths: &["a", "b", "c"],
+        moments: [
+            &[(0, 1), (1, 12), (1, 12)],
+            &[(1, 12), (0, 1), (1, 12)],
+            &[(1, 12), (1, 12), (0, 1)],
+        ],
+        smaller: None,
+    },
+    Solid {
+        word: "sphere",
+        lengths: &["r"],
+        moments: [&[(2, 5)]; 3],
+        smaller: None,
+    },
+    Solid {
+        word: "shell",
+        lengths: &["r"],
+        moments: [&[(2, 3)]; 3],
+        smaller: None,
+    },
+    Solid {
+        word: "cylinder",
+        lengths: &["r", "h"],
+        moments: [&[(1, 4), (1, 12)], &[(1, 4), (1, 12)], &[(1, 2), (0, 1)]],
+        smaller: None,
+    },
+    Solid {
+        word: "tube",
+        lengths: &["r1", "r2", "h"],
+        moments: [
+            &[(1, 4), (1, 4), (1, 12)],
+            &[(1, 4), (1, 4), (1, 12)],
+            &[(1, 2), (1, 2), (0, 1)],
+        ],
+        smaller: Some((0, 1, "the inner radius comes first and is the smaller one")),
+    },
+    Solid {
+        word: "cone",
+        lengths: &["r", "h"],
+        moments: [&[(3, 20), (3, 80)], &[(3, 20), (3, 80)], &[(3, 10), (0, 1)]],
+        smaller: None,
+    },
+    Solid {
+        word: "ellipsoid",
+        lengths: &["a", "b", "c"],
+        moments: [
+            &[(0, 1), (1, 5), (1, 5)],
+            &[(1, 5), (0, 1), (1, 5)],
+            &[(1, 5), (1, 5), (0, 1)],
+        ],
+        smaller: None,
+    },
+    Solid {
+        word: "rod",
+        lengths: &["l"],
+        moments: [&[(1, 12)], &[(1, 12)], &[(0, 1)]],
+        smaller: None,
+    },
+    Solid {
+        word: "disc",
+        lengths: &["r"],
+        moments: [&[(1, 4)], &[(1, 4)], &[(1, 2)]],
+        smaller: None,
+    },
+    Solid {
+        word: "torus",
+        lengths: &["R", "r"],
+        moments: [&[(1, 2), (5, 8)], &[(1, 2), (5, 8)], &[(1, 1), (3, 4)]],
+        smaller: Some((
+            1,
+            0,
+            "the radius of the ring comes first, that of its tube is smaller",
+        )),
+    },
+];
+
+/// The words of all solids.
+pub fn words() -> impl Iterator<Item = &'static str> {
+    SOLIDS.iter().map(|solid| solid.word)
+}
+
+pub fn is_solid(word: &Ident) -> bool {
+    words().any(|solid| word == solid)
+}
+
+/// Whether an inertia is that of a solid, turned or not.
+pub fn is_of_solid(written: &Expression) -> bool {
+    matches!(base(written), Kind::Call(word, _) if is_solid(word))
+}
+
+impl Lowering<'_> {
+    /// `cylinder(r, h)` and the others: exactly, as everything that is built from numbers.
+    pub fn solid(
+        &mut self,
+        word: &Ident,
+        written: &[Expression],
+        extent: Extent,
+        given: Given<'_>,
+    ) -> Option<Draft> {
+        let solid = SOLIDS.iter().find(|solid| word == solid.word)?;
+        let squares = self.squared_lengths(solid, word, written, given);
+        let mass = match given.mass {
+            Mass::Known(mass) => Some(mass),
+            Mass::Reported => None,
+            Mass::Absent => self.report(
+                word.span(),
+                format!("`{word}(..)` needs the mass of the body: write `mass: ..`"),
+            ),
+        };
+        let (squares, mass) = (squares?, mass?);
+        let graph = &mut self.frames.graph;
+        let moments = solid.moments.map(|factors| {
+            let terms = factors
+                .iter()
+                .zip(&squares)
+                .map(|((above, below), square)| {
+                    let factor = graph.number(Number::ratio(*above, *below));
+                    graph.multiply(factor, *square)
+                });
+            let terms: Vec<Id> = terms.collect();
+            let per_mass = graph.sum(&terms);
+            graph.multiply(mass, per_mass)
+        });
+        let moments = if self.motion.is_planar() && word == "rod" {
+            // in the plane, a rod lies in it
+            [moments[2], moments[0], moments[1]]
+        } else {
+            moments
+        };
+        let mut rows = [self.frames.graph.zeros(); 3];
+        for (i, moment) in moments.into_iter().enumerate() {
+            rows[i][i] = moment;
+        }
+        Some(Draft {
+            inertia: Inertia::Spatial(rows),
+            entries: Vec::new(),
+            extent,
+        })
+    }
+
+    fn squared_lengths(
+        &mut self,
+        solid: &Solid,
+        word: &Ident,
+        written: &[Expression],
+        given: Given<'_>,
+    ) -> Option<Vec<Id>> {
+        let (expected, found) = (solid.lengths.len(), written.len());
+        if expected != found {
+            self.visit(written);
+            let lengths = if expected == 1 { "length" } else { "lengths" };
+            let names = solid.lengths.join(", ");
+            return self.report(
+                word.span(),
+                format!(
+                    "`{word}({names})` is measured by {expected} {lengths}, and this has {found}"
+                ),
+            );
+        }
+        let lengths: Vec<Option<Id>> = written
+            .iter()
+            .map(|length| self.length(length, given))
+            .collect();
+        let lengths: Vec<Id> = lengths.into_iter().collect::<Option<_>>()?;
+        if let Some((small, large, reason)) = solid.smaller
+            && let (Some(a), Some(b)) = (
+                self.known(lengths[small], given.defaults),
+                self.known(lengths[large], given.defaults),
+            )
+            && a >= b
+        {
+            let (a, b) = (shown(&a), shown(&b));
+            return self.report(
+                written[small].extent,
+                format!(
+                    "{reason}: {} = {a} and {} = {b}",
+                    solid.lengths[small], solid.lengths[large]
+                ),
+            );
+        }
+        let graph = &mut self.frames.graph;
+        Some(
+            lengths
+                .into_iter()
+                .map(|length| graph.square(length))
+                .collect(),
+        )
+    }
+
+    fn length(&mut self, written: &Expression, given: Given<'_>) -> Option<Id> {
+        let length = self.scalar(written, Dimension::LENGTH, "a length")?;
+        self.check_early(written, &[length], "the body is rigid")?;
+        match self.known(length, given.defaults) {
+            Some(number) if !number.is_positive() => {
+                let number = shown(&number);
+                self.report(
+                    written.extent,
+                    format!("a length is positive, and this is {number}"),
+                )
+            }
+            _ => Some(length),
+        }
+    }
+}

@@ -10,7 +10,7 @@ use crate::syntax::{Composition, Expression, Kind, Part};
 use super::definitions::Mass;
 use super::dimension::Dimension;
 use super::draft::Given;
-use super::inertia::Inertia;
+use super::inertia::{Inertia, base};
 use super::lower::Lowering;
 use super::parallel_axis::displaced;
 use super::parameters::Defaults;
@@ -29,6 +29,7 @@ pub struct Composed {
     center: Components,
 }
 
+const NO_MASS: &str = "this part has no mass: write `.mass(1[kg])` behind it";
 const HOLE: &str = "a part of negative mass is a hole, and a hole is a solid or a point: write \
                     `cylinder(r, h).mass(..)`";
 
@@ -138,7 +139,10 @@ impl Lowering<'_> {
                 let zeros = [self.frames.graph.zeros(); 3];
                 (self.part_mass(mass, defaults), Some(zeros))
             }
-            _ => self.extended(part, defaults),
+            _ => {
+                let mass = self.mass_of(part, defaults);
+                (mass, self.rows_of(part, mass, defaults))
+            }
         };
         let (mass, is_hole) = mass?;
         Some(Member {
@@ -149,44 +153,42 @@ impl Lowering<'_> {
         })
     }
 
-    /// Mass and inertia of a part that is more than a point.
-    fn extended(
+    /// The mass of a part that is more than a point, and whether it is that of a hole.
+    fn mass_of(&mut self, part: &Part, defaults: &Defaults) -> Option<(Id, bool)> {
+        if let Some(mass) = &part.mass {
+            return self.part_mass(mass.as_ref()?, defaults);
+        }
+        let form = base(&part.form);
+        match &form.kind {
+            Kind::Poisoned => None,
+            // that nothing can be calculated with a form is all there is to say
+            Kind::Chain(..) | Kind::Prefix(..) if !self.motion.is_planar() => None,
+            Kind::Call(word, _) | Kind::Record(word, _) => self.report(word.span(), NO_MASS),
+            _ => self.report(form.extent, NO_MASS),
+        }
+    }
+
+    /// The inertia of such a part about its own center of mass, by rows.
+    fn rows_of(
         &mut self,
         part: &Part,
+        mass: Option<(Id, bool)>,
         defaults: &Defaults,
-    ) -> (Option<(Id, bool)>, Option<[Components; 3]>) {
-        let form = &part.form;
-        let mass = match &part.mass {
-            Some(mass) => mass
-                .as_ref()
-                .and_then(|mass| self.part_mass(mass, defaults)),
-            None if matches!(form.kind, Kind::Poisoned) => None,
-            None => self.report(
-                form.extent,
-                "this part has no mass: write `.mass(1[kg])` behind it",
-            ),
-        };
+    ) -> Option<[Components; 3]> {
         let given = Given {
             mass: mass.map_or(Mass::Reported, |(mass, _)| Mass::Known(mass)),
             defaults,
         };
-        let Some(draft) = self.form(form, given) else {
-            return (mass, None);
-        };
-        if !is_of_solid(form) {
+        let draft = self.form(&part.form, given)?;
+        if !is_of_solid(&part.form) {
             if let (Some((_, true)), Some(Some(written))) = (mass, &part.mass) {
-                self.errors.push(written.extent, HOLE);
-                return (None, None);
+                return self.report(written.extent, HOLE);
             }
-            if self.check_inertia(&draft, defaults).is_none() {
-                return (mass, None);
-            }
+            self.check_inertia(&draft, defaults)?;
         }
-        let rows = draft.inertia.rows(&mut self.frames.graph);
-        (mass, Some(rows))
+        Some(draft.inertia.rows(&mut self.frames.graph))
     }
 
-    /// The mass of a part, and whether it is that of a hole.
     fn part_mass(&mut self, written: &Expression, defaults: &Defaults) -> Option<(Id, bool)> {
         let mass = self.scalar(written, Dimension::MASS, "a mass")?;
         self.check_early(written, &[mass], "the mass is constant")?;

@@ -62,7 +62,7 @@ impl Lowering<'_> {
         // what is not needed is read all the same, so that its mistakes are found
         let draft = self.form(value, Given { mass, defaults })?;
         let turns = self.motion.has_attitude();
-        match base(value) {
+        match &base(value).kind {
             Kind::Call(word, _) if word == "rod" && !self.motion.is_planar() => {
                 if turns {
                     let motion = self.motion.word();
@@ -253,12 +253,12 @@ fn is_scalar(expression: &Expression) -> bool {
 const MOVES: [&str; 5] = ["about", "along", "turned", "mass", "at"];
 
 /// What stands in front of all methods and units.
-pub fn base(expression: &Expression) -> &Kind {
+pub fn base(expression: &Expression) -> &Expression {
     let mut expression = expression;
     while let Kind::Method(inner, ..) | Kind::Unit(inner, _) = &expression.kind {
         expression = inner;
     }
-    &expression.kind
+    expression
 }
 
 impl Inertia {

@@ -200,8 +200,10 @@ impl<'d> References<'d> {
         let Some((first, mention)) = circle.first() else {
             return;
         };
-        let name = &self.definitions[*first].0;
-        let message = if circle.len() == 1 {
+        let (name, definition) = &self.definitions[*first];
+        let message = if circle.len() == 1 && *definition == Definition::Mass && *mention != name {
+            format!("`{mention}` follows from the parts: no part can refer to it")
+        } else if circle.len() == 1 {
             format!("`{name}` cannot be defined by itself")
         } else {
             let members = circle.iter().map(|(_, mention)| format!("`{mention}`"));

@@ -116,7 +116,7 @@ pub fn is_solid(word: &Ident) -> bool {
 
 /// Whether an inertia is that of a solid, turned or not.
 pub fn is_of_solid(written: &Expression) -> bool {
-    matches!(base(written), Kind::Call(word, _) if is_solid(word))
+    matches!(&base(written).kind, Kind::Call(word, _) if is_solid(word))
 }
 
 impl Lowering<'_> {
@@ -220,7 +220,7 @@ impl Lowering<'_> {
 
     fn length(&mut self, written: &Expression, given: Given<'_>) -> Option<Id> {
         let length = self.scalar(written, Dimension::LENGTH, "a length")?;
-        self.check_early(written, &[length], "the body is rigid")?;
+        self.check_early(written, &[length], "a length of a rigid body is constant")?;
         match self.known(length, given.defaults) {
             Some(number) if !number.is_positive() => {
                 let number = shown(&number);

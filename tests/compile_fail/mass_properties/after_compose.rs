@@ -1,0 +1,8 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drum {
+    motion: spatial,
+    inertia: compose([cylinder(0.1[m], 0.4[m]).mass(2[kg])]).about((0, 0, 1)),
+});
+
+fn main() {}

@@ -1,0 +1,8 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drum {
+    motion: spatial,
+    inertia: compose([sphere(0.1[m]).mass(2[kg]), sphere(0.2[m]).mass(-1[kg])]),
+});
+
+fn main() {}

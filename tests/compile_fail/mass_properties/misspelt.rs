@@ -1,0 +1,9 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drum {
+    motion: spatial,
+    mass: 2[kg],
+    inertia: cilinder(0.1[m], 0.4[m]),
+});
+
+fn main() {}

@@ -1,0 +1,8 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drum {
+    motion: spatial,
+    inertia: compose([]),
+});
+
+fn main() {}

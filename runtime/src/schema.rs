@@ -11,11 +11,15 @@ pub struct Body {
     ///
     /// Later: `pivot(P)`, `fixed_point(P)`, `fixed_axis(P, direction)`, `rod(axis)`.
     pub motion: (),
-    /// The mass: `1.2[kg]`, or an expression of params.
+    /// The mass: `1.2[kg]`, or an expression of params. The parts of `inertia: compose([..])` have it already.
     pub mass: (),
     /// The moments of inertia, about G in body axes unless `.about(P)` follows. In the plane a scalar. In space
     /// `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }` (entries of the tensor, `xy = -∫xy dm`) or
     /// `products { .. }` (positive products of inertia, `xy = +∫xy dm`).
+    ///
+    /// Solids have the mass of the body, and z as their axis: `cuboid(a, b, c)`, `ellipsoid(a, b, c)`, `sphere(r)`, `shell(r)`,
+    /// `cylinder(r, h)`, `tube(r1, r2, h)`, `cone(r, h)`, `torus(R, r)`, `disc(r)`, `rod(l)`; turned by `.along(direction)` or
+    /// `.turned(axis, angle)`. `compose([cylinder(r, h).mass(m).at(P), point(m).at(Q)])` gives mass, G and inertia together.
     pub inertia: (),
     /// Constants of a run, with or without a default: `[arm = 0.17[m], gain]`.
     pub params: (),

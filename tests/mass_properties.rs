@@ -317,6 +317,42 @@ fn m6_five_points() {
     assert!(spring.point.norm() <= 1e-17 && spring.force.norm() <= 1e-17);
 }
 
+mod bearings {
+    newton_euler::rigid_body!(Bearings {
+        motion: fixed_axis(origin, body(0, 0, 1)),
+        points: [origin = (0, 0, 0), a = (0, 0, -0.3), b = (0, 0, 0.25)],
+        inertia: compose([
+            point(4[kg]).at((0.001, 0.0005, 0.02)),
+            point(3[kg]).at((0.08, -0.03, -0.05)),
+            point(2.5[kg]).at((-0.06, 0.09, 0.07)),
+            point(2[kg]).at((-0.05, -0.07, 0.11)),
+            point(1.5[kg]).at((0.03, 0.02, -0.16)),
+        ]),
+        fields: [weight = mass * world(0, -9.80665, 0)],
+        moments: [drive = body(0, 0, 2.4)],
+        reactions: [at_a = body(_, _, 0).at(a), at_b = body(_, _, 0).at(b)],
+        outputs: [reactions],
+    });
+}
+
+#[test]
+fn m6_bearings() {
+    let expected = &body("M6")["expect"];
+    let state = Hinge {
+        angle: 0.35,
+        angular_velocity: 157.0,
+    };
+    let rotor = bearings::Bearings {};
+    let alpha = rotor.acceleration(0.0, &state, &());
+    assert!((alpha - number(&expected["alpha"])).abs() <= 1e-13); // terms to 35
+    let reactions = rotor.reactions(0.0, &state, &());
+    for (computed, key) in [(reactions.at_a, "A world"), (reactions.at_b, "B world")] {
+        let [x, y] = numbers::<2>(&expected[key]);
+        let error = (computed - Vector3::new(x, y, 0.0)).amax();
+        assert!(error <= 2e-12, "{key}: {error:e}"); // terms to 2300, some ten roundings
+    }
+}
+
 /// A body of many kinds of parts, with parameters.
 mod satellite {
     newton_euler::rigid_body!(Satellite {

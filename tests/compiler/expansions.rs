@@ -133,6 +133,19 @@ fn many_forces(count: usize) -> TokenStream {
     })
 }
 
+/// A body of `count` parts, at places and with masses that differ.
+fn many_parts(count: usize) -> TokenStream {
+    let numbers = (1..=count).map(proc_macro2::Literal::usize_unsuffixed);
+    quote!(Heap {
+        motion: spatial,
+        params: [m = 0.1[kg], d = 0.3[m]],
+        inertia: compose([
+            #(cylinder(0.05[m], d).mass(m + 0.01 * #numbers)
+                .at((0.01 * #numbers, d, -0.1))),*
+        ]),
+    })
+}
+
 #[test]
 fn expansions_grow_linearly() {
     let length = |count: usize| expand_description(many_forces(count)).to_string().len();
@@ -140,6 +153,12 @@ fn expansions_grow_linearly() {
     assert!(
         large <= 11 * small,
         "{small} bytes for 100 forces, {large} for 1000"
+    );
+    let length = |count: usize| expand_description(many_parts(count)).to_string().len();
+    let (small, large) = (length(30), length(300));
+    assert!(
+        large <= 11 * small,
+        "{small} bytes for 30 parts, {large} for 300"
     );
 }
 
@@ -152,6 +171,8 @@ fn expansion_times() {
         ("satellite", satellite()),
         ("200 forces", many_forces(200)),
         ("1000 forces", many_forces(1000)),
+        ("100 parts", many_parts(100)),
+        ("400 parts", many_parts(400)),
     ] {
         let start = Instant::now();
         let _ = expand_description(description);

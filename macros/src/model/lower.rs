@@ -249,7 +249,10 @@ impl Lowering<'_> {
     }
 
     pub fn known(&mut self, id: Id, defaults: &Defaults) -> Option<Number> {
-        self.all_known(&[id], defaults)?.pop()
+        match self.frames.graph.as_number(id) {
+            Some(number) => Some(number.clone()),
+            None => self.all_known(&[id], defaults)?.pop(),
+        }
     }
 
     pub fn check_unitless(&mut self, found: Dimension, place: Extent) -> Option<()> {

@@ -90,7 +90,9 @@ impl Lowering<'_> {
             let center = graph.divide(moment, mass);
             graph.quantity(center)
         });
-        self.frames.labels.vector("center", center);
+        let labels = &mut self.frames.labels;
+        labels.describe("center", "G, from where the first part is");
+        labels.vector("center", center);
         let mut rows = [self.frames.graph.zeros(); 3];
         for (member, offset) in members.iter().zip(offsets) {
             let graph = &mut self.frames.graph;

@@ -112,7 +112,7 @@ fn outer(graph: &mut Graph, a: Components) -> Matrix {
     a.map(|component| graph.scale_vector(component, a))
 }
 
-/// `lambda 1 + sum of (J_k - lambda) n_k n_k`, where the dyads `n_k n_k` have the trace 1.
+/// `lambda 1 + sum of (J_k - lambda) n_k n_k`, for unit vectors `n_k`.
 fn from_dyads(graph: &mut Graph, lambda: Id, dyads: &[(Id, Matrix)]) -> Matrix {
     [0, 1, 2].map(|i| {
         [0, 1, 2].map(|j| {

@@ -6,7 +6,7 @@
 //! ```
 
 use crate::errors::Errors;
-use crate::model::{Frame, Inertia, Load, LoadKind, Model, Point, Vector};
+use crate::model::{Frame, Inertia, Load, LoadKind, Model, Point, Vector, displaced};
 use crate::symbolic::{Components, Id};
 
 /// Linear acceleration of G in world axes and angular acceleration in body axes, as far as the motion
@@ -160,25 +160,9 @@ pub fn inertia_about_center(model: &mut Model) -> Inertia {
         return model.inertia;
     };
     let graph = &mut model.frames.graph;
-    let c = support.offset;
-    let square = graph.norm_squared(c);
-    let mut moved = |i: usize, j: usize, entry: Id| {
-        let product = graph.multiply(c[i], c[j]);
-        let lever = if i == j {
-            graph.subtract(square, product)
-        } else {
-            graph.negate(product)
-        };
-        let change = graph.multiply(mass, lever);
-        graph.add(entry, change)
-    };
-    let inertia = match model.inertia {
-        Inertia::Absent => Inertia::Absent,
-        Inertia::Planar(moment) => Inertia::Planar(moved(2, 2, moment)),
-        Inertia::Spatial(rows) => {
-            Inertia::Spatial([0, 1, 2].map(|i| [0, 1, 2].map(|j| moved(i, j, rows[i][j]))))
-        }
-    };
+    let about_g = model.inertia.rows(graph);
+    let moved = displaced(graph, mass, support.offset, &about_g);
+    let inertia = model.inertia.with_rows(moved);
     match inertia {
         Inertia::Planar(moment) => model.frames.labels.name(moment, "inertia_about_support"),
         Inertia::Spatial(rows) => model.frames.labels.matrix("inertia_about_support", &rows),

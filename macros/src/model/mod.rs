@@ -42,6 +42,7 @@ pub use inertia::Inertia;
 pub use motion::{Meanings, Motion, State};
 pub use names::{AXES, Labels, Meaning};
 pub use outline::{Declared, Outline, Output, outline};
+pub use parallel_axis::displaced;
 pub use reaction::Reaction;
 pub use syntax::{Family, LoadKind};
 pub use value::Point;

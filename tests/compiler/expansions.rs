@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::Path;
-use std::time::Instant;
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -160,22 +159,4 @@ fn expansions_grow_linearly() {
         large <= 11 * small,
         "{small} bytes for 30 parts, {large} for 300"
     );
-}
-
-/// Printed, not asserted: timings are for the benchmark.
-#[test]
-fn expansion_times() {
-    for (name, description) in [
-        ("quadrotor", quadrotor()),
-        ("plank", plank()),
-        ("satellite", satellite()),
-        ("200 forces", many_forces(200)),
-        ("1000 forces", many_forces(1000)),
-        ("100 parts", many_parts(100)),
-        ("400 parts", many_parts(400)),
-    ] {
-        let start = Instant::now();
-        let _ = expand_description(description);
-        println!("{name}: {:.1} ms", start.elapsed().as_secs_f64() * 1e3);
-    }
 }

@@ -220,6 +220,20 @@ mod cases {
         forces: [thrust = body(0, 0, 3).at(nozzle)],
         fields: [weight = mass * world(0, 0, -9.8)],
     });
+    rigid_body!(Dart {
+        motion: spatial,
+        params: [k = 0.1],
+        mass: 2,
+        inertia: principal(1.3, 1.7, 2.1),
+        points: [fin = (0, 0, -0.3)],
+        locals: [air = fin.velocity()],
+        forces: [drag = (-k * air.norm_squared() * air).at(fin)],
+    });
+    rigid_body!(Pi {
+        motion: planar_translation,
+        mass: 1[kg],
+        forces: [f = world(3 * PI[N], 1[N] * PI[rad].cos())],
+    });
     rigid_body!(Balanced {
         motion: planar_translation,
         mass: 1,
@@ -263,4 +277,30 @@ fn thrust_and_gravity() {
 #[test]
 fn constants_of_one_sum_are_one_constant() {
     assert_eq!(counts(cases::Balanced::OPERATIONS), [2, 1, 0]);
+}
+
+#[test]
+fn pi_takes_a_unit() {
+    use newton_euler::prelude::*;
+    let acceleration = cases::Pi::default().acceleration(0.0, &PlanarTranslation::default(), &());
+    assert!(
+        (acceleration.x - 3.0 * core::f64::consts::PI).abs() < 1e-14
+            && (acceleration.y + 1.0).abs() < 1e-15
+    );
+}
+
+/// What all components share is turned around: the velocity that the norm needs is turned once.
+#[test]
+fn drag_turns_its_velocity_once() {
+    let [mul, add, trig] = counts(cases::Dart::OPERATIONS);
+    assert!(mul + add <= 90 && trig == 0, "{mul} + {add}");
+}
+
+#[test]
+fn a_parameter_is_finite() {
+    use newton_euler::body::InvalidBody;
+    for value in [f64::INFINITY, f64::NEG_INFINITY] {
+        let error = cases::Dart::new(cases::DartParams { k: value }).err();
+        assert_eq!(error, Some(InvalidBody::NotFinite { name: "k", value }));
+    }
 }

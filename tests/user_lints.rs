@@ -185,6 +185,18 @@ pub mod motions {
         });
     }
 
+    /// Numbers near constants that std has names for.
+    pub mod constants {
+        newton_euler::rigid_body!(Wave {
+            motion: planar_translation,
+            params: [height = 3.14159, depth = 2.718],
+            mass: 1,
+            locals: [half_turn = PI + 2 * t],
+            forces: [pushed = world(half_turn, 0.7071 * t + height / depth)],
+            outputs: [energy],
+        });
+    }
+
     /// In the plane, without turning.
     pub mod planar_translation {
         newton_euler::rigid_body!(Puck {

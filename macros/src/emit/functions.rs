@@ -8,6 +8,7 @@ use crate::model::{Family, LoadKind, Model, Outline, Output};
 use crate::symbolic::{Components, Cost, Id, Stage};
 
 use super::code::{Fields, Source, Writer};
+use super::lints::allow_constants;
 use super::paths::private;
 use super::shapes::{Shapes, Values};
 use super::text::to_text;
@@ -69,7 +70,7 @@ impl Function {
     }
 
     /// Statements carry notes, which the compiler has no use for, and descriptions may compare for
-    /// equality.
+    /// equality and have numbers that have names elsewhere.
     pub fn lints(&self) -> TokenStream {
         let notes = self
             .has_notes
@@ -77,7 +78,8 @@ impl Function {
         let equality = self
             .has_equality
             .then(|| quote!(#[allow(clippy::float_cmp)]));
-        quote!(#notes #equality)
+        let constants = allow_constants(&self.body);
+        quote!(#notes #equality #constants)
     }
 }
 

@@ -8,6 +8,7 @@ use crate::model::{Declared, LoadKind, Outline};
 use super::constructor::Constructor;
 use super::docs::{Documentation, declared_doc};
 use super::expression::number_literal;
+use super::lints::allow_constants;
 use super::naming::local_name;
 use super::paths::private;
 use super::shapes::Shapes;
@@ -129,6 +130,7 @@ pub fn emit_items(
     );
     let private = private(outline);
     let Constructor { stored, body, .. } = constructor;
+    let constants_of_new = allow_constants(body);
     let default = outline.has_default().then(|| emit_default(outline));
     let new_doc = " Checks the parameters, and computes what depends on them alone.";
     quote! {
@@ -144,6 +146,7 @@ pub fn emit_items(
             #[doc = ""]
             #[doc = " # Errors"]
             #[doc = " A parameter is not finite, or no body has the mass or inertia they make."]
+            #constants_of_new
             pub fn new(params: #params) -> ::core::result::Result<Self, #private::InvalidBody> { #body }
             /// The parameters this body was built from.
             #[must_use]
@@ -161,9 +164,12 @@ fn emit_default(outline: &Outline) -> TokenStream {
         .params
         .iter()
         .filter_map(|param| default_value(outline, param));
+    let values = quote!(#(#names: #values),*);
+    let constants = allow_constants(&values);
     quote! {
         impl ::core::default::Default for #params {
-            fn default() -> Self { Self { #(#names: #values),* } }
+            #constants
+            fn default() -> Self { Self { #values } }
         }
         impl ::core::default::Default for #name {
             fn default() -> Self {

@@ -10,6 +10,7 @@ mod expression;
 mod functions;
 mod implementations;
 mod items;
+mod lints;
 mod naming;
 mod paths;
 mod reads;

@@ -9,6 +9,8 @@ use crate::errors::Errors;
 use crate::model::{Frame, Inertia, Load, LoadKind, Model, Point, Vector, displaced};
 use crate::symbolic::{Components, Id};
 
+use super::reactions::given_parts;
+
 /// Linear acceleration of G in world axes and angular acceleration in body axes, as far as the motion
 /// has them; that of a hinge stands in the place of z.
 pub fn derive_accelerations(
@@ -17,11 +19,16 @@ pub fn derive_accelerations(
 ) -> Option<(Components, Components)> {
     let linear = linear_acceleration(model);
     let center = model.state.center(&mut model.frames);
-    let moments = moments_about(model, center);
+    let mut moments = moments_about(model, center);
     let angular = if model.motion.has_attitude() {
+        let given = given_parts(model, center);
+        moments.extend(given.into_iter().map(|(_, moment)| moment));
         angular_acceleration(model, moments)
     } else {
-        check_moment_free(model, &moments, errors)?;
+        // where moments are unknown, whether they can balance these is found with them
+        if model.reactions.is_empty() {
+            check_moment_free(model, &moments, errors)?;
+        }
         model.frames.graph.zeros()
     };
     Some((linear, angular))

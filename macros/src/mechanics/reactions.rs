@@ -10,7 +10,7 @@
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Frame, Inertia, LoadKind, Meaning, Model, Vector};
+use crate::model::{Frame, Inertia, LoadKind, Meaning, Model, Point, Vector};
 use crate::symbolic::{Components, Equation, Graph, Id, Node, Solution};
 
 use super::newton_euler::{arm, inertia_about_center, moments_about, resultant};
@@ -83,20 +83,18 @@ pub fn derive_reactions(
 /// vector can be written in any axes.
 fn choose_frame(model: &mut Model, errors: &mut Errors) -> Option<Frame> {
     let center = model.state.center(&mut model.frames);
-    let axes = model.motion.axes();
     let mut in_world = true;
     let mut mixed = None;
     for index in 0..model.reactions.len() {
+        let is_free = is_in_any_axes(model, index);
         let reaction = &model.reactions[index];
         let (point, kind, written) = (reaction.point, reaction.kind, reaction.frame);
-        let is_whole = reaction.unknown.len() == axes
-            || (kind == LoadKind::Moment && model.motion.is_planar());
         let place = reaction.unknown.first().map(|(_, place)| *place);
         let arm = arm(model, point, center);
         let has_arm = kind == LoadKind::Force && !model.frames.is_zero_vector(arm);
-        in_world &= !has_arm && (is_whole || written == Frame::World);
-        if !is_whole && written == Frame::World {
-            mixed = place;
+        in_world &= !has_arm && (is_free || written == Frame::World);
+        if !is_free && written == Frame::World {
+            mixed = mixed.or(place);
         }
     }
     // without an attitude the axes are the same
@@ -108,6 +106,21 @@ fn choose_frame(model: &mut Model, errors: &mut Errors) -> Option<Frame> {
         return None;
     }
     Some(Frame::Body)
+}
+
+/// Whether the unknown components of a reaction are the same unknowns in the axes of the body and
+/// in those of the world: all of them, and, about an axis of coordinates, that along it or those
+/// across it.
+fn is_in_any_axes(model: &mut Model, index: usize) -> bool {
+    let hinge = model.hinge();
+    let reaction = &model.reactions[index];
+    if reaction.is_whole(model.motion) {
+        return true;
+    }
+    let axes: Vec<usize> = reaction.unknown.iter().map(|(axis, _)| *axis).collect();
+    let graph = &model.frames.graph;
+    let along = hinge.and_then(|d| (0..3).find(|axis| graph.is_along(d, *axis)));
+    along.is_some_and(|along| axes == [along] || (axes.len() == 2 && !axes.contains(&along)))
 }
 
 fn list_unknowns(model: &Model) -> Vec<Unknown> {
@@ -169,7 +182,7 @@ fn across(model: &mut Model, d: Components) -> [(&'static str, Components); 2] {
     let graph = &mut model.frames.graph;
     let (zero, one) = (graph.zero(), graph.one());
     let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
-    let along = (0..3).find(|axis| (0..3).all(|other| other == *axis || graph.is_zero(d[other])));
+    let along = (0..3).find(|axis| graph.is_along(d, *axis));
     if let Some(axis) = along {
         let name = |axis: usize| {
             [
@@ -202,22 +215,9 @@ fn balances_without_unknowns(
     let mut force = resultant(model);
     let moments = moments_about(model, center);
     let mut moment = model.frames.sum(moments);
-    for index in 0..model.reactions.len() {
-        let reaction = &model.reactions[index];
-        let (kind, point, given) = (
-            reaction.kind,
-            reaction.point,
-            (reaction.frame, reaction.given),
-        );
-        let given = model.frames.vector(given.0, given.1);
-        if kind == LoadKind::Moment {
-            moment = model.frames.add(moment, given);
-        } else {
-            let arm = arm(model, point, center);
-            let turning = model.frames.cross(arm, given);
-            force = model.frames.add(force, given);
-            moment = model.frames.add(moment, turning);
-        }
+    for (given_force, given_moment) in given_parts(model, center) {
+        force = model.frames.add(force, given_force);
+        moment = model.frames.add(moment, given_moment);
     }
     let (inertial_force, inertial_moment) = inertial(model, linear, angular);
     let force = model.frames.add(force, inertial_force);
@@ -226,6 +226,26 @@ fn balances_without_unknowns(
         model.frames.components(force, frame),
         model.frames.components(moment, frame),
     )
+}
+
+/// What is given of each reaction: its force, and its moment about `pole`.
+pub fn given_parts(model: &mut Model, pole: Point) -> Vec<(Vector, Vector)> {
+    let written: Vec<_> = model
+        .reactions
+        .iter()
+        .map(|load| (load.kind, load.point, load.frame, load.given))
+        .collect();
+    let parts = written.into_iter().map(|(kind, point, frame, given)| {
+        let given = model.frames.vector(frame, given);
+        match kind {
+            LoadKind::Moment => (model.frames.zero_vector(), given),
+            LoadKind::Force => {
+                let arm = arm(model, point, pole);
+                (given, model.frames.cross(arm, given))
+            }
+        }
+    });
+    parts.collect()
 }
 
 /// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.

@@ -1,40 +1,81 @@
 //! Whether the balances determine the reactions: what to say if they do not, and where.
 
 use crate::errors::Errors;
-use crate::model::{AXES, LoadKind, Model};
+use crate::model::{AXES, Frame, LoadKind, Model, Motion};
 use crate::symbolic::{Graph, Id, Number, Solution};
 
 use super::newton_euler::arm;
 use super::reactions::{Row, Unknown};
 
-/// Along the directions in which the body moves freely, a reaction would be a drive.
+/// Along the directions in which the body moves freely, a reaction would be a drive: the
+/// accelerations were found without it.
 pub fn check_workless(model: &mut Model, errors: &mut Errors) -> Option<()> {
-    let center = model.state.center(&mut model.frames);
-    let hinge = model.hinge();
     let mut workless = true;
     for index in 0..model.reactions.len() {
-        let (kind, point, place) = {
-            let reaction = &model.reactions[index];
-            (
-                reaction.kind,
-                reaction.point,
-                reaction.unknown.first().map(|(_, place)| *place),
-            )
-        };
-        let Some(place) = place else { continue };
-        let arm = arm(model, point, center);
-        let works = match kind {
-            LoadKind::Force if model.motion.translates() => true,
-            LoadKind::Force => !model.frames.is_zero_vector(arm) && hinge.is_none(),
-            LoadKind::Moment => model.motion.has_attitude() && hinge.is_none(),
-        };
-        if works {
-            let motion = model.motion.word();
-            errors.push(place, format!("this would move the body, and a reaction does no work: under `motion: {motion}` nothing holds the body in this direction"));
+        let unknown = model.reactions[index].unknown.clone();
+        let working = unknown
+            .into_iter()
+            .find(|(axis, _)| does_work(model, index, *axis));
+        if let Some((_, place)) = working {
+            errors.push(place, drive(model, index));
             workless = false;
         }
     }
     workless.then_some(())
+}
+
+/// Whether a unit load along this axis has a power for some velocity that the support allows.
+fn does_work(model: &mut Model, index: usize, axis: usize) -> bool {
+    let reaction = &model.reactions[index];
+    let (kind, point, frame) = (reaction.kind, reaction.point, reaction.frame);
+    let is_whole = reaction.is_whole(model.motion);
+    let hinge = model.hinge();
+    if kind == LoadKind::Moment {
+        return match hinge {
+            Some(d) => !model.frames.graph.vanishes(d[axis]),
+            None => model.motion.has_attitude(),
+        };
+    }
+    if model.motion.translates() {
+        return true;
+    }
+    let center = model.state.center(&mut model.frames);
+    let arm = arm(model, point, center);
+    let arm = model.frames.components(arm, Frame::Body);
+    let graph = &mut model.frames.graph;
+    // d.(P - C) x e = e.d x (P - C); without an axis, any d
+    let swept = hinge.map_or(arm, |d| graph.cross(d, arm));
+    let stays = swept.map(|component| graph.vanishes(component));
+    let turns_with_body = frame == Frame::Body || is_whole;
+    match hinge {
+        Some(_) if turns_with_body => !stays[axis],
+        // what is written in world axes turns through all directions across the axis
+        Some(d) => stays != [true; 3] && !graph.is_along(d, axis),
+        None => stays != [true; 3],
+    }
+}
+
+fn drive(model: &Model, index: usize) -> String {
+    let motion = model.motion.word();
+    if !model.motion.is_supported() {
+        return format!(
+            "this would move the body, and a reaction does no work: under `motion: {motion}` nothing \
+             holds the body in this direction"
+        );
+    }
+    let held = if model.motion == Motion::FixedAxis {
+        "the axis"
+    } else {
+        "the point that is held"
+    };
+    let reason = if model.reactions[index].kind == LoadKind::Moment {
+        format!("about {held} the body turns freely: write the value, 0 if there is none")
+    } else {
+        format!(
+            "away from {held} this force would turn the body: let it act there, or write the value"
+        )
+    };
+    format!("a reaction does no work, and {reason}")
 }
 
 /// Unknowns that are not determined, and balances that nothing can meet.

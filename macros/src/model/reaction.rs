@@ -9,7 +9,7 @@ use crate::syntax::{self, Expression, Family, Kind, LoadKind};
 use super::dimension::Dimension;
 use super::frame::{Frame, Vector};
 use super::lower::Lowering;
-use super::motion::Meanings;
+use super::motion::{Meanings, Motion};
 use super::names::Meaning;
 use super::unit::lower_unit;
 use super::value::Point;
@@ -27,6 +27,14 @@ pub struct Reaction {
     pub unknown: Vec<(usize, Extent)>,
     /// The whole of it, given from outside, world axes.
     pub symbols: Vector,
+}
+
+impl Reaction {
+    /// Whether all its components are unknown.
+    pub fn is_whole(&self, motion: Motion) -> bool {
+        let is_scalar = self.kind == LoadKind::Moment && motion.is_planar();
+        is_scalar || self.unknown.len() == motion.axes()
+    }
 }
 
 /// Whether a load has unknown components.
@@ -63,7 +71,7 @@ impl Lowering<'_> {
         meanings: &mut Meanings,
     ) -> Option<Reaction> {
         let value = written.vector.as_ref()?;
-        let point = self.point_of_load(written);
+        let point = self.point_of_reaction(written);
         let (frame, given) = self.known_part(value, written.kind)?;
         let planar_moment = written.kind == LoadKind::Moment && self.motion.is_planar();
         let unknown =
@@ -90,6 +98,26 @@ impl Lowering<'_> {
             unknown: unknown.collect(),
             symbols: self.frames.vector(Frame::World, symbols),
         })
+    }
+
+    /// The point at which a reaction acts, which turns with the body.
+    fn point_of_reaction(&mut self, written: &syntax::Load) -> Option<Point> {
+        let value = written.vector.as_ref()?;
+        if written.kind == LoadKind::Force && !self.motion.knows_position() {
+            let place = placeholders(value).next()?.1;
+            return self.report(
+                place,
+                "an unknown force follows from the motion of G, which is not modelled under \
+                 `motion: rotation`: hold a point by `motion: fixed_point(P)`",
+            );
+        }
+        match (self.point_of_load(written)?, &written.point) {
+            (Point::World(_), Some(Some(point))) => self.report(
+                point.extent,
+                "an unknown reaction acts at a point of the body, and this one is fixed in space",
+            ),
+            (point, _) => Some(point),
+        }
     }
 
     /// The components that are given, and their axes.

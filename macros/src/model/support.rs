@@ -21,18 +21,20 @@ impl Lowering<'_> {
         let (point, direction) = match (written.arguments.as_slice(), self.motion) {
             ([point, direction], Motion::FixedAxis) => (point, Some(direction)),
             ([point], Motion::Pivot | Motion::FixedPoint) => (point, None),
-            (_, Motion::FixedAxis) => {
-                return self.report(
-                    written.extent,
-                    "write `fixed_axis(P, body(0, 0, 1))`: a point of the body and the direction of \
-                     the axis",
-                );
-            }
-            _ => {
-                return self.report(
-                    written.extent,
-                    format!("write `{word}(P)`: one point of the body"),
-                );
+            (arguments, motion) => {
+                let (count, form) = if motion == Motion::FixedAxis {
+                    (2, "fixed_axis(P, body(0, 0, 1))`: a point of the body and the direction of the axis".to_owned())
+                } else {
+                    (1, format!("{word}(P)`: one point of the body"))
+                };
+                let excess = arguments
+                    .get(count..)
+                    .into_iter()
+                    .flatten()
+                    .flatten()
+                    .next();
+                let place = excess.map_or(written.extent, |argument| argument.extent);
+                return self.report(place, format!("write `{form}"));
             }
         };
         let anchor = match &written.anchor {

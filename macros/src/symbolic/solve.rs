@@ -129,7 +129,7 @@ impl Graph {
     }
 
     /// Whether an early expression is zero for all parameters.
-    fn vanishes(&mut self, id: Id) -> bool {
+    pub fn vanishes(&mut self, id: Id) -> bool {
         if self.stage(id) == Stage::Constant {
             return self.is_zero(id);
         }

@@ -67,6 +67,11 @@ impl Graph {
         matrix.map(|row| self.dot(row, a))
     }
 
+    /// Whether a vector has no component but along this axis.
+    pub fn is_along(&self, a: Components, axis: usize) -> bool {
+        (0..3).all(|other| other == axis || self.is_zero(a[other]))
+    }
+
     /// The cofactors of a symmetric matrix: over its determinant, they are its inverse.
     pub fn cofactors(&mut self, m: &[Components; 3]) -> [Components; 3] {
         [

@@ -1,8 +1,8 @@
 //! The value of `motion:`: a word, and for a support what stands in parentheses behind it.
 
-use proc_macro2::{Ident, TokenTree};
+use proc_macro2::{Delimiter, Ident, TokenTree};
 
-use crate::errors::Errors;
+use crate::errors::{Errors, similar};
 
 use super::expression::{Expression, Kind};
 use super::tokens::{start, stream};
@@ -15,6 +15,11 @@ pub const LATER_MOTIONS: [&str; 1] = ["rod"];
 
 pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> {
     match value {
+        // what another macro passes on
+        [TokenTree::Group(group)] if group.delimiter() == Delimiter::None => {
+            let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+            parse_motion(&inner, errors)
+        }
         [TokenTree::Ident(word)] => Some(Motion {
             word: word.clone(),
             support: None,
@@ -25,9 +30,7 @@ pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> 
                 support: None,
             })
         }
-        [TokenTree::Ident(word), TokenTree::Group(_), ..]
-            if SUPPORTS.contains(&word.to_string().as_str()) =>
-        {
+        [TokenTree::Ident(word), TokenTree::Group(_), ..] if is_support(&word.to_string()) => {
             let written = Expression::parse(stream(value), errors);
             Some(Motion {
                 word: word.clone(),
@@ -53,6 +56,11 @@ pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> 
     }
 }
 
+/// Whether a word is a kind of support, or was meant to be.
+fn is_support(word: &str) -> bool {
+    SUPPORTS.contains(&word) || similar(word, SUPPORTS).is_some()
+}
+
 /// `word(arguments)` and `word(arguments).at(anchor)`; what cannot be read is reported.
 fn read_support(word: &Ident, written: Option<Expression>, errors: &mut Errors) -> Support {
     let mut support = Support {
@@ -73,8 +81,11 @@ fn read_support(word: &Ident, written: Option<Expression>, errors: &mut Errors) 
                 support.extent = expression.extent;
                 support.arguments = arguments.into_iter().map(Some).collect();
             }
-            _ => errors.push(
-                expression.extent,
+            kind => errors.push(
+                match &kind {
+                    Kind::Method(_, method, _) => method.span().into(),
+                    _ => expression.extent,
+                },
                 format!(
                     "a support is `{word}(P)`, or `{word}(P).at(world(..))` away from the origin"
                 ),

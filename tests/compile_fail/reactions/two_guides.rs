@@ -1,0 +1,13 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Door {
+    motion: translation,
+    mass: 2[kg],
+    inertia: principal(0.2, 0.3, 0.4)[kg * m ^ 2],
+    points: [lower = (-0.4, 0, -0.8)[m], upper = (-0.4, 0, 0.8)[m]],
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    reactions: [left = moment(body(_, _, _)), right = moment(body(_, 0, 0))],
+    forces: [push = body(0, 2, 0)[N].at(upper)],
+});
+
+fn main() {}

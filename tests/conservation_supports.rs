@@ -91,9 +91,8 @@ fn shrinks(drift: impl Fn(usize) -> f64, steps: usize, bound: f64) {
 #[test]
 fn energy() {
     let pendulum = scenes::Pendulum::default();
-    let total = |state: &Hinge| {
-        pendulum.kinetic_energy(state) + pendulum.potential_energy(0.0, state, &())
-    };
+    let total =
+        |state: &Hinge| pendulum.kinetic_energy(state) + pendulum.potential_energy(0.0, state, &());
     let drift =
         |steps| total(&cf4(&pendulum, &swinging(), &(), 0.0..5.0, steps)) - total(&swinging());
     shrinks(drift, 500, 1e-6);

@@ -138,40 +138,28 @@ fn inertial_moment(model: &mut Model) -> Vector {
     model.frames.vector(Frame::Body, moment)
 }
 
+/// What is spread over the body is listed at G.
 fn list_loads(model: &mut Model) -> Vec<LoadExpressions> {
-    let loads: Vec<_> = model
-        .loads
-        .iter()
-        .map(|load| {
-            (
-                load.name.to_string(),
-                load.family,
-                load.kind,
-                load.vector,
-                load.point,
-            )
-        })
-        .collect();
-    let list = loads
-        .into_iter()
-        .map(|(name, family, kind, vector, point)| {
-            let zeros = model.frames.graph.zeros();
-            let vector = model.frames.components(vector, Frame::World);
-            let (force, moment) = if kind == LoadKind::Force {
-                (vector, zeros)
-            } else {
-                (zeros, vector)
-            };
-            let point = position(model, point);
-            LoadExpressions {
-                name,
-                family,
-                force,
-                point,
-                moment,
-            }
+    let center = Point::Body(model.frames.graph.zeros());
+    let about_center = moments_about(model, center);
+    let mut list = Vec::new();
+    for (index, about_center) in about_center.into_iter().enumerate() {
+        let load = &model.loads[index];
+        let (name, family, force) = (load.name.to_string(), load.family, load.force);
+        let (point, moment) = if load.is_spread {
+            (center, about_center)
+        } else {
+            (load.point, load.moment)
+        };
+        list.push(LoadExpressions {
+            name,
+            family,
+            force: model.frames.components(force, Frame::World),
+            point: position(model, point),
+            moment: model.frames.components(moment, Frame::World),
         });
-    list.collect()
+    }
+    list
 }
 
 fn position(model: &mut Model, point: Point) -> Components {

@@ -1,6 +1,6 @@
 //! Kinetic energy, and the potential energy of uniform fields.
 
-use crate::model::{Family, Inertia, Load, LoadKind, Meaning, Model, Point, Vector};
+use crate::model::{Family, Inertia, Load, Meaning, Model, Point, Vector};
 use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 use super::newton_euler::{inertia_about_center, moment_of_inertia};
@@ -54,7 +54,7 @@ fn potential(model: &mut Model) -> Id {
     let fields: Vec<(Vector, Components)> = model
         .loads
         .iter()
-        .filter_map(|load| Some((load.vector, uniform_field(model, load)?)))
+        .filter_map(|load| Some((load.force, uniform_field(model, load)?)))
         .collect();
     for (force, offset) in fields {
         // where the motion of G is not modelled, positions count from G
@@ -79,9 +79,10 @@ pub fn uniform_field(model: &Model, load: &Load) -> Option<Components> {
     let Point::Body(offset) = load.point else {
         return None;
     };
-    let force = load.vector;
+    let force = load.force;
     let is_uniform = load.family == Family::Field
-        && load.kind == LoadKind::Force
+        && !load.is_spread
+        && model.frames.is_zero_vector(load.moment)
         && graph.is_zero_vector(&force.body)
         && !graph.depends_on(&force.world, of_state);
     is_uniform.then_some(offset)

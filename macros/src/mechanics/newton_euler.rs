@@ -6,7 +6,7 @@
 //! ```
 
 use crate::errors::Errors;
-use crate::model::{Frame, Inertia, Load, LoadKind, Model, Point, Vector, displaced};
+use crate::model::{Frame, Inertia, Load, Model, Point, Vector, displaced};
 use crate::symbolic::{Components, Id};
 
 use super::reactions::given_parts;
@@ -67,30 +67,26 @@ fn linear_acceleration(model: &mut Model) -> Components {
 
 /// The sum of all forces.
 pub fn resultant(model: &mut Model) -> Vector {
-    let forces: Vec<Vector> = model
-        .loads
-        .iter()
-        .filter(|load| load.kind == LoadKind::Force)
-        .map(|load| load.vector)
-        .collect();
+    let forces: Vec<Vector> = model.loads.iter().map(|load| load.force).collect();
     model.frames.sum(forces)
 }
 
 /// The moment of each load about `pole`.
 pub fn moments_about(model: &mut Model, pole: Point) -> Vec<Vector> {
-    let loads: Vec<(LoadKind, Vector, Point)> = model
+    let loads: Vec<(Vector, Point, Vector)> = model
         .loads
         .iter()
-        .map(|load| (load.kind, load.vector, load.point))
+        .map(|load| (load.force, load.point, load.moment))
         .collect();
     loads
         .into_iter()
-        .map(|(kind, vector, point)| match kind {
-            LoadKind::Moment => vector,
-            LoadKind::Force => {
-                let arm = arm(model, point, pole);
-                model.frames.cross(arm, vector)
+        .map(|(force, point, moment)| {
+            if model.frames.is_zero_vector(force) {
+                return moment;
             }
+            let arm = arm(model, point, pole);
+            let turning = model.frames.cross(arm, force);
+            model.frames.add(turning, moment)
         })
         .collect()
 }

@@ -1,6 +1,6 @@
 //! What the equations of a body do not contain, and why: the text of `SKIPPED`.
 
-use crate::model::{Family, Inertia, LoadKind, Meaning, Model, Motion, Output, Point};
+use crate::model::{Family, Inertia, Meaning, Model, Motion, Output, Point};
 use crate::symbolic::{Components, Id, Node};
 
 use super::energy::uniform_field;
@@ -80,11 +80,11 @@ fn skip_moments(model: &Model, skipped: &mut Vec<String>) {
     if !model.motion.has_attitude() {
         return;
     }
-    for load in model
+    let forces = model
         .loads
         .iter()
-        .filter(|load| load.kind == LoadKind::Force)
-    {
+        .filter(|load| !load.is_spread && !model.frames.is_zero_vector(load.force));
+    for load in forces {
         let Point::Body(offset) = load.point else {
             continue;
         };

@@ -21,12 +21,18 @@ impl Lowering<'_> {
             LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
         });
         let point = self.point_of_load(written);
+        let (vector, zero) = (vector?, self.frames.zero_vector());
+        let (force, moment) = match written.kind {
+            LoadKind::Force => (vector, zero),
+            LoadKind::Moment => (zero, vector),
+        };
         Some(Load {
             name: written.name.clone(),
             family: written.family,
-            kind: written.kind,
-            vector: vector?,
+            force,
             point: point?,
+            moment,
+            is_spread: false,
             extent: written.name.span().into(),
         })
     }

@@ -70,13 +70,17 @@ pub struct Model {
     defaults: Defaults,
 }
 
-/// A given load: a force at a point, or a moment.
+/// A given load: a force at a point, a moment, or both.
 pub struct Load {
     pub name: Ident,
     pub family: Family,
-    pub kind: LoadKind,
-    pub vector: Vector,
+    pub force: Vector,
+    /// Where the force acts.
     pub point: Point,
+    /// Without that of the force.
+    pub moment: Vector,
+    /// It stands for what acts all over the body, and `point` was chosen.
+    pub is_spread: bool,
     /// What to underline if the load is at fault.
     pub extent: Extent,
 }

@@ -85,6 +85,9 @@ impl Body<'_> {
             Node::Binary(function, ..) => (None, function.name()),
             Node::Add(..) => (None, "sum"),
             Node::Subtract(..) => (None, "difference"),
+            Node::Divide(a, b) if graph.is_one(a) => {
+                (operand(b).map(|b| format!("inverse_{b}")), "inverse")
+            }
             Node::Divide(..) => (None, "ratio"),
             Node::Select(..) => (None, "choice"),
             _ => (None, "condition"),

@@ -146,7 +146,7 @@ fn list_loads(model: &mut Model) -> Vec<LoadExpressions> {
     for (index, about_center) in about_center.into_iter().enumerate() {
         let load = &model.loads[index];
         let (name, family, force) = (load.name.to_string(), load.family, load.force);
-        let (point, moment) = if load.is_spread {
+        let (point, moment) = if load.potential.is_some() {
             (center, about_center)
         } else {
             (load.point, load.moment)

@@ -1,4 +1,4 @@
-//! Kinetic energy, and the potential energy of uniform fields.
+//! Kinetic energy, and the energy of potentials and uniform fields.
 
 use crate::model::{Family, Inertia, Load, Meaning, Model, Point, Vector};
 use crate::symbolic::{Components, Graph, Id, Node, Number};
@@ -9,7 +9,7 @@ use super::newton_euler::{inertia_about_center, moment_of_inertia};
 pub struct Energy {
     /// `(m v^2 + w . J w) / 2`
     pub kinetic: Id,
-    /// `-F . x` of every uniform field, `x` where it acts.
+    /// All potentials, and `-F . x` of every uniform field, `x` where it acts.
     pub potential: Id,
 }
 
@@ -50,7 +50,13 @@ fn kinetic(model: &mut Model) -> Id {
 }
 
 fn potential(model: &mut Model) -> Id {
-    let mut potential = model.frames.graph.zero();
+    let graph = &mut model.frames.graph;
+    let potentials: Vec<Id> = model
+        .loads
+        .iter()
+        .filter_map(|load| load.potential)
+        .collect();
+    let mut potential = graph.sum(&potentials);
     let fields: Vec<(Vector, Components)> = model
         .loads
         .iter()
@@ -81,7 +87,7 @@ pub fn uniform_field(model: &Model, load: &Load) -> Option<Components> {
     };
     let force = load.force;
     let is_uniform = load.family == Family::Field
-        && !load.is_spread
+        && load.potential.is_none()
         && model.frames.is_zero_vector(load.moment)
         && graph.is_zero_vector(&force.body)
         && !graph.depends_on(&force.world, of_state);

@@ -7,6 +7,7 @@ mod balance;
 mod energy;
 mod momentum;
 mod newton_euler;
+mod potential;
 mod reactions;
 mod skipped;
 mod solvability;
@@ -38,6 +39,7 @@ pub struct Equations {
 /// Derives the equations of motion and the outputs.
 pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equations> {
     name_properties(model);
+    potential::derive_potentials(model);
     let asked = |output: Output, model: &Model| model.outputs.contains(&output);
     let (linear, angular) = newton_euler::derive_accelerations(model, errors)?;
     let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));

@@ -10,12 +10,13 @@ pub fn list_skipped(model: &Model, linear: &Components, angular: &Components) ->
     skip_equations(model, &mut skipped);
     skip_gyroscopic(model, &mut skipped);
     skip_moments(model, &mut skipped);
+    skip_potentials(model, &mut skipped);
     skip_state(model, linear, angular, &mut skipped);
     if model.outputs.contains(&Output::Energy) {
-        let others = model
-            .loads
-            .iter()
-            .filter(|load| load.family == Family::Field && uniform_field(model, load).is_none());
+        let others = model.loads.iter().filter(|load| {
+            let has_energy = load.potential.is_some() || uniform_field(model, load).is_some();
+            load.family == Family::Field && !has_energy
+        });
         skipped.extend(others.map(|load| {
             format!(
                 "`{}` in the potential energy: it is not a uniform field on a point of the body",
@@ -83,7 +84,7 @@ fn skip_moments(model: &Model, skipped: &mut Vec<String>) {
     let forces = model
         .loads
         .iter()
-        .filter(|load| !load.is_spread && !model.frames.is_zero_vector(load.force));
+        .filter(|load| load.potential.is_none() && !model.frames.is_zero_vector(load.force));
     for load in forces {
         let Point::Body(offset) = load.point else {
             continue;
@@ -91,6 +92,35 @@ fn skip_moments(model: &Model, skipped: &mut Vec<String>) {
         let graph = &model.frames.graph;
         if graph.is_zero_vector(&offset) {
             skipped.push(format!("the moment of `{}`: it acts at G", load.name));
+        }
+    }
+}
+
+/// What a potential does not depend on makes no force, or no moment.
+fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
+    let derived = model.loads.iter().filter(|load| load.potential.is_some());
+    for load in derived {
+        let parts = [
+            (
+                model.motion.knows_position(),
+                load.force,
+                "force",
+                "position",
+            ),
+            (
+                model.motion.has_attitude(),
+                load.moment,
+                "moment",
+                "attitude",
+            ),
+        ];
+        for (there, vector, part, place) in parts {
+            if there && model.frames.is_zero_vector(vector) {
+                let name = &load.name;
+                skipped.push(format!(
+                    "the {part} of `{name}`: its potential does not depend on the {place}"
+                ));
+            }
         }
     }
 }

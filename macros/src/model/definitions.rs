@@ -143,7 +143,7 @@ impl Lowering<'_> {
     }
 
     /// A local becomes a statement of the code, under its own name.
-    fn named(&mut self, value: Value, name: &str) -> Value {
+    pub fn named(&mut self, value: Value, name: &str) -> Value {
         let Frames { graph, labels, .. } = &mut *self.frames;
         match value {
             Value::Scalar(id, dimension) => {

@@ -9,12 +9,22 @@
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
 use super::names::{AXES, Labels};
+use super::turned_vector::Turns;
 
 /// Axes in which components are written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Frame {
     Body,
     World,
+}
+
+impl Frame {
+    pub fn other(self) -> Self {
+        match self {
+            Self::Body => Self::World,
+            Self::World => Self::Body,
+        }
+    }
 }
 
 /// The rotation from body axes to world axes.
@@ -40,6 +50,8 @@ pub struct Frames {
     pub graph: Graph,
     pub labels: Labels,
     pub attitude: Attitude,
+    /// Turned vectors are kept apart in here, where potentials are read.
+    pub turns: Option<Turns>,
 }
 
 impl Frames {
@@ -128,13 +140,17 @@ impl Frames {
         components
     }
 
-    /// Both parts with components in one frame: that of the part there is, body axes if both are.
-    fn in_one_frame(&mut self, a: Vector) -> (Frame, Components) {
-        if self.graph.is_zero_vector(&a.body) {
-            (Frame::World, a.world)
+    /// Both parts with components in one frame: that of the part there is; if both are, body axes,
+    /// where nobody chose others.
+    fn in_one_frame(&mut self, a: Vector) -> Components {
+        let frame = if self.graph.is_zero_vector(&a.body) {
+            Frame::World
+        } else if self.graph.is_zero_vector(&a.world) {
+            Frame::Body
         } else {
-            (Frame::Body, self.components(a, Frame::Body))
-        }
+            self.turns.as_mut().map_or(Frame::Body, Turns::choose_axes)
+        };
+        self.components(a, frame)
     }
 
     /// `a x b`; what is not written in the same axes is multiplied in body axes.
@@ -175,12 +191,12 @@ impl Frames {
     }
 
     pub fn norm_squared(&mut self, a: Vector) -> Id {
-        let (_, components) = self.in_one_frame(a);
+        let components = self.in_one_frame(a);
         self.graph.norm_squared(components)
     }
 
     pub fn norm(&mut self, a: Vector) -> Id {
-        let (_, components) = self.in_one_frame(a);
+        let components = self.in_one_frame(a);
         let norm = self.graph.norm(components);
         self.labels.name(norm, "norm");
         norm
@@ -189,7 +205,7 @@ impl Frames {
     /// The components of one vector in the axes of `to`, from its components in the other axes.
     ///
     /// A factor that all components share is turned around: `s v` is `s` times the turned `v`.
-    fn turn(&mut self, v: Components, to: Frame) -> Components {
+    pub fn turn(&mut self, v: Components, to: Frame) -> Components {
         if self.graph.is_zero_vector(&v) {
             return v;
         }
@@ -201,6 +217,9 @@ impl Frames {
         if let Some((factor, rest)) = self.common_factor(v) {
             let turned = self.turn(rest, to);
             return self.graph.scale_vector(factor, turned);
+        }
+        if let Some(turns) = &mut self.turns {
+            return turns.turn(&mut self.graph, v, to);
         }
         match self.attitude {
             Attitude::Fixed => v,
@@ -289,7 +308,7 @@ impl Frames {
     ///
     /// To turn `s v` as `s` times the turned `v` costs nothing where `v` has all its components,
     /// and one whole rotation less where `v` itself is turned too.
-    fn common_factor(&mut self, v: Components) -> Option<(Id, Components)> {
+    pub fn common_factor(&mut self, v: Components) -> Option<(Id, Components)> {
         let in_plane = self.graph.is_zero(v[2]) && matches!(self.attitude, Attitude::Axis { .. });
         let axes = if in_plane { 2 } else { 3 };
         let parts = v.map(|component| Part::of(&mut self.graph, component));

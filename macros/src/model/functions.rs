@@ -90,6 +90,13 @@ impl Lowering<'_> {
                      `(..).at(P)`",
                 );
             }
+            "on" => {
+                return self.report(
+                    method.span(),
+                    "`.on([..])` stands behind a whole field, in `fields`: put the vector in \
+                     parentheses, `(..).on([q.at(P)])`",
+                );
+            }
             "about" => {
                 return self.report(method.span(), "`.about(P)` stands at the end of an inertia");
             }

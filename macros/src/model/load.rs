@@ -32,7 +32,7 @@ impl Lowering<'_> {
             force,
             point: point?,
             moment,
-            is_spread: false,
+            potential: None,
             extent: written.name.span().into(),
         })
     }

@@ -17,6 +17,7 @@ use super::value::Value;
 
 /// Messages that are given in more than one place.
 const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
+const CHARGES: &str = "a list of charges stands behind a field: `field.on([q.at(P)])`";
 pub const UNKNOWN: &str =
     "unknown components (`_`) stand in `reactions`, alone: write a value here";
 
@@ -109,6 +110,7 @@ impl Lowering<'_> {
             Kind::Poisoned => None,
             Kind::Placeholder => self.report(extent, UNKNOWN),
             Kind::Tuple(_) => self.report(extent, AXES),
+            Kind::List(_) => self.report(extent, CHARGES),
             Kind::Unit(operand, unit) => self.unit(operand, unit),
             Kind::Prefix(prefix, operand) => self.prefix(*prefix, operand),
             Kind::Chain(first, rest) => self.chain(first, rest),
@@ -150,7 +152,10 @@ impl Lowering<'_> {
     /// Looks for mistakes in what cannot be used, because something around it is wrong.
     pub fn visit(&mut self, expressions: &[Expression]) {
         for expression in expressions {
-            let is_value = !matches!(expression.kind, Kind::Tuple(_) | Kind::Placeholder);
+            let is_value = !matches!(
+                expression.kind,
+                Kind::Tuple(_) | Kind::List(_) | Kind::Placeholder
+            );
             let _ = is_value.then(|| self.value(expression));
         }
     }

@@ -22,11 +22,14 @@ mod parallel_axis;
 mod parameters;
 mod points;
 mod possible;
+mod potential;
 mod reaction;
 mod scope;
 mod solid;
 mod support;
-mod turn;
+mod turned_inertia;
+mod turned_vector;
+mod uniform_field;
 mod unit;
 mod value;
 mod vectors;
@@ -37,14 +40,16 @@ use crate::errors::{Errors, Extent};
 use crate::symbolic::{Components, Graph, Id, Number};
 use crate::syntax::{self, Description};
 
-pub use frame::{Frame, Frames, Vector};
+pub use frame::{Attitude, Frame, Frames, Vector};
 pub use inertia::Inertia;
 pub use motion::{Meanings, Motion, State};
 pub use names::{AXES, Labels, Meaning};
 pub use outline::{Declared, Outline, Output, outline};
 pub use parallel_axis::displaced;
+pub use potential::{Form, Potentials};
 pub use reaction::Reaction;
 pub use syntax::{Family, LoadKind};
+pub use turned_vector::Turn;
 pub use value::Point;
 
 use entries::entries;
@@ -62,6 +67,8 @@ pub struct Model {
     pub mass: Option<Id>,
     pub inertia: Inertia,
     pub loads: Vec<Load>,
+    /// What becomes a load by differentiation.
+    pub potentials: Potentials,
     /// Loads with unknown components.
     pub reactions: Vec<Reaction>,
     pub pole: Point,
@@ -79,8 +86,9 @@ pub struct Load {
     pub point: Point,
     /// Without that of the force.
     pub moment: Vector,
-    /// It stands for what acts all over the body, and `point` was chosen.
-    pub is_spread: bool,
+    /// The potential that it follows from, if it does: it acts all over the body, and `point` was
+    /// chosen.
+    pub potential: Option<Id>,
     /// What to underline if the load is at fault.
     pub extent: Extent,
 }
@@ -117,6 +125,7 @@ pub fn lower_description(
         graph,
         labels: Labels::default(),
         attitude,
+        turns: None,
     };
     let mut scope = Scope::new(description, repeated);
     let mut lowering = Lowering {
@@ -131,8 +140,12 @@ pub fn lower_description(
     let defaults = lowering.declarations(description, outline, &mut meanings);
     let mass = lowering.definitions(description, &defaults);
     let inertia = lowering.inertia(description, mass, &defaults);
-    let (unknown, given): (Vec<_>, Vec<_>) =
-        description.loads.iter().partition(|load| is_unknown(load));
+    let potentials = lowering.potentials(description);
+    let plain = description
+        .loads
+        .iter()
+        .filter(|load| load.charges.is_none());
+    let (unknown, given): (Vec<_>, Vec<_>) = plain.partition(|load| is_unknown(load));
     let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
     let reactions: Vec<Option<Reaction>> = unknown
         .into_iter()
@@ -160,6 +173,7 @@ pub fn lower_description(
     let loads = loads.into_iter().collect::<Option<Vec<_>>>();
     let reactions = reactions.into_iter().collect::<Option<Vec<_>>>();
     let (inertia, loads, reactions, pole) = (inertia?, loads?, reactions?, pole?);
+    let potentials = potentials?;
     let (motion, outputs) = (outline.motion, outline.outputs.clone());
     Some(Model {
         motion,
@@ -169,6 +183,7 @@ pub fn lower_description(
         mass: mass.known(),
         inertia,
         loads,
+        potentials,
         reactions,
         pole,
         outputs,

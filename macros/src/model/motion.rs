@@ -1,6 +1,8 @@
 //! Kinds of motion, and the coordinates that each of them has.
 
-use crate::symbolic::{Components, Graph, Id, Stage};
+use std::collections::HashMap;
+
+use crate::symbolic::{Components, Graph, Id, Node, Stage, Symbol};
 
 use super::frame::{Attitude, Frame, Frames, Vector};
 use super::names::Meaning;
@@ -153,19 +155,22 @@ impl State {
     }
 }
 
-/// Symbols and what they stand for: symbol `n` of the graph has meaning `n`.
+/// Symbols and what they stand for.
 #[derive(Default)]
-pub struct Meanings(Vec<Meaning>);
+pub struct Meanings(HashMap<Symbol, Meaning>);
 
 impl Meanings {
     /// A new symbol of `graph`, known from `stage` on.
     pub fn symbol(&mut self, graph: &mut Graph, stage: Stage, meaning: Meaning) -> Id {
-        self.0.push(meaning);
-        graph.symbol(stage)
+        let id = graph.symbol(stage);
+        if let Node::Symbol(symbol) = graph.node(id) {
+            self.0.insert(*symbol, meaning);
+        }
+        id
     }
 
-    pub fn of(&self, symbol: crate::symbolic::Symbol) -> Meaning {
-        self.0[symbol.0 as usize]
+    pub fn of(&self, symbol: Symbol) -> Meaning {
+        self.0.get(&symbol).copied().unwrap_or(Meaning::Virtual)
     }
 
     /// Symbols for the axes of `range`, zero along the others.

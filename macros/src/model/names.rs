@@ -76,4 +76,6 @@ pub enum Meaning {
     LinearAcceleration(usize),
     /// Angular acceleration, body axes.
     AngularAcceleration(usize),
+    /// A displacement or a turned vector, as long as it is differentiated by.
+    Virtual,
 }

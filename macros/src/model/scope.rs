@@ -74,6 +74,15 @@ impl Scope {
         Some(*value)
     }
 
+    /// The values of all names, to be restored.
+    pub fn values(&self) -> HashMap<String, Option<Value>> {
+        self.values.clone()
+    }
+
+    pub fn restore(&mut self, values: HashMap<String, Option<Value>>) {
+        self.values = values;
+    }
+
     /// Whether the description, or the language, gives this name a value that is no constant.
     pub fn is_open(&self, name: &str) -> bool {
         self.defined.contains(name) || CHANGING.contains(&name) || name == "mass"
@@ -143,14 +152,13 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
         check(&local.name, "local", errors);
     }
     let mut loads = HashSet::new();
-    for load in &description.loads {
-        if !loads.insert(load.name.to_string()) {
+    let named = description.loads.iter().map(|load| &load.name);
+    let potentials = description.potentials.iter();
+    for name in named.chain(potentials.map(|potential| &potential.name)) {
+        if !loads.insert(name.to_string()) {
             errors.push(
-                load.name.span(),
-                format!(
-                    "there is a load `{}` already: loads are told apart by their names",
-                    load.name
-                ),
+                name.span(),
+                format!("there is a load `{name}` already: loads are told apart by their names"),
             );
         }
     }

@@ -2,8 +2,7 @@
 //!
 //! This room knows no mechanics and no words: symbols are numbers, and what they stand for is the
 //! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
-//! vectors, a schedule, a cost and an interpreter; and for those who check the equations, so far
-//! only tests, derivatives.
+//! vectors, gradients, a schedule, a cost and an interpreter.
 
 mod build;
 mod cost;
@@ -11,10 +10,12 @@ mod cost;
 #[allow(dead_code, reason = "used where the rooms are mounted: tests/compiler")]
 mod derivative;
 mod evaluate;
+mod gradient;
 mod graph;
 mod number;
 mod product;
 mod program;
+mod slopes;
 mod solve;
 mod substitute;
 mod sum;

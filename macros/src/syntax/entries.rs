@@ -4,6 +4,7 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use crate::errors::Errors;
 
+use super::charges::parse_charges;
 use super::expression::{Expression, Kind};
 use super::tokens::{after_sign, bracketed, is_punct, start, stream};
 use super::unit::UnitExpression;
@@ -26,6 +27,11 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
         "locals" => {
             let value = parse_value(&name, rest, errors);
             into.locals.push(Definition { name, value });
+        }
+        "potentials" => {
+            let value = parse_value(&name, rest, errors);
+            let value = value.and_then(|value| without_point(value, errors));
+            into.potentials.push(Definition { name, value });
         }
         "outputs" => {
             if let Some(extra) = rest.first() {
@@ -149,7 +155,22 @@ fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Value {
     Expression::parse(stream(value), errors)
 }
 
-/// Splits `vector.at(point)` and `moment(vector)` off the expression of a load.
+/// A potential has no point at which it acts.
+fn without_point(value: Expression, errors: &mut Errors) -> Value {
+    match value.kind {
+        Kind::Method(inner, method, _) if method == "at" => {
+            errors.push(
+                method.span(),
+                "a potential acts at no point: its force and its moment are derived; leave \
+                 `.at(..)` out",
+            );
+            Some(*inner)
+        }
+        _ => Some(value),
+    }
+}
+
+/// Splits `vector.at(point)`, `moment(vector)` and `field.on([..])` off the expression of a load.
 fn parse_load(
     name: Ident,
     value: Value,
@@ -162,6 +183,7 @@ fn parse_load(
         kind: kind.unwrap_or(LoadKind::Force),
         vector: None,
         point: None,
+        charges: None,
     };
     let Some(mut value) = value else {
         return load;
@@ -182,6 +204,19 @@ fn parse_load(
                     load.point = Some(None);
                 }
                 at = Some(method);
+                value = *inner;
+            }
+            Kind::Method(inner, method, arguments) if method == "on" && load.charges.is_none() => {
+                if load.family == Family::Field && load.kind == LoadKind::Force {
+                    load.charges = Some(parse_charges(&method, arguments, errors));
+                } else {
+                    errors.push(
+                        method.span(),
+                        "charges stand in a field: write `fields: [name = \
+                         world(..).on([q.at(P)])]`",
+                    );
+                    return load;
+                }
                 value = *inner;
             }
             Kind::Call(function, mut arguments)
@@ -206,6 +241,12 @@ fn parse_load(
             }
             _ => break,
         }
+    }
+    if let (Some(_), Some(at)) = (&load.charges, &at) {
+        errors.push(
+            at.span(),
+            "a field acts where its charges are: leave this `.at(..)` out",
+        );
     }
     if let (LoadKind::Moment, Some(at)) = (load.kind, at) {
         errors.push(

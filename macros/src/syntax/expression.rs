@@ -26,6 +26,8 @@ pub enum Kind {
     Poisoned,
     /// `(x, y, z)`
     Tuple(Vec<Expression>),
+    /// `[a, b]`, in the parentheses of `.on(..)`.
+    List(Vec<Expression>),
     /// `operand[unit]`
     Unit(Box<Expression>, UnitExpression),
     Prefix(Prefix, Box<Expression>),
@@ -105,7 +107,9 @@ impl Expression {
             let shown = pending.len();
             match &part.kind {
                 Kind::Number(_) | Kind::Name(_) | Kind::Placeholder | Kind::Poisoned => {}
-                Kind::Tuple(parts) | Kind::Call(_, parts) => pending.extend(parts),
+                Kind::Tuple(parts) | Kind::List(parts) | Kind::Call(_, parts) => {
+                    pending.extend(parts)
+                }
                 Kind::Unit(operand, _) | Kind::Prefix(_, operand) | Kind::Field(operand, _) => {
                     pending.push(operand);
                 }

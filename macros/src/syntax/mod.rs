@@ -4,6 +4,7 @@
 //! nothing: it is reported, and what it would have named stays known, without a value. Nothing is
 //! looked up here and nothing has a meaning yet.
 
+mod charges;
 mod composition;
 mod entries;
 mod expression;
@@ -46,6 +47,7 @@ pub struct Description {
     pub points: Vec<Definition>,
     pub locals: Vec<Definition>,
     pub loads: Vec<Load>,
+    pub potentials: Vec<Definition>,
     pub pole: Option<Written>,
     pub outputs: Vec<Ident>,
 }
@@ -68,6 +70,7 @@ impl Description {
             points: Vec::new(),
             locals: Vec::new(),
             loads: Vec::new(),
+            potentials: Vec::new(),
             pole: None,
             outputs: Vec::new(),
         }
@@ -104,7 +107,7 @@ pub struct Declaration {
     pub value: Option<Value>,
 }
 
-/// `name = value`: a point or a local.
+/// `name = value`: a point, a local or a potential.
 pub struct Definition {
     pub name: Ident,
     pub value: Value,
@@ -126,7 +129,7 @@ pub enum LoadKind {
     Moment,
 }
 
-/// `name = vector`, `name = vector.at(point)` or `name = moment(vector)`.
+/// `name = vector`, `name = vector.at(point)`, `name = moment(vector)` or `name = vector.on([..])`.
 pub struct Load {
     pub name: Ident,
     pub family: Family,
@@ -134,4 +137,12 @@ pub struct Load {
     pub vector: Value,
     /// What `.at(..)` says, if it is there.
     pub point: Option<Value>,
+    /// What `.on([..])` says, if it is there: the vector is a field, and no force.
+    pub charges: Option<Vec<Charge>>,
+}
+
+/// `charge.at(point)`
+pub struct Charge {
+    pub charge: Value,
+    pub point: Value,
 }

@@ -16,7 +16,7 @@ use super::words::{check_name, is_keyword};
 use super::{Description, Written};
 
 /// Keys whose value is a list, each with an entry to show.
-const LISTS: [(&str, &str); 11] = [
+const LISTS: [(&str, &str); 12] = [
     ("params", "arm = 0.2[m]"),
     ("inputs", "thrust[N]"),
     ("points", "tip = (0.1, 0, 0)"),
@@ -27,12 +27,13 @@ const LISTS: [(&str, &str); 11] = [
     ("joint_moments", "motor = body(0, 0, 1)"),
     ("reactions", "support = world(0, 0, 1).at(tip)"),
     ("fields", "weight = mass * world(0, 0, -9.80665[m / s ^ 2])"),
+    ("potentials", "spring = 20[N / m] * position.norm_squared()"),
     ("outputs", "energy"),
 ];
 /// All other keys.
 const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
 /// Keys of the language that are not there yet.
-const LATER: [&str; 3] = ["potentials", "constraints", "checks"];
+const LATER: [&str; 2] = ["constraints", "checks"];
 /// Parses `(runtime) Name { key: value, .. }`. Only without a name is there no description at all.
 pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Description> {
     let (mut description, body) = parse_head(tokens, errors)?;

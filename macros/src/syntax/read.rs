@@ -72,6 +72,7 @@ impl Reader<'_> {
             Expr::Infer(_) => Some(Kind::Placeholder),
             Expr::Path(path) => self.name(path),
             Expr::Tuple(tuple) => Some(Kind::Tuple(self.all(&tuple.elems, depth))),
+            Expr::Array(list) => Some(Kind::List(self.all(&list.elems, depth))),
             Expr::Index(index) => self.unit(index, depth),
             Expr::Unary(unary) => self.prefix(unary, depth),
             Expr::Binary(_) => Some(self.chain(expr, depth)),

@@ -158,12 +158,12 @@ impl Screen<'_> {
                 let number = Literal::usize_unsuffixed(self.units.len() - 1);
                 Group::new(Delimiter::Bracket, TokenTree::from(number).into())
             }
+            Delimiter::Bracket if function.is_some_and(|word| word == "on") => {
+                let inner = self.stream(group.stream(), depth + 1, None);
+                Group::new(Delimiter::Bracket, inner)
+            }
             Delimiter::Bracket => {
                 let (place, message) = match function {
-                    Some(word) if word == "on" => (
-                        word.span(),
-                        "`on(..)` is part of the language, but this version does not have it yet",
-                    ),
                     Some(word) if word == "compose" => (
                         word.span(),
                         "`compose([..])` is a whole body: it stands alone behind `inertia:`",

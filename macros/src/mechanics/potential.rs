@@ -1,0 +1,246 @@
+//! Potentials as loads: `F = -dU/dR` and `K = -dU/dphi` (34.2), (34.6).
+//!
+//! The derivative along a rotation is not taken through the rotation. As the body turns by phi,
+//! given in body axes, a vector fixed in the body changes in the world, and one fixed in the world
+//! changes in the body, by
+//!
+//! ```text
+//! d(R v) = R (phi x v)        d(R^T v) = -phi x (R^T v)
+//! ```
+//!
+//! so with the slope g of U along the turned vector r, K is `(R^T g) x v` or `r x g`; and along v
+//! itself the slope is g, turned back.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::model::{Attitude, Family, Form, Frame, Load, Model, Turn};
+use crate::symbolic::{Components, Id, Number};
+
+/// What a potential amounts to.
+struct Derived {
+    energy: Id,
+    /// World axes.
+    force: Components,
+    /// About G, or about the point that is held; body axes.
+    moment: Components,
+}
+
+/// Slopes of an energy, by symbol.
+type Slopes = HashMap<Id, Id>;
+
+/// The potentials become loads, in the form that makes the fewest operations.
+pub fn derive_potentials(model: &mut Model) {
+    let forms = core::mem::take(&mut model.potentials.forms);
+    let mut best: Option<(u32, Vec<Derived>)> = None;
+    for form in &forms {
+        let derived: Vec<Derived> = form
+            .energies
+            .iter()
+            .map(|energy| derive(model, form, *energy))
+            .collect();
+        let derived = expand(model, form, derived);
+        let cost = cost(model, &derived);
+        if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+            best = Some((cost, derived));
+        }
+    }
+    let derived = best.map_or_else(Vec::new, |(_, derived)| derived);
+    for (index, derived) in derived.into_iter().enumerate() {
+        let load = load(model, index, &derived);
+        let place = model.potentials.list[index].place;
+        model.loads.insert(place.min(model.loads.len()), load);
+    }
+}
+
+fn load(model: &mut Model, index: usize, derived: &Derived) -> Load {
+    let name = model.potentials.list[index].name.clone();
+    let labels = &mut model.frames.labels;
+    labels.vector(&format!("{name}_force"), derived.force);
+    let moment = format!("{name}_moment");
+    if model.motion.is_planar() {
+        labels.name(derived.moment[2], moment);
+    } else {
+        labels.vector(&moment, derived.moment);
+    }
+    let center = model.state.center(&mut model.frames);
+    Load {
+        extent: name.span().into(),
+        name,
+        family: Family::Field,
+        force: model.frames.vector(Frame::World, derived.force),
+        point: center,
+        moment: model.frames.vector(Frame::Body, derived.moment),
+        potential: Some(derived.energy),
+    }
+}
+
+/// Late operations of what enters the accelerations.
+fn cost(model: &Model, derived: &[Derived]) -> u32 {
+    let mut roots = Vec::new();
+    for potential in derived {
+        if model.motion.translates() {
+            roots.extend(potential.force);
+        }
+        if model.motion.has_attitude() {
+            roots.extend(potential.moment);
+        }
+    }
+    model.frames.graph.late_cost(&roots).total()
+}
+
+/// Force and moment, made of turned vectors that are still kept apart.
+fn derive(model: &mut Model, form: &Form, energy: Id) -> Derived {
+    let place = symbols_of_place(model, form);
+    let one = model.frames.graph.one();
+    let mut slopes = Slopes::new();
+    descend(model, &place, &[(energy, one)], &mut slopes);
+    let mut moment = model.frames.graph.zeros();
+    // each vector is made of those that were turned before it
+    for turn in form.turns.iter().rev() {
+        let slope = along(model, &slopes, turn.turned);
+        if model.frames.graph.is_zero_vector(&slope) {
+            continue;
+        }
+        let turning = turning(model, turn, slope);
+        moment = model.frames.graph.add_vectors(moment, turning);
+        let graph = &model.frames.graph;
+        if graph.depends_on(&turn.vector, |id| place.contains(&id)) {
+            let back = model.frames.turn(slope, turn.to.other());
+            let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();
+            descend(model, &place, &weighted, &mut slopes);
+        }
+    }
+    let direct = attitude_moment(model, &slopes);
+    let force = along(model, &slopes, form.displacement);
+    let graph = &mut model.frames.graph;
+    Derived {
+        energy,
+        force: graph.negate_vector(force),
+        moment: graph.add_vectors(moment, direct),
+    }
+}
+
+/// The moment that a slope along a turned vector amounts to.
+fn turning(model: &mut Model, turn: &Turn, slope: Components) -> Components {
+    match turn.to {
+        Frame::World => {
+            let back = model.frames.turn(slope, Frame::Body);
+            model.frames.graph.cross(back, turn.vector)
+        }
+        Frame::Body => match model.frames.common_factor(slope) {
+            Some((factor, slope)) => {
+                let graph = &mut model.frames.graph;
+                let turning = graph.cross(turn.turned, slope);
+                graph.scale_vector(factor, turning)
+            }
+            None => model.frames.graph.cross(turn.turned, slope),
+        },
+    }
+}
+
+/// The symbols that say where the body is: of the displacement, the attitude and turned vectors.
+fn symbols_of_place(model: &Model, form: &Form) -> HashSet<Id> {
+    let mut symbols: HashSet<Id> = form.displacement.into_iter().collect();
+    symbols.extend(form.turns.iter().flat_map(|turn| turn.turned));
+    match model.frames.attitude {
+        Attitude::Fixed => {}
+        Attitude::Axis { angle, .. } => symbols.extend([angle]),
+        Attitude::Quaternion { scalar, vector } => {
+            symbols.extend([scalar]);
+            symbols.extend(vector);
+        }
+    }
+    symbols
+}
+
+/// Adds the slopes of the weighted sum.
+fn descend(model: &mut Model, place: &HashSet<Id>, weighted: &[(Id, Id)], slopes: &mut Slopes) {
+    let graph = &mut model.frames.graph;
+    for (symbol, slope) in graph.gradient(weighted, |id| place.contains(&id)) {
+        let sum = match slopes.get(&symbol) {
+            Some(known) => graph.add(*known, slope),
+            None => slope,
+        };
+        slopes.insert(symbol, sum);
+    }
+}
+
+/// The slopes along the components of a vector.
+fn along(model: &mut Model, slopes: &Slopes, symbols: Components) -> Components {
+    let zero = model.frames.graph.zero();
+    symbols.map(|symbol| slopes.get(&symbol).copied().unwrap_or(zero))
+}
+
+/// The moment of an energy that was written in terms of the attitude itself: `-dU/dangle` about the
+/// axis, or `K_i = -1/2 dU/dq . (q e_i)`, body axes.
+fn attitude_moment(model: &mut Model, slopes: &Slopes) -> Components {
+    let graph = &mut model.frames.graph;
+    let zero = graph.zero();
+    let slope = |symbol: Id| slopes.get(&symbol).copied().unwrap_or(zero);
+    match model.frames.attitude {
+        Attitude::Fixed => graph.zeros(),
+        Attitude::Axis { angle, direction } => {
+            let moment = graph.negate(slope(angle));
+            graph.scale_vector(moment, direction)
+        }
+        Attitude::Quaternion { scalar, vector } => {
+            // q e = (-v . e, w e + v x e), so the sum over e is w g - v g_0 + g x v
+            let (along_scalar, along_vector) = (slope(scalar), vector.map(slope));
+            let scaled = graph.scale_vector(scalar, along_vector);
+            let spread = graph.scale_vector(along_scalar, vector);
+            let swept = graph.cross(along_vector, vector);
+            let sum = graph.subtract_vectors(scaled, spread);
+            let sum = graph.add_vectors(sum, swept);
+            let half = graph.number(Number::ratio(-1, 2));
+            graph.scale_vector(half, sum)
+        }
+    }
+}
+
+/// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where a
+/// support determines the position. Names go with what they name.
+fn expand(model: &mut Model, form: &Form, derived: Vec<Derived>) -> Vec<Derived> {
+    let mut values: HashMap<Id, Id> = HashMap::new();
+    let zero = model.frames.graph.zero();
+    if model.motion.is_supported() {
+        values.extend(form.displacement.map(|symbol| (symbol, zero)));
+    }
+    for turn in &form.turns {
+        let vector = replace(model, &turn.vector, &values);
+        let turned = model
+            .frames
+            .turn([vector[0], vector[1], vector[2]], turn.to);
+        values.extend(turn.turned.into_iter().zip(turned));
+    }
+    let roots: Vec<Id> = derived
+        .iter()
+        .flat_map(|one| [[one.energy; 1].as_slice(), &one.force, &one.moment].concat())
+        .collect();
+    let images = replace(model, &roots, &values);
+    let vector = |parts: &[Id]| [parts[0], parts[1], parts[2]];
+    images
+        .chunks(7)
+        .map(|parts| Derived {
+            energy: parts[0],
+            force: vector(&parts[1..4]),
+            moment: vector(&parts[4..7]),
+        })
+        .collect()
+}
+
+fn replace(model: &mut Model, roots: &[Id], values: &HashMap<Id, Id>) -> Vec<Id> {
+    let labels = &model.frames.labels;
+    let graph = &mut model.frames.graph;
+    let named = graph.reachable(roots, |_| true).into_iter();
+    let named: Vec<Id> = named.filter(|id| labels.get(*id).is_some()).collect();
+    let all: Vec<Id> = roots.iter().copied().chain(named.iter().copied()).collect();
+    let mut images = graph.substitute(&all, |id| values.get(&id).copied());
+    let named_images = images.split_off(roots.len());
+    let labels = &mut model.frames.labels;
+    for (id, image) in named.into_iter().zip(named_images) {
+        if let Some(name) = labels.get(id).map(str::to_owned) {
+            labels.name(image, name);
+        }
+    }
+    images
+}

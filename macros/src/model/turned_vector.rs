@@ -1,0 +1,68 @@
+//! Turned vectors, kept apart.
+//!
+//! How a potential changes as its body turns is known without looking into the rotation: a turned
+//! vector changes by `phi x r`. So where potentials are read, the components of a vector in its other
+//! axes are new symbols, which stand for the turned vector until it is differentiated.
+
+use std::collections::HashMap;
+
+use crate::symbolic::{Components, Graph, Stage};
+
+use super::frame::Frame;
+
+/// A vector, and the symbols of its components in the other axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Turn {
+    /// The axes of the symbols.
+    pub to: Frame,
+    pub vector: Components,
+    pub turned: Components,
+}
+
+/// The vectors that were turned so far, each after those it is made of.
+pub struct Turns {
+    pub list: Vec<Turn>,
+    known: HashMap<(Components, bool), usize>,
+    /// Number of components.
+    axes: usize,
+    /// The axes in which the length of a vector is taken that has parts in both.
+    mixed: Frame,
+    /// Whether such a vector was met.
+    pub met_mixed: bool,
+}
+
+impl Turns {
+    pub fn new(axes: usize, mixed: Frame) -> Self {
+        Self {
+            list: Vec::new(),
+            known: HashMap::new(),
+            axes,
+            mixed,
+            met_mixed: false,
+        }
+    }
+
+    pub fn choose_axes(&mut self) -> Frame {
+        self.met_mixed = true;
+        self.mixed
+    }
+
+    /// The symbols of `vector` in the axes of `to`; the same vector has the same ones.
+    pub fn turn(&mut self, graph: &mut Graph, vector: Components, to: Frame) -> Components {
+        let key = (vector, to == Frame::World);
+        if let Some(index) = self.known.get(&key) {
+            return self.list[*index].turned;
+        }
+        let axes = self.axes;
+        let turned = [0, 1, 2].map(|axis| {
+            if axis < axes {
+                graph.symbol(Stage::State)
+            } else {
+                graph.zero()
+            }
+        });
+        self.known.insert(key, self.list.len());
+        self.list.push(Turn { to, vector, turned });
+        turned
+    }
+}

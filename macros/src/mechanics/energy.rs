@@ -71,8 +71,8 @@ fn potential(model: &mut Model) -> Id {
     potential
 }
 
-/// The point of the body at which a uniform field acts: a field force that is written in world axes
-/// and is the same for every position, attitude and velocity.
+/// The point of the body at which a uniform field acts: a field force that is fixed in world axes and
+/// is the same for every position, attitude and velocity.
 pub fn uniform_field(model: &Model, load: &Load) -> Option<Components> {
     let graph: &Graph = &model.frames.graph;
     let of_state = |id: Id| match graph.node(id) {
@@ -89,7 +89,7 @@ pub fn uniform_field(model: &Model, load: &Load) -> Option<Components> {
     let is_uniform = load.family == Family::Field
         && load.potential.is_none()
         && model.frames.is_zero_vector(load.moment)
-        && graph.is_zero_vector(&force.body)
-        && !graph.depends_on(&force.world, of_state);
+        && (graph.is_zero_vector(&force.body) || !model.motion.has_attitude())
+        && !graph.depends_on(&[force.body, force.world].concat(), of_state);
     is_uniform.then_some(offset)
 }

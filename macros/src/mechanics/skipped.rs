@@ -44,6 +44,9 @@ fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
         Motion::Spatial => return,
     };
     skipped.push(missing.to_owned());
+    if model.has_idle_inertia {
+        skipped.push("the inertia: the body does not turn".to_owned());
+    }
 }
 
 fn skip_gyroscopic(model: &Model, skipped: &mut Vec<String>) {

@@ -37,7 +37,7 @@ mod vectors;
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
-use crate::symbolic::{Components, Graph, Id, Number};
+use crate::symbolic::{Components, Graph, Id, Number, Stage};
 use crate::syntax::{self, Description};
 
 pub use frame::{Attitude, Frame, Frames, Vector};
@@ -55,6 +55,7 @@ pub use value::Point;
 use entries::entries;
 use lower::Lowering;
 use parameters::Defaults;
+use possible::is_possible;
 use reaction::is_unknown;
 use scope::{Scope, check_names};
 
@@ -66,6 +67,8 @@ pub struct Model {
     pub state: State,
     pub mass: Option<Id>,
     pub inertia: Inertia,
+    /// An inertia was written for a body that does not turn.
+    pub has_idle_inertia: bool,
     pub loads: Vec<Load>,
     /// What becomes a load by differentiation.
     pub potentials: Potentials,
@@ -182,6 +185,7 @@ pub fn lower_description(
         state,
         mass: mass.known(),
         inertia,
+        has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
         loads,
         potentials,
         reactions,
@@ -218,6 +222,35 @@ pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &
             format!(
                 "a constant in the equations of `{}` is out of the range of `f64`{with}: choose \
                  units nearer to one",
+                outline.name
+            ),
+        );
+        return;
+    }
+    check_rounded_inertia(model, outline, errors);
+}
+
+/// Reports an inertia that is possible as it is written, and that the constructor, which computes
+/// in doubles, does not find so with the defaults of all parameters.
+fn check_rounded_inertia(model: &Model, outline: &Outline, errors: &mut Errors) {
+    let graph = &model.frames.graph;
+    let entries = model.inertia_entries();
+    let is_open = entries
+        .iter()
+        .any(|id| graph.stage(*id) == Stage::Parameter);
+    if !is_open || !outline.has_default() {
+        return;
+    }
+    let default = |symbol: Id| graph.as_number(*model.defaults.get(&symbol)?);
+    let rounded = graph.evaluate(&entries, |symbol| {
+        default(symbol).map_or(f64::NAN, Number::to_f64)
+    });
+    if !is_possible(&rounded) {
+        errors.push(
+            outline.name.span(),
+            format!(
+                "with the defaults of its parameters the inertia of `{}` about G is lost in \
+                 rounding: write it about a point nearer to G",
                 outline.name
             ),
         );

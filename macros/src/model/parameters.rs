@@ -192,10 +192,13 @@ impl Lowering<'_> {
             declared.dimension = dimension;
         }
         let (Some(frame), Kind::Call(_, parts)) = (declared.frame, &strip_unit(value).kind) else {
+            let name = &declared.name;
             return self.report(
                 value.extent,
-                "write `body(_, _, _)` or `world(_, _, _)`: it is a vector whose components are \
-                 given from outside",
+                format!(
+                    "what is given from outside is a scalar, `{name}` or `{name}[unit]`, or a vector, \
+                     `{name} = body(_, _, _)` or `world(_, _, _)`"
+                ),
             );
         };
         let axes = self.motion.axes();

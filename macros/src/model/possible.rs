@@ -291,3 +291,26 @@ fn mend(matrix: &Matrix, literals: &[Literal<'_>]) -> Option<(usize, usize, Stri
     }
     None
 }
+
+/// Slack of the runtime's own check, in ulp of the trace.
+const SLACK: f64 = 16.0;
+
+/// Whether rounded entries, in the order xx, yy, zz, xy, yz, zx, or the one of a planar body, are
+/// still those of a body that can turn about every axis.
+pub fn is_possible(entries: &[f64]) -> bool {
+    let [xx, yy, zz, xy, yz, zx] = *entries else {
+        return entries.iter().all(|moment| *moment > 0.0);
+    };
+    // more on the diagonal makes room in the triangle inequality of every frame
+    let slack = SLACK * f64::EPSILON * (xx + yy + zz);
+    let rows = |slack: f64| {
+        let rows = [
+            [xx + slack, xy, zx],
+            [xy, yy + slack, yz],
+            [zx, yz, zz + slack],
+        ];
+        rows.map(|row| row.map(Number::from_f64))
+    };
+    let turns = determinant(&|i, k| rows(0.0)[i][k].clone()).is_positive();
+    turns && Violation::find(&rows(slack)).is_none()
+}

@@ -170,6 +170,11 @@ impl Number {
         Some(Self::from(RBig::from(integer)) * Self::power_of_ten(scale))
     }
 
+    /// The value of a double, exactly; of one that is not finite, zero.
+    pub fn from_f64(value: f64) -> Self {
+        Self::from(RBig::try_from(value).unwrap_or(RBig::ZERO))
+    }
+
     pub fn is_zero(&self) -> bool {
         self.value.is_zero()
     }

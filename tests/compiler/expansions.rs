@@ -160,3 +160,35 @@ fn expansions_grow_linearly() {
         "{small} bytes for 30 parts, {large} for 300"
     );
 }
+
+/// A second `let` of one name would hide the first from what is computed after it.
+#[test]
+fn names_in_the_constructor_are_distinct() {
+    let gate = quote!(Gate {
+        motion: fixed_axis(p, world(0, 0, 1)).at(world(a, 0, 1)),
+        params: [a = 0.3, b = -0.8],
+        mass: 1.5,
+        inertia: principal(1, 2, 2.5),
+        points: [p = (-a, -0.3, 0), q = (-a, -0.3, a), s = (-a, -a, a)],
+        fields: [weight = mass * world(0.1, -9.8, 0.5)],
+        forces: [push = body(1, 2, -3).at(q)],
+        reactions: [
+            hold = world(_, _, -b).at(p),
+            rail = world(0, -b, _).at(s),
+            guide = moment(body(_, _, 0.2))
+        ],
+        outputs: [balance, reactions],
+    });
+    let code = pretty(gate);
+    let constructor = code.split("fn new(").nth(1).expect("there are params");
+    let constructor = constructor.split("fn params(").next().unwrap_or_default();
+    let lets = constructor
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("let ")?.split(" = ").next());
+    let mut names: Vec<&str> = lets.collect();
+    let count = names.len();
+    names.sort_unstable();
+    names.dedup();
+    assert!(count > 10);
+    assert_eq!(names.len(), count, "{constructor}");
+}

@@ -92,9 +92,11 @@ impl Writer<'_> {
     }
 
     /// Names that are not there for statements: those of arguments, and those of fields, which are
-    /// told from statements by `self` in the code and by nothing in its text.
+    /// told from statements by `self` in the code and by nothing in its text, or which the
+    /// constructor is yet to compute.
     fn taken(&self) -> HashSet<String> {
-        let fields = self.fields.0.iter().map(|(_, name)| name.to_string());
+        let fields = self.fields.0.iter().chain(&self.targets.0);
+        let fields = fields.map(|(_, name)| name.to_string());
         TAKEN
             .iter()
             .map(|name| (*name).to_owned())

@@ -7,9 +7,10 @@
 pub struct Body {
     /// The documentation of the generated type, a string: `doc: "A thrown plank."`.
     pub doc: (),
-    /// The coordinates that exist: `planar`, `planar_translation`, `spatial`, `translation` or `rotation`.
+    /// The coordinates that exist: `planar`, `planar_translation`, `spatial`, `translation` or `rotation`; of a body that
+    /// is held, `pivot(P)`, `fixed_point(P)` or `fixed_axis(P, direction)`, at the world's origin or `.at(world(..))`.
     ///
-    /// Later: `pivot(P)`, `fixed_point(P)`, `fixed_axis(P, direction)`, `rod(axis)`.
+    /// Later: `rod(axis)`.
     pub motion: (),
     /// The mass: `1.2[kg]`, or an expression of params. The parts of `inertia: compose([..])` have it already.
     pub mass: (),
@@ -36,7 +37,7 @@ pub struct Body {
     /// Moments `M_s` that joints pass to this body, written like `moments`.
     pub joint_moments: (),
     /// Constraint loads `R_v` and `M_v` on this body: a force, at G unless `.at(P)` follows, or `moment(..)`. `_` marks an
-    /// unknown component.
+    /// unknown component, to be solved for: `[pin = world(_, _).at(hinge)]`.
     pub reactions: (),
     /// Loads `F_f` and `M_f` that stand for fields: `[weight = mass * world(0, 0, -9.80665[m / s ^ 2])]`.
     pub fields: (),
@@ -48,7 +49,7 @@ pub struct Body {
     pub pole: (),
     /// Named sub-expressions: `[twist = thrust_1 - thrust_2]`.
     pub locals: (),
-    /// What to generate beyond the acceleration: `[energy, momentum, balance]`.
+    /// What to generate beyond the acceleration: `[energy, momentum, balance, reactions]`.
     pub outputs: (),
     /// Statements about this body that fail the build if they are false.
     pub checks: (),

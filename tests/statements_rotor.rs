@@ -44,6 +44,24 @@ mod scenes {
         outputs: [reactions, energy],
     });
 
+    // as it is given: drawn from a point of the axis
+    rigid_body!(Drawn {
+        motion: fixed_axis(a, body(0, 0, 1)),
+        inputs: [torque[N * m]],
+        inertia: compose([
+            point(4[kg]).at((0.001, 0.0005, 0.02)),
+            point(3[kg]).at((0.08, -0.03, -0.05)),
+            point(2.5[kg]).at((-0.06, 0.09, 0.07)),
+            point(2[kg]).at((-0.05, -0.07, 0.11)),
+            point(1.5[kg]).at((0.03, 0.02, -0.16)),
+        ]),
+        points: [a = (0, 0, -0.3), b = (0, 0, 0.25)],
+        fields: [weight = mass * world(0, -9.80665[m / s ^ 2], 0)],
+        moments: [drive = body(0, 0, torque)],
+        reactions: [in_a = world(_, _, 0).at(a), in_b = world(_, _, _).at(b)],
+        outputs: [reactions],
+    });
+
     // held against the world: about an axis of coordinates the same unknowns
     rigid_body!(Coupled {
         motion: fixed_axis(a, world(0, 0, 1)),
@@ -61,7 +79,7 @@ mod scenes {
         outputs: [reactions],
     });
 }
-use scenes::{Coupled, Rotor, RotorInput, RotorParams};
+use scenes::{Coupled, Drawn, DrawnInput, Rotor, RotorInput, RotorParams};
 
 /// One-shot algebra: 1e-13 of the largest term, which a sum of a dozen rounded terms leaves far below.
 fn is(computed: f64, expected: f64, largest: f64) {
@@ -144,6 +162,25 @@ fn two_bearings() {
         let [x, y] = numbers(&expected(&format!("{name} body")));
         let in_body = to_world.inverse() * load;
         is_vector(in_body, Vector3::new(x, y, 0.0), 4000.0);
+    }
+}
+
+#[test]
+fn drawn_from_the_axis() {
+    let given = body("M6")["given"].take();
+    let state = Hinge {
+        angle: number(&given["theta"]),
+        angular_velocity: number(&given["omega"]),
+    };
+    let input = DrawnInput {
+        torque: number(&given["torque"]),
+    };
+    let alpha = Drawn::default().acceleration(0.0, &state, &input);
+    is(alpha, number(&expected("alpha")), 40.0);
+    let reactions = Drawn::default().reactions(0.0, &state, &input);
+    for (load, name) in [(reactions.in_a, "A world"), (reactions.in_b, "B world")] {
+        let [x, y] = numbers(&expected(name));
+        is_vector(load, Vector3::new(x, y, 0.0), 4000.0);
     }
 }
 

@@ -197,6 +197,56 @@ pub mod motions {
         });
     }
 
+    /// On a pin, with a force named as in textbooks.
+    pub mod pivot {
+        newton_euler::rigid_body!(Pendulum {
+            motion: pivot(pin).at(world(0, height)),
+            params: [length = 0.5[m], height[m]],
+            mass: 2[kg],
+            inertia: 0.05[kg * m ^ 2],
+            points: [pin = (0, length)],
+            fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+            reactions: [R_v = world(_, _).at(pin)],
+            outputs: [energy, momentum, balance, reactions],
+        });
+    }
+
+    /// On its tip.
+    pub mod fixed_point {
+        newton_euler::rigid_body!(Top {
+            motion: fixed_point(tip),
+            mass: 0.4[kg],
+            inertia: principal(7e-4, 7e-4, 9e-4)[kg * m ^ 2],
+            points: [tip = (0, 0, -0.06)],
+            fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+            reactions: [ground = body(_, _, _).at(tip)],
+            outputs: [energy, momentum, balance, reactions],
+        });
+    }
+
+    /// On two bearings.
+    pub mod fixed_axis {
+        newton_euler::rigid_body!(Rotor {
+            motion: fixed_axis(a, along),
+            params: [along = world(1, 2, 2), mount = world(_, _, _)[m]],
+            inputs: [torque],
+            mass: 2[kg],
+            inertia: tensor {
+                xx: 1.3,
+                yy: 1.7,
+                zz: 2.1,
+                xy: -0.12,
+                yz: -0.05,
+                zx: 0.07
+            },
+            points: [a = (0.1, 0.2, 0.3), b = (0.2, 0.4, 0.5)],
+            fields: [weight = mass * mount],
+            moments: [drive = torque * along],
+            reactions: [A = body(_, _, _).at(a), B = body(0.25, _, _).at(b)],
+            outputs: [energy, momentum, balance, reactions],
+        });
+    }
+
     /// In the plane, without turning.
     pub mod planar_translation {
         newton_euler::rigid_body!(Puck {

@@ -79,7 +79,7 @@ impl Lowering<'_> {
             }
         }
         if self.motion.is_supported() {
-            self.support(description);
+            self.support(description, defaults);
         }
         for definition in rest {
             self.definition(definition, description, defaults, &mut mass);

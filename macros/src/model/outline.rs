@@ -227,6 +227,17 @@ fn unknown_reactions(description: &Description) -> Vec<(Ident, LoadKind)> {
         .collect()
 }
 
+/// Whether an entry that may have been meant as an unknown reaction is reported.
+fn is_reported(description: &Description) -> bool {
+    let is_partly_open = |value: &Expression| {
+        let mut found = false;
+        value.visit(|part| found |= matches!(part.kind, Kind::Placeholder));
+        found
+    };
+    let wrong = |load: &syntax::Load| load.vector.as_ref().is_none_or(is_partly_open);
+    !description.lost.is_empty() || description.loads.iter().any(wrong)
+}
+
 fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> {
     let mut outputs = Vec::new();
     for word in &description.outputs {
@@ -235,7 +246,9 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
             Some((_, output)) if outputs.contains(output) => {
                 errors.push(word.span(), format!("`{written}` is asked for twice"));
             }
-            Some((_, Output::Reactions)) if !description.loads.iter().any(is_unknown) => {
+            Some((_, Output::Reactions))
+                if !description.loads.iter().any(is_unknown) && !is_reported(description) =>
+            {
                 errors.push(
                     word.span(),
                     "there are no unknown reactions: leave components open, as in `reactions: \

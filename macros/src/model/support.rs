@@ -6,18 +6,25 @@ use crate::syntax::{self, Description, Expression};
 use super::dimension::Dimension;
 use super::lower::Lowering;
 use super::motion::{Motion, Support};
+use super::parameters::Defaults;
 use super::value::Point;
 
 impl Lowering<'_> {
     /// Reads the support that `motion` names, and holds the body by it.
-    pub fn support(&mut self, description: &Description) -> Option<()> {
+    pub fn support(&mut self, description: &Description, defaults: &Defaults) -> Option<()> {
         let motion = description.motion.as_ref()?;
-        let support = self.read_support(motion.support.as_ref()?, &motion.word.to_string())?;
+        let word = motion.word.to_string();
+        let support = self.read_support(motion.support.as_ref()?, &word, defaults)?;
         self.state.hold(self.frames, support);
         Some(())
     }
 
-    fn read_support(&mut self, written: &syntax::Support, word: &str) -> Option<Support> {
+    fn read_support(
+        &mut self,
+        written: &syntax::Support,
+        word: &str,
+        defaults: &Defaults,
+    ) -> Option<Support> {
         let (point, direction) = match (written.arguments.as_slice(), self.motion) {
             ([point, direction], Motion::FixedAxis) => (point, Some(direction)),
             ([point], Motion::Pivot | Motion::FixedPoint) => (point, None),
@@ -46,7 +53,7 @@ impl Lowering<'_> {
             None => Some(None),
             Some(direction) => direction
                 .as_ref()
-                .and_then(|direction| self.direction(direction))
+                .and_then(|direction| self.direction(direction, defaults))
                 .map(Some),
         };
         Some(Support {
@@ -78,7 +85,11 @@ impl Lowering<'_> {
     }
 
     /// A unit vector along `written`; at the angle zero both axes are the same.
-    fn direction(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
+    fn direction(
+        &mut self,
+        written: &Expression,
+        defaults: &Defaults,
+    ) -> Option<crate::symbolic::Components> {
         let vector = self.vector(written, Dimension::ANY, "a direction")?;
         let graph = &mut self.frames.graph;
         let components = match (
@@ -108,6 +119,13 @@ impl Lowering<'_> {
             return self.report(
                 place,
                 "the direction of an axis is fixed: it cannot depend on the time, the state or an input",
+            );
+        }
+        let known = graph.substitute(&components, |id| defaults.get(&id).copied());
+        if known.into_iter().all(|component| graph.is_zero(component)) {
+            return self.report(
+                written.extent,
+                "an axis has a direction, and this vector is zero with the defaults of its parameters",
             );
         }
         let norm = graph.norm(components);

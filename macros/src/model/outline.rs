@@ -105,7 +105,8 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
             .loads
             .iter()
             .filter(|load| !is_unknown(load))
-            .count(),
+            .count()
+            + description.potentials.len(),
         keys: description.keys.clone(),
         unused: Vec::new(),
     }

@@ -1,0 +1,635 @@
+//! Potentials: forces and moments against published numbers, against differences of the energy, and the energy itself.
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
+
+use nalgebra::{UnitQuaternion, Vector2, Vector3};
+use newton_euler::operations::Operations;
+use newton_euler::{integrate::cf4, prelude::*};
+use proptest::prelude::*;
+
+mod oracle;
+mod reference;
+use oracle::{planar, rotation, spatial, vectors};
+use reference::{number, numbers, statement, vector};
+
+/// What one acceleration costs.
+fn acceleration(operations: &[Operations]) -> Operations {
+    let found = operations.iter().find(|row| row.function == "acceleration");
+    *found.expect("every body has one")
+}
+
+mod published {
+    newton_euler::rigid_body!(Charges {
+        doc: "F13, F14: three charges in the central field 1/r.",
+        motion: spatial,
+        mass: 2,
+        inertia: principal(1, 2, 2.5),
+        points: [
+            p = (0.2, 0, 0.1),
+            q = (0, 0.3, -0.2),
+            r = (-0.1, -0.2, 0.15)
+        ],
+        potentials: [central =
+            0.3 / p.position().norm() - 0.5 / q.position().norm() + 0.7 / r.position().norm(),],
+        outputs: [energy, balance],
+    });
+
+    newton_euler::rigid_body!(Satellite {
+        doc: "F21: gravity gradient, as the second term of the potential of a distant mass.",
+        motion: rotation,
+        inputs: [n = world(_, _, _)],
+        inertia: principal(120, 150, 90)[kg * m ^ 2],
+        params: [mu = 3.986004418e14[m ^ 3 / s ^ 2], radius = 7e6[m]],
+        locals: [
+            down = n.in_body(),
+            along = 120[kg * m ^ 2] * down.x.powi(2)
+                + 150[kg * m ^ 2] * down.y.powi(2)
+                + 90[kg * m ^ 2] * down.z.powi(2),
+        ],
+        potentials: [gradient = 1.5 * mu / radius.powi(3) * along],
+        outputs: [energy, balance],
+    });
+}
+
+mod scenes {
+    newton_euler::rigid_body!(Craft {
+        doc: "Springs, a central field of a quadrupole, a torsion spring of the attitude, an uneven magnetic field.",
+        motion: spatial,
+        params: [k = 20[N / m], rest = 0.7[m], far = world(1, 2, 13)[m]],
+        inputs: [pull[N]],
+        mass: 2,
+        inertia: tensor {
+            xx: 1.3,
+            yy: 1.7,
+            zz: 2.1,
+            xy: -0.12,
+            yz: -0.05,
+            zx: 0.07
+        },
+        points: [
+            hook = (0.3, 0.1, -0.2),
+            tail = (-0.5, 0, 0),
+            post = world(-9, 1, 0)
+        ],
+        locals: [
+            rope = far - hook.position(),
+            taut = (tail.position() - post.position()).norm() - 8[m],
+            from_sun = (position - world(0, 30, 0)).in_body(),
+            distance = (position - world(0, 30, 0)).norm(),
+            uphill = position.in_world(),
+        ],
+        potentials: [
+            spring = k / 2 * (rope.norm() - rest).powi(2),
+            soft = k / 2 * (tail.position() - post.position()).norm_squared(),
+            slack = if taut > 0 { k * taut.powi(2) } else { 0 },
+            quadrupole =
+                (40 * from_sun.x * from_sun.y - 70 * from_sun.z.powi(2)) / distance.powi(5),
+            torsion = 3 * (attitude.i.powi(2) + attitude.j * attitude.w),
+            magnet = -body(0.3, -0.2, 0.5).dot(world(
+                0.1 * uphill.y,
+                0.1 * uphill.x,
+                2 + 0.3 * (2 * t).sin()
+            )),
+            towed = -pull * (world(0, 1, 0).dot(hook.position())),
+            capped = 1[N / m ^ 2] * hook.position().in_world().z.min(0.4).max(-3).powi(3),
+        ],
+        outputs: [energy, balance],
+    });
+
+    newton_euler::rigid_body!(Needle {
+        motion: rotation,
+        params: [moment = body(0.3, -0.2, 0.5)],
+        inertia: principal(1.3, 1.7, 2.1),
+        locals: [along = moment.in_world()],
+        potentials: [
+            magnet = -moment.dot(world(1, 2, 3)),
+            easy = along.x * along.y + 0.5 * along.z.powi(3),
+        ],
+        outputs: [energy, balance],
+    });
+
+    newton_euler::rigid_body!(Raft {
+        motion: planar,
+        params: [rest = 0.7[m]],
+        mass: 2,
+        inertia: 0.6,
+        points: [bow = (0.5, 0.1), post = world(8, 9)],
+        locals: [taut = (bow.position() - post.position()).norm() - rest],
+        potentials: [
+            rope = 10 * taut.powi(2),
+            coil = 0.7 * attitude.powi(2),
+            slope = 3 * (0.5 * bow.position().in_world().y).sin(),
+            seen = 0.2 * (position - world(1, 1)).in_body().x.powi(2),
+        ],
+        outputs: [energy, balance],
+    });
+
+    newton_euler::rigid_body!(Top {
+        motion: fixed_point(tip).at(world(0.5, 0, 1)),
+        mass: 2,
+        inertia: principal(1.3, 1.3, 0.9),
+        points: [
+            tip = (0, 0.1, -0.6),
+            rim = (0.3, 0, 0.2),
+            post = world(1, 2, 3)
+        ],
+        potentials: [
+            weight = mass * 9.8 * position.in_world().z,
+            spring = 6 * ((rim.position() - post.position()).norm() - 1).powi(2),
+        ],
+        reactions: [ground = world(_, _, _).at(tip)],
+        outputs: [energy, balance, reactions],
+    });
+
+    newton_euler::rigid_body!(Door {
+        motion: fixed_axis(lower, body(0, 0.6, 0.8)),
+        mass: 20,
+        inertia: tensor {
+            xx: 3,
+            yy: 4,
+            zz: 5,
+            xy: 0.1
+        },
+        points: [
+            lower = (-0.4, 0, -0.9),
+            handle = (0.4, 0.05, 0.1),
+            post = world(1, 2, 0.5)
+        ],
+        locals: [stretch = (handle.position() - post.position()).norm() - 0.3],
+        potentials: [
+            closer = 4 * stretch.powi(2),
+            coil = 2 * (attitude - 0.3).powi(2),
+            weight = mass * 9.8 * position.in_world().z,
+        ],
+        outputs: [energy, balance],
+    });
+
+    newton_euler::rigid_body!(Gate {
+        motion: fixed_axis(lower, body(0, 0, 1)),
+        mass: 20,
+        inertia: tensor {
+            xx: 3,
+            yy: 4,
+            zz: 5,
+            xy: 0.1
+        },
+        points: [
+            lower = (-0.4, 0, -0.9),
+            handle = (0.4, 0.05, 0.1),
+            post = world(1, 2, 0.5)
+        ],
+        locals: [stretch = (handle.position() - post.position()).norm() - 0.3],
+        potentials: [
+            closer = 4 * stretch.powi(2),
+            coil = 2 * (attitude - 0.3).powi(2),
+            weight = mass * 9.8 * position.in_world().z,
+        ],
+        reactions: [
+            hinge = body(_, _, _).at(lower),
+            frame = moment(body(_, _, 0))
+        ],
+        outputs: [balance, reactions],
+    });
+
+    newton_euler::rigid_body!(Bead {
+        motion: translation,
+        mass: 2,
+        locals: [r = position.norm_squared()],
+        potentials: [trap = 3 * r + (r - 4).powi(2) / 100 - 5 / (r + 1).sqrt()],
+        outputs: [energy, balance],
+    });
+
+    newton_euler::rigid_body!(Puck {
+        motion: planar_translation,
+        mass: 2,
+        potentials: [bowl = 3 * position.norm_squared() + 0.1 * position.in_world().x.powi(3)],
+        outputs: [energy, balance],
+    });
+}
+
+/// The gradient of `u` at zero, by differences of order four.
+///
+/// Energies here are of some hundred joules and change over metres and radians: with h = 2e-3, h⁴ / 30 times a fifth
+/// derivative of 1e4 is 5e-9, and rounding, 1e-16 · 1e3 / h, is 5e-11.
+fn gradient<const N: usize>(u: impl Fn([f64; N]) -> f64) -> [f64; N] {
+    let h = 2e-3;
+    core::array::from_fn(|i| {
+        let at = |s: f64| {
+            let mut x = [0.0; N];
+            x[i] = s * h;
+            u(x)
+        };
+        (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * h)
+    })
+}
+
+fn moved(state: &Spatial, [x, y, z, a, b, c]: [f64; 6]) -> Spatial {
+    Spatial {
+        position: state.position + Vector3::new(x, y, z),
+        attitude: UnitQuaternion::from_scaled_axis(Vector3::new(a, b, c)) * state.attitude,
+        ..*state
+    }
+}
+
+fn is_slope(derived: &[f64], slope: &[f64]) -> Result<(), TestCaseError> {
+    let size = derived.iter().fold(1.0, |size: f64, f| size.max(f.abs()));
+    for (derived, slope) in derived.iter().zip(slope) {
+        prop_assert!(
+            (derived + slope).abs() < 1e-7 * size,
+            "{derived} is not {}",
+            -slope
+        );
+    }
+    Ok(())
+}
+
+fn flat(wrench: &Wrench) -> [f64; 6] {
+    let [f, k] = [wrench.force, wrench.moment];
+    [f.x, f.y, f.z, k.x, k.y, k.z]
+}
+
+/// F13, F14.
+#[test]
+fn charges_in_a_central_field() {
+    let given = statement("F13/F14 F=-dU/dR, K=-dU/dphi, U=sum e_k/|r_k|, attitude identity");
+    let body = published::Charges {};
+    let state = Spatial {
+        position: vector(&given["R"]),
+        ..Spatial::default()
+    };
+    let energy = body.potential_energy(0.0, &state, &());
+    assert!((energy - number(&given["U"])).abs() < 1e-15);
+    let wrench = body.applied(0.0, &state, &());
+    assert!((wrench.force - vector(&given["F=-dU/dR"])).amax() < 1e-15);
+    assert!((wrench.moment - vector(&given["K=-dU/dphi"])).amax() < 1e-15);
+    // Turned, with the charges turned back against it: the same in the world.
+    let turned = Spatial {
+        position: UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -0.3, 1.1)) * state.position,
+        attitude: UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -0.3, 1.1)),
+        ..state
+    };
+    let again = body.applied(0.0, &turned, &());
+    let back = turned.attitude.inverse();
+    assert!((back * again.force - wrench.force).amax() < 1e-15);
+    assert!((back * again.moment - wrench.moment).amax() < 1e-15);
+    assert!(
+        again.force.dot(&again.moment).abs() < 1e-16,
+        "a central field has one line of force"
+    );
+    let [listed] = body.loads(0.0, &turned, &());
+    assert_eq!((listed.name, listed.family), ("central", Family::Field));
+    assert_eq!((listed.point, listed.force), (turned.position, again.force));
+    assert_eq!(listed.moment, again.moment);
+}
+
+/// F21: K = 3 μ/R³ n × J n.
+#[test]
+fn gravity_gradient() {
+    let input = published::SatelliteInput {
+        n: Vector3::new(2.0, 1.0, 2.0) / 3.0,
+    };
+    let moment = published::Satellite::default().applied(0.0, &Rotation::default(), &input);
+    let expected = [
+        -4.648_401_653_644_314_869e-5,
+        4.648_401_653_644_314_869e-5,
+        2.324_200_826_822_157_434e-5,
+    ];
+    assert!((moment - Vector3::from(expected)).amax() < 1e-12 * 4.6e-5);
+    let row = acceleration(published::Satellite::OPERATIONS);
+    assert_eq!((row.div, row.sqrt), (0, 0), "{row}");
+    assert!(row.mul + row.add <= 45, "{row}"); // 30 to turn n, 9 for n × J n, 6 for ω × J ω
+}
+
+proptest! {
+    #[test]
+    fn slopes_in_space(state in spatial(), pull in -5.0..5.0, t in 0.0..5.0) {
+        let body = scenes::Craft::default();
+        let input = scenes::CraftInput { pull };
+        // Where a branch or a bound is passed, differences say nothing.
+        let of = |r: [f64; 3]| state.position + state.attitude * Vector3::from(r);
+        prop_assume!(((of([-0.5, 0.0, 0.0]) - Vector3::new(-9.0, 1.0, 0.0)).norm() - 8.0).abs() > 0.02);
+        let hook = of([0.3, 0.1, -0.2]).z;
+        prop_assume!((hook - 0.4).abs() > 0.02 && (hook + 3.0).abs() > 0.02);
+        let slope = gradient(|x| body.potential_energy(t, &moved(&state, x), &input));
+        is_slope(&flat(&body.applied(t, &state, &input)), &slope)?;
+    }
+
+    #[test]
+    fn slopes_of_a_body_that_only_turns(state in rotation()) {
+        let body = scenes::Needle::default();
+        let slope = gradient(|[a, b, c]| {
+            let turned = UnitQuaternion::from_scaled_axis(Vector3::new(a, b, c)) * state.attitude;
+            body.potential_energy(0.0, &Rotation { attitude: turned, ..state }, &())
+        });
+        is_slope(body.applied(0.0, &state, &()).as_slice(), &slope)?;
+    }
+
+    #[test]
+    fn slopes_in_the_plane(state in planar()) {
+        let body = scenes::Raft::default();
+        let slope = gradient(|[x, y, a]| {
+            let position = state.position + Vector2::new(x, y);
+            let moved = Planar { position, angle: state.angle + a, ..state };
+            body.potential_energy(0.0, &moved, &())
+        });
+        let PlanarWrench { force, moment } = body.applied(0.0, &state, &());
+        is_slope(&[force.x, force.y, moment], &slope)?;
+    }
+
+    /// About the point that is held: K_P = K + (G - P) × F; and the reaction balances the rest.
+    #[test]
+    fn slopes_about_a_fixed_point(state in rotation()) {
+        let body = scenes::Top {};
+        let slope = gradient(|[a, b, c]| {
+            let turned = UnitQuaternion::from_scaled_axis(Vector3::new(a, b, c)) * state.attitude;
+            body.potential_energy(0.0, &Rotation { attitude: turned, ..state }, &())
+        });
+        let wrench = body.applied(0.0, &state, &());
+        let arm = state.attitude * Vector3::new(0.0, -0.1, 0.6);
+        let about_tip = wrench.moment + arm.cross(&wrench.force);
+        is_slope(about_tip.as_slice(), &slope)?;
+        // The force by hand: weight, and the spring along its length.
+        let rim = Vector3::new(0.5, 0.0, 1.0) + state.attitude * Vector3::new(0.3, -0.1, 0.8);
+        let stretch = rim - Vector3::new(1.0, 2.0, 3.0);
+        let spring = stretch.normalize() * (-12.0 * (stretch.norm() - 1.0));
+        let force = spring - Vector3::z() * 19.6;
+        prop_assert!((wrench.force - force).amax() < 1e-12 * 40.0);
+        let acceleration = body.acceleration(0.0, &state, &());
+        let reactions = body.reactions(0.0, &state, &());
+        let residual = body.residual(0.0, &state, &acceleration, &reactions, &());
+        prop_assert!(residual.force.norm() < 1e-11 && residual.moment.norm() < 1e-11, "{residual:?}");
+    }
+
+    #[test]
+    fn slopes_about_an_axis(angle in -4.0..4.0, angular_velocity in -3.0..3.0) {
+        let body = scenes::Door {};
+        let state = Hinge { angle, angular_velocity };
+        let [slope] = gradient(|[a]| {
+            body.potential_energy(0.0, &Hinge { angle: angle + a, ..state }, &())
+        });
+        let wrench = body.applied(0.0, &state, &());
+        let axis = Vector3::new(0.0, 0.6, 0.8);
+        let turn = UnitQuaternion::from_scaled_axis(axis * angle);
+        let arm = turn * Vector3::new(0.4, 0.0, 0.9);
+        let about_axis = (wrench.moment + arm.cross(&wrench.force)).dot(&axis);
+        is_slope(&[about_axis], &[slope])?;
+        // The whole moment about G by hand: the closer pulls at the handle, the coil turns about the axis.
+        let handle = turn * Vector3::new(0.8, 0.05, 1.0) - Vector3::new(1.0, 2.0, 0.5);
+        let closer = handle.normalize() * (-8.0 * (handle.norm() - 0.3));
+        let lever = turn * Vector3::new(0.4, 0.05, 0.1);
+        let moment = lever.cross(&closer) - axis * (4.0 * (angle - 0.3));
+        prop_assert!((wrench.moment - moment).amax() < 1e-11, "{} {moment}", wrench.moment);
+        let gate = scenes::Gate {};
+        let acceleration = gate.acceleration(0.0, &state, &());
+        let reactions = gate.reactions(0.0, &state, &());
+        let residual = gate.residual(0.0, &state, &acceleration, &reactions, &());
+        prop_assert!(residual.force.norm() < 1e-10 && residual.moment.norm() < 1e-10, "{residual:?}");
+    }
+
+    #[test]
+    fn slopes_of_bodies_that_do_not_turn(position in vectors(5.0)) {
+        let bead = scenes::Bead {};
+        let at = |p: Vector3<f64>| Translation { position: p, velocity: Vector3::zeros() };
+        let slope = gradient(|x: [f64; 3]| {
+            bead.potential_energy(0.0, &at(position + Vector3::from(x)), &())
+        });
+        is_slope(bead.applied(0.0, &at(position), &()).force.as_slice(), &slope)?;
+        let puck = scenes::Puck {};
+        let at = |p: Vector2<f64>| PlanarTranslation { position: p, velocity: Vector2::zeros() };
+        let slope = gradient(|x: [f64; 2]| {
+            puck.potential_energy(0.0, &at(position.xy() + Vector2::from(x)), &())
+        });
+        is_slope(puck.applied(0.0, &at(position.xy()), &()).force.as_slice(), &slope)?;
+    }
+}
+
+/// The drift over a run falls sixteenfold with twice as many steps of a method of order four, by at least eight before
+/// rounding is reached.
+fn shrinks(drift: impl Fn(usize) -> f64, steps: usize, bound: f64) {
+    let [coarse, fine] = [steps, 2 * steps].map(|steps| drift(steps).abs());
+    assert!(fine <= bound, "drifts by {fine:e}");
+    assert!(
+        fine <= coarse / 8.0 || fine < 1e-11,
+        "{coarse:e}, then {fine:e}"
+    );
+}
+
+#[test]
+fn energy_is_conserved() {
+    let top = scenes::Top {};
+    let start = Rotation {
+        attitude: UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -0.3, 1.1)),
+        angular_velocity: Vector3::new(1.5, -0.8, 2.2),
+    };
+    let total = |s: &Rotation| top.kinetic_energy(s) + top.potential_energy(0.0, s, &());
+    // Rates to 10 rad/s at steps of 4 ms: (0.04)⁴ = 3e-6 of 50 J over a hundred.
+    shrinks(
+        |n| total(&cf4(&top, &start, &(), 0.0..4.0, n)) - total(&start),
+        500,
+        1e-6,
+    );
+
+    let door = scenes::Door {};
+    let start = Hinge {
+        angle: 0.5,
+        angular_velocity: -1.0,
+    };
+    let total = |s: &Hinge| door.kinetic_energy(s) + door.potential_energy(0.0, s, &());
+    shrinks(
+        |n| total(&cf4(&door, &start, &(), 0.0..4.0, n)) - total(&start),
+        500,
+        1e-6,
+    );
+
+    let raft = scenes::Raft::default();
+    let start = Planar {
+        position: Vector2::new(1.0, 2.0),
+        angle: 0.4,
+        velocity: Vector2::new(3.0, -1.0),
+        angular_velocity: 2.0,
+    };
+    let total = |s: &Planar| raft.kinetic_energy(s) + raft.potential_energy(0.0, s, &());
+    shrinks(
+        |n| total(&cf4(&raft, &start, &(), 0.0..4.0, n)) - total(&start),
+        1000,
+        1e-5,
+    );
+
+    let charges = published::Charges {};
+    let start = Spatial {
+        position: Vector3::new(1.1, -0.7, 0.9),
+        angular_velocity: Vector3::new(0.5, -0.8, 1.2),
+        ..Spatial::default()
+    };
+    let total = |s: &Spatial| charges.kinetic_energy(s) + charges.potential_energy(0.0, s, &());
+    shrinks(
+        |n| total(&cf4(&charges, &start, &(), 0.0..4.0, n)) - total(&start),
+        500,
+        1e-8,
+    );
+}
+
+/// dE/dt = ∂U/∂t at fixed state: a field that changes and an input that pulls are all that is left.
+#[test]
+fn general_law_of_energy() {
+    let body = scenes::Craft::default();
+    let mut state = Spatial {
+        position: Vector3::new(0.5, -1.0, 2.0),
+        attitude: UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -0.3, 1.1)),
+        velocity: Vector3::new(1.0, 0.5, -1.0),
+        angular_velocity: Vector3::new(0.5, -0.8, 1.2),
+    };
+    let input = scenes::CraftInput { pull: 3.0 };
+    let total = |t: f64, s: &Spatial| body.kinetic_energy(s) + body.potential_energy(t, s, &input);
+    for tenth in 0..20_u32 {
+        let t = f64::from(tenth) / 10.0;
+        let h = 1e-3;
+        let later = |h: f64| total(t + h, &cf4(&body, &state, &input, t..t + h, 4));
+        let rate = (8.0 * (later(h) - later(-h)) - (later(2.0 * h) - later(-2.0 * h))) / (12.0 * h);
+        // U contains -m · (0, 0, 0.3 sin 2t)
+        let moment = state.attitude * Vector3::new(0.3, -0.2, 0.5);
+        let expected = -0.6 * (2.0 * t).cos() * moment.z;
+        // Rounding of 1e3 J over h is 1e-10; h⁴ / 30 times a fifth derivative of 1e6 is 3e-8.
+        assert!(
+            (rate - expected).abs() < 1e-6,
+            "at {t}: {rate} is not {expected}"
+        );
+        state = cf4(&body, &state, &input, t..t + 0.1, 50);
+    }
+}
+
+mod pruned {
+    newton_euler::rigid_body!(Tether {
+        motion: spatial,
+        mass: 2,
+        inertia: principal(1, 2, 2.5),
+        points: [post = world(1, 2, 3)],
+        // at G: no moment
+        potentials: [spring = 10 * ((position - post.position()).norm() - 0.5).powi(2)],
+    });
+    newton_euler::rigid_body!(Ball {
+        motion: spatial,
+        mass: 2,
+        inertia: principal(1, 2, 2.5),
+        points: [hook = (0.1, 0.2, 0.3), post = world(1, 2, 3)],
+        // no rest length: linear, without root and division, and whole at zero length
+        potentials: [spring = 10 * (hook.position() - post.position()).norm().powi(2)],
+        outputs: [balance],
+    });
+    newton_euler::rigid_body!(Compass {
+        motion: spatial,
+        mass: 2,
+        inertia: principal(1, 2, 2.5),
+        potentials: [magnet = -body(0, 0, 2).dot(world(1e-5, 0, 3e-5))],
+        outputs: [balance],
+    });
+    newton_euler::rigid_body!(Weight {
+        motion: spatial,
+        mass: 2,
+        inertia: principal(1, 2, 2.5),
+        potentials: [weight = mass * 9.5 * position.in_world().z],
+    });
+}
+
+#[test]
+fn what_a_potential_does_not_depend_on_is_not_there() {
+    let says = |skipped: &[&str], what: &str| skipped.iter().any(|line| line.contains(what));
+    assert!(says(
+        pruned::Tether::SKIPPED,
+        "the moment of `spring`: its potential does not depend on the attitude"
+    ));
+    assert!(says(
+        pruned::Compass::SKIPPED,
+        "the force of `magnet`: its potential does not depend on the position"
+    ));
+    assert!(says(
+        pruned::Weight::SKIPPED,
+        "position, velocity, attitude: the accelerations do not depend on them"
+    ));
+    assert!(
+        !pruned::Tether::EQUATIONS.contains("qw"),
+        "{}",
+        pruned::Tether::EQUATIONS
+    );
+    let compass = pruned::Compass {}.applied(0.0, &Spatial::default(), &());
+    assert_eq!(compass.force, Vector3::zeros());
+    assert_eq!(compass.moment, Vector3::new(0.0, 2e-5, 0.0));
+    let acceleration = pruned::Weight {}.acceleration(0.0, &Spatial::default(), &());
+    assert_eq!(
+        (acceleration.linear, acceleration.angular),
+        (Vector3::z() * -9.5, Vector3::zeros())
+    );
+}
+
+/// A spring without a rest length at zero length: no direction, and none is needed.
+#[test]
+fn linear_spring_at_zero_length() {
+    let row = acceleration(pruned::Ball::OPERATIONS);
+    assert_eq!((row.div, row.sqrt), (0, 0), "{row}");
+    let state = Spatial {
+        position: Vector3::new(0.9, 1.8, 2.7),
+        ..Spatial::default()
+    };
+    let wrench = pruned::Ball {}.applied(0.0, &state, &());
+    assert!(wrench.force.amax() < 1e-14 && wrench.moment.amax() < 1e-14);
+}
+
+mod counts {
+    newton_euler::rigid_body!(Sprung {
+        motion: spatial,
+        params: [k = 20, rest = 0.5],
+        mass: 2,
+        inertia: principal(1, 1, 1),
+        points: [hook = (0.3, 0.1, -0.2), post = world(1, 2, 3)],
+        potentials: [spring = k / 2 * ((post.position() - hook.position()).norm() - rest).powi(2)],
+    });
+    newton_euler::rigid_body!(SprungOnAxis {
+        motion: spatial,
+        params: [k = 20, rest = 0.5],
+        mass: 2,
+        inertia: principal(1, 1, 1),
+        points: [hook = (0, 0, -0.2), post = world(1, 2, 3)],
+        potentials: [spring = k / 2 * ((post.position() - hook.position()).norm() - rest).powi(2)],
+    });
+    newton_euler::rigid_body!(Orbiting {
+        motion: spatial,
+        params: [mu = 3.986004418e14],
+        mass: 2,
+        inertia: principal(120, 150, 90),
+        locals: [r = position.norm(), n = position.in_body()],
+        potentials: [gravity = -mu * mass / r
+            + 1.5 * mu / r.powi(5) * (120 * n.x.powi(2) + 150 * n.y.powi(2) + 90 * n.z.powi(2)),],
+    });
+}
+
+/// As many operations as whoever writes the forces by hand needs, in the same manner of turning vectors.
+#[test]
+fn operations() {
+    let count = |operations: &[Operations]| {
+        let row = acceleration(operations);
+        assert_eq!((row.div, row.sqrt), (1, 1), "{row}");
+        row.mul + row.add
+    };
+    // R c 24, with its constant part in the 3 of d; |d| 5, k (|d| - l0) / |d| 3, Rᵀd 30, times that 3, c × 9;
+    // a = F / m 6
+    assert!(count(counts::Sprung::OPERATIONS) <= 24 + 6 + 5 + 3 + 30 + 3 + 9 + 6);
+    // R c 10; Rᵀd without z 20
+    assert!(count(counts::SprungOnAxis::OPERATIONS) <= 10 + 6 + 5 + 3 + 26 + 2 + 2 + 6);
+    // Rᵀr 30, R J r 33, |r| 5, powers and factors 14, J r . r 8, K 9, a 15, ω × J ω 9
+    assert!(count(counts::Orbiting::OPERATIONS) <= 30 + 33 + 5 + 14 + 8 + 9 + 15 + 9);
+}
+
+/// The axis of the numbers of F21 is a unit vector, and the file holds F13's charges as they are written above.
+#[test]
+fn the_charges_are_those_of_the_file() {
+    let given = statement("F13/F14 F=-dU/dR, K=-dU/dphi, U=sum e_k/|r_k|, attitude identity");
+    let charges = given["charges, body pts"].as_array().unwrap();
+    let expected = [
+        (0.3, [0.2, 0.0, 0.1]),
+        (-0.5, [0.0, 0.3, -0.2]),
+        (0.7, [-0.1, -0.2, 0.15]),
+    ];
+    for (given, (charge, point)) in charges.iter().zip(expected) {
+        assert_eq!(number(&given[0]), charge);
+        assert_eq!(numbers::<3>(&given[1]), point);
+    }
+}

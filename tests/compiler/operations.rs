@@ -332,3 +332,62 @@ fn derivatives_are_those_of_differences() {
         }
     }
 }
+
+/// Twice each operation and its square root, so that powers and sums of squares are met: one sweep backwards gives
+/// what derivatives by each symbol give.
+#[test]
+fn gradients_are_derivatives() {
+    for (name, build, _) in OPERATIONS {
+        let mut graph = Graph::default();
+        let given = symbols(&mut graph, [Stage::State; 3]);
+        let made = build(&mut graph, given);
+        let one = graph.one();
+        let square = graph.square(made);
+        let first = graph.square(given[0]);
+        let sum = graph.add(square, first);
+        let length = graph.apply(Function::Sqrt, &[sum]);
+        let less = graph.subtract(length, one);
+        let quotient = graph.divide(given[1], length);
+        let shifted = graph.square(less);
+        let whole = graph.add(shifted, quotient);
+        for root in [made, whole] {
+            let gradient = graph.gradient(&[(root, one)], |_| true);
+            let derivatives = given.map(|by| graph.derivative(&[root], by)[0]);
+            for (by, derivative) in given.into_iter().zip(derivatives) {
+                let found = gradient.iter().find(|(symbol, _)| *symbol == by);
+                let slope = found.map_or_else(|| graph.zero(), |(_, slope)| *slope);
+                for values in VALUES {
+                    let symbol = |id| {
+                        let place = given.iter().position(|symbol| *symbol == id);
+                        values[place.expect("a symbol")]
+                    };
+                    let both = graph.evaluate(&[slope, derivative], symbol);
+                    assert!(
+                        close(both[0], both[1], 1e-13),
+                        "{name} at {values:?}: {} and {}",
+                        both[0],
+                        both[1]
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// A branch is differentiated where it is taken, so that what is not a number in the other one does no harm.
+#[test]
+fn branches_that_are_not_taken_do_no_harm() {
+    let mut graph = Graph::default();
+    let [x, ..] = symbols(&mut graph, [Stage::State; 3]);
+    let (zero, one) = (graph.zero(), graph.one());
+    let root = graph.apply(Function::Sqrt, &[x]);
+    let inverse = graph.divide(one, root);
+    let positive = graph.compare(Comparison::Less, zero, x);
+    let guarded = graph.select(positive, inverse, x);
+    let doubled = graph.add(guarded, x);
+    let slope = graph.gradient(&[(doubled, one)], |_| true)[0].1;
+    for (at, expected) in [(4.0, 1.0 - 1.0 / 16.0), (0.0, 2.0), (-1.0, 2.0)] {
+        let found = graph.evaluate(&[slope], |_| at)[0];
+        assert!((found - expected).abs() < 1e-15, "{found} at {at}");
+    }
+}

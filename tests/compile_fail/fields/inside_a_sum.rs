@@ -1,0 +1,11 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drone {
+    motion: spatial,
+    mass: 2[kg],
+    inertia: principal(2, 3, 4)[kg * m ^ 2],
+    points: [p = (0.1, 0, 0)],
+    fields: [electric = world(1, 0, 0) + world(0, 0, 3).on([2.at(p)])],
+});
+
+fn main() {}

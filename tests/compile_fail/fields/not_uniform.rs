@@ -1,0 +1,12 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drone {
+    motion: spatial,
+    mass: 2[kg],
+    inertia: principal(2, 3, 4)[kg * m ^ 2],
+    points: [p = (0.1, 0, 0)],
+    locals: [height = position.in_world().z],
+    fields: [electric = (height * world(0, 0, 3)[V / m ^ 2]).on([2[C].at(p)])],
+});
+
+fn main() {}

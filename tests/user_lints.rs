@@ -228,7 +228,7 @@ pub mod motions {
     pub mod fixed_axis {
         newton_euler::rigid_body!(Rotor {
             motion: fixed_axis(a, along),
-            params: [along = world(1, 2, 2), mount = world(_, _, _)[m]],
+            params: [along = body(1, 2, 2), gravity = world(_, _, _)[m / s ^ 2]],
             inputs: [torque],
             mass: 2[kg],
             inertia: tensor {
@@ -239,8 +239,8 @@ pub mod motions {
                 yz: -0.05,
                 zx: 0.07
             },
-            points: [a = (0.1, 0.2, 0.3), b = (0.2, 0.4, 0.5)],
-            fields: [weight = mass * mount],
+            points: [a = (0.1, 0.2, 0.3), b = body(0.1, 0.2, 0.3) + 0.1 * along],
+            fields: [weight = mass * gravity],
             moments: [drive = torque * along],
             reactions: [A = body(_, _, _).at(a), B = body(0.25, _, _).at(b)],
             outputs: [energy, momentum, balance, reactions],

@@ -36,7 +36,7 @@ fn emit_struct(
     let types = declared
         .iter()
         .map(|declared| declared_type(outline, declared));
-    let lints = lints(declared);
+    let lints = lints(declared.iter().map(|declared| &declared.name));
     quote! {
         #[doc = #doc]
         #lints
@@ -61,17 +61,19 @@ fn emit_reactions(outline: &Outline) -> TokenStream {
         let doc = format!(" `{field}` in {unit}.");
         quote!(#[doc = #doc] pub #field: #kind)
     });
+    let lints = lints(outline.reactions.iter().map(|(field, _)| field));
     quote! {
         #[doc = #doc]
+        #lints
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         pub struct #name { #(#fields),* }
     }
 }
 
-/// Users may call a parameter `J`, and inputs `thrust_1`, `thrust_2`, ...
-fn lints(declared: &[Declared]) -> TokenStream {
+/// Users may call a parameter `J`, a reaction `R_v`, and inputs `thrust_1`, `thrust_2`, ...
+fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
     let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
-    let unusual = declared.iter().any(|declared| has_capitals(&declared.name));
+    let unusual = names.into_iter().any(has_capitals);
     let snake_case = unusual.then(|| quote!(, non_snake_case));
     quote!(#[allow(clippy::struct_field_names #snake_case)])
 }

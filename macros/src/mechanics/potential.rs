@@ -38,7 +38,7 @@ pub fn derive_potentials(model: &mut Model) {
             .iter()
             .map(|energy| derive(model, form, *energy))
             .collect();
-        let derived = expand(model, form, derived);
+        let derived = expand(model, form, &derived);
         let cost = cost(model, &derived);
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, derived));
@@ -199,7 +199,7 @@ fn attitude_moment(model: &mut Model, slopes: &Slopes) -> Components {
 
 /// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where a
 /// support determines the position. Names go with what they name.
-fn expand(model: &mut Model, form: &Form, derived: Vec<Derived>) -> Vec<Derived> {
+fn expand(model: &mut Model, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = HashMap::new();
     let zero = model.frames.graph.zero();
     if model.motion.is_supported() {
@@ -214,7 +214,10 @@ fn expand(model: &mut Model, form: &Form, derived: Vec<Derived>) -> Vec<Derived>
     }
     let roots: Vec<Id> = derived
         .iter()
-        .flat_map(|one| [[one.energy; 1].as_slice(), &one.force, &one.moment].concat())
+        .flat_map(|one| {
+            let vectors = one.force.into_iter().chain(one.moment);
+            [one.energy].into_iter().chain(vectors)
+        })
         .collect();
     let images = replace(model, &roots, &values);
     let vector = |parts: &[Id]| [parts[0], parts[1], parts[2]];

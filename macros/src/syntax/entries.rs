@@ -30,7 +30,7 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
         }
         "potentials" => {
             let value = parse_value(&name, rest, errors);
-            let value = value.and_then(|value| without_point(value, errors));
+            let value = value.map(|value| without_point(value, errors));
             into.potentials.push(Definition { name, value });
         }
         "outputs" => {
@@ -156,7 +156,7 @@ fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Value {
 }
 
 /// A potential has no point at which it acts.
-fn without_point(value: Expression, errors: &mut Errors) -> Value {
+fn without_point(value: Expression, errors: &mut Errors) -> Expression {
     match value.kind {
         Kind::Method(inner, method, _) if method == "at" => {
             errors.push(
@@ -164,9 +164,9 @@ fn without_point(value: Expression, errors: &mut Errors) -> Value {
                 "a potential acts at no point: its force and its moment are derived; leave \
                  `.at(..)` out",
             );
-            Some(*inner)
+            *inner
         }
-        _ => Some(value),
+        _ => value,
     }
 }
 

@@ -108,7 +108,7 @@ impl Expression {
             match &part.kind {
                 Kind::Number(_) | Kind::Name(_) | Kind::Placeholder | Kind::Poisoned => {}
                 Kind::Tuple(parts) | Kind::List(parts) | Kind::Call(_, parts) => {
-                    pending.extend(parts)
+                    pending.extend(parts);
                 }
                 Kind::Unit(operand, _) | Kind::Prefix(_, operand) | Kind::Field(operand, _) => {
                     pending.push(operand);

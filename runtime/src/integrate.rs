@@ -1,8 +1,10 @@
 //! Integration of the motion, generic over bodies.
 //!
-//! One method of order four with fixed steps, enough to move bodies: [`cf4`]. Attitudes stay rotations because states are
+//! One method of order four with fixed steps, enough to move bodies: [`cf4`], and [`cf4_projected`] for bodies under constraints. Attitudes stay rotations because states are
 //! only ever moved along the group ([`State::moved`](crate::state::State::moved)).
 
 mod commutator_free;
+mod projected;
 
 pub use commutator_free::{cf4, cf4_step};
+pub use projected::cf4_projected;

@@ -53,6 +53,7 @@
 
 pub mod attitude;
 pub mod body;
+pub mod constrained;
 pub mod field;
 pub mod gyroscopic;
 pub mod inertia;

@@ -1,6 +1,7 @@
 //! What most programs need: `use newton_euler::prelude::*;`.
 
 pub use crate::body::{Balance, Energy, InvalidBody, Momentum, Reactions, RigidBody, Singular};
+pub use crate::constrained::{Constrained, Inconsistent, Violation};
 pub use crate::inertia::InertiaTensor;
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::rigid_body;

@@ -4,6 +4,7 @@ pub use nalgebra::{UnitQuaternion, Vector2, Vector3};
 pub use newton_euler_macros::rigid_body;
 
 pub use crate::body::{Balance, Energy, InvalidBody, Momentum, Reactions, RigidBody, Singular};
+pub use crate::constrained::{Constrained, Inconsistent, Violation};
 pub use crate::inertia::InertiaTensor;
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::operations::{Operations, Stage};
@@ -14,6 +15,9 @@ pub use crate::state::{
 pub use crate::wrench::{PlanarWrench, Wrench};
 
 pub mod math;
+mod projection;
+
+pub use projection::{Row, project};
 
 /// Every parameter by its name: all must be finite.
 ///

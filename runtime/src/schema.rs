@@ -43,7 +43,8 @@ pub struct Body {
     pub fields: (),
     /// Potentials U, scalars \[J\]; their forces and moments are derived: `F = -∂U/∂R`, `K = -∂U/∂φ`.
     pub potentials: (),
-    /// Expressions that the motion keeps at zero; pair them with unknown reactions.
+    /// Expressions that the motion keeps at zero, of positions or of velocities, each kept by an unknown reaction:
+    /// `[floor = foot.position().in_world().z]`.
     pub constraints: (),
     /// The point that the moment balance is written about: `G` (the default), a point, or `world(..)`.
     pub pole: (),

@@ -36,6 +36,8 @@ pub struct Code {
     pub has_notes: bool,
     /// Whether numbers are compared for equality.
     pub has_equality: bool,
+    /// Whether it divides by what may vanish.
+    pub has_pivots: bool,
     /// The statements as text, for documentation.
     pub text: Vec<String>,
 }
@@ -73,6 +75,9 @@ pub struct Writer<'a> {
     /// What the constructor is to store, to be computed under these names.
     pub targets: &'a Fields,
     pub stage: Stage,
+    /// Whether the functions return a `Result`, so that a division that cannot be done ends them;
+    /// it panics in the others.
+    pub is_fallible: bool,
     /// The path of what generated code may name.
     pub private: TokenStream,
 }
@@ -145,6 +150,10 @@ impl Writer<'_> {
             outputs: outputs.collect(),
             cost: self.model.frames.graph.cost(&program.nodes),
             has_notes: !body.noted.is_empty(),
+            has_pivots: program
+                .nodes
+                .iter()
+                .any(|id| matches!(graph.node(*id), Node::Pivot(..))),
             has_equality: program.nodes.iter().any(compares_equality),
             reads: body.reads,
             text,

@@ -33,6 +33,7 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
         fields: &none,
         targets: &none,
         stage: Stage::State,
+        is_fallible: false,
         private: private(outline),
     };
     let hoisted = writer.schedule(&equations.roots()).hoisted;
@@ -88,6 +89,7 @@ impl Constructor {
             fields: &none,
             targets: fields,
             stage: Stage::Parameter,
+            is_fallible: false,
             private: private.clone(),
         };
         let is_open = |id: &Id| model.frames.graph.stage(*id) == Stage::Parameter;

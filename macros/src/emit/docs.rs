@@ -36,8 +36,16 @@ impl Documentation {
             costs.insert(0, ("new", "parameter", constructor.cost));
         }
         let text = equations_text(functions, constructor);
+        let mut lines = lines(outline, &text, &costs, equations);
+        if functions.acceleration.has_pivots {
+            lines.extend(quote! {
+                #[doc = ""]
+                #[doc = " # Panics"]
+                #[doc = " `acceleration`, in configurations in which the constraints do not determine their reactions; `reactions`, if it is there, returns an error in them."]
+            });
+        }
         Self {
-            lines: lines(outline, &text, &costs, equations),
+            lines,
             constants: constants(outline, &text, &costs, equations),
         }
     }

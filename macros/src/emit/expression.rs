@@ -112,6 +112,20 @@ impl Body<'_> {
                 let a = self.expression(a, Precedence::Atom);
                 (quote!(!#a), Precedence::Sign)
             }
+            Node::Pivot(divisor, scale) => {
+                let unknown = self.unknown(id);
+                let private = &self.writer.private;
+                let (divisor, scale) = (
+                    self.expression(divisor, Precedence::Lowest),
+                    self.expression(scale, Precedence::Lowest),
+                );
+                let tokens = if self.writer.is_fallible {
+                    quote!(#private::reciprocal(#unknown, #divisor, #scale)?)
+                } else {
+                    quote!(#private::math::reciprocal(#unknown, #divisor, #scale))
+                };
+                (tokens, Precedence::Atom)
+            }
             Node::Select(condition, a, b) => {
                 let condition = self.expression(condition, Precedence::Lowest);
                 let (a, b) = (
@@ -137,6 +151,12 @@ impl Body<'_> {
         } else {
             graph.is_early(a)
         }
+    }
+
+    /// `Body.normal`: the unknown that a guarded reciprocal gives.
+    fn unknown(&self, reciprocal: Id) -> String {
+        let unknown = self.writer.model.frames.labels.unknown(reciprocal);
+        format!("{}.{unknown}", self.writer.outline.name)
     }
 
     fn call(&self, function: Function, arguments: &[Id]) -> TokenStream {

@@ -8,6 +8,7 @@ use crate::model::{Family, LoadKind, Model, Outline, Output};
 use crate::symbolic::{Components, Cost, Id, Stage};
 
 use super::code::{Fields, Source, Writer};
+use super::consistency::{write_project, write_violations};
 use super::lints::allow_constants;
 use super::paths::private;
 use super::shapes::{Shapes, Values};
@@ -26,6 +27,10 @@ pub struct Functions {
     pub residual: Function,
     pub loads: Function,
     pub reactions: Function,
+    pub violations: Function,
+    pub project: Function,
+    /// Number of scalar constraints.
+    pub constraint_count: usize,
 }
 
 /// The body of one function.
@@ -36,13 +41,15 @@ pub struct Function {
     /// The statements as text, and then what is returned.
     pub text: Vec<String>,
     reads: Vec<Source>,
+    /// Whether it panics where it would divide by nothing but rounding.
+    pub has_pivots: bool,
     has_notes: bool,
     has_equality: bool,
 }
 
 impl Function {
     /// Computes `outputs` and returns what `fill` makes of their values.
-    fn write(
+    pub fn write(
         writer: &Writer<'_>,
         outputs: &[Id],
         fill: impl FnOnce(&mut Values<'_>) -> TokenStream,
@@ -54,6 +61,7 @@ impl Function {
             cost: code.cost,
             text: code.text,
             reads: code.reads,
+            has_pivots: code.has_pivots,
             has_notes: code.has_notes,
             has_equality: code.has_equality,
         }
@@ -93,6 +101,7 @@ impl Functions {
             fields,
             targets: &none,
             stage: Stage::State,
+            is_fallible: false,
             private: private(outline),
         };
         let mut functions = Self {
@@ -127,8 +136,22 @@ impl Functions {
             functions.residual = wrench(&balance.residual);
             functions.loads = write_loads(&writer, &shapes, balance);
         }
+        if outline.is_constrained {
+            functions.violations = write_violations(&writer, &shapes, equations);
+            functions.project = write_project(&writer, &shapes, equations);
+            functions.constraint_count = equations.constraints.len();
+        }
         if outline.outputs.contains(&Output::Reactions) {
-            functions.reactions = write_reactions(&writer, &shapes, equations);
+            functions.reactions = if outline.is_constrained {
+                let fallible = Writer {
+                    is_fallible: true,
+                    private: private(outline),
+                    ..writer
+                };
+                write_reactions(&fallible, &shapes, equations)
+            } else {
+                write_reactions(&writer, &shapes, equations)
+            };
         }
         functions
     }
@@ -150,6 +173,9 @@ impl Functions {
             residual: never(),
             loads: never(),
             reactions: never(),
+            violations: never(),
+            project: never(),
+            constraint_count: 0,
         }
     }
 
@@ -177,6 +203,9 @@ impl Functions {
                     ("loads", &self.loads),
                 ]),
             }
+        }
+        if outline.is_constrained {
+            functions.extend([("violations", &self.violations), ("project", &self.project)]);
         }
         functions
     }
@@ -219,7 +248,12 @@ fn write_reactions(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) 
             };
             quote!(#field: #value)
         });
-        quote!(#name { #(#fields),* })
+        let reactions = quote!(#name { #(#fields),* });
+        if writer.is_fallible {
+            quote!(::core::result::Result::Ok(#reactions))
+        } else {
+            reactions
+        }
     })
 }
 

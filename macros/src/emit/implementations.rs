@@ -7,6 +7,7 @@ use crate::model::{Motion, Outline, Output};
 
 use super::code::Source;
 use super::functions::{Function, Functions};
+use super::naming::local;
 use super::shapes::Shapes;
 
 pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenStream {
@@ -18,7 +19,13 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
         Output::Reactions => emit_reactions(outline, &shapes, functions),
     });
     let rigid_body = emit_rigid_body(outline, &shapes, &functions.acceleration);
-    core::iter::once(rigid_body).chain(outputs).collect()
+    let constrained = outline
+        .is_constrained
+        .then(|| emit_constrained(outline, &shapes, functions));
+    core::iter::once(rigid_body)
+        .chain(constrained)
+        .chain(outputs)
+        .collect()
 }
 
 /// The type of the inputs; nothing is given to a body that declares none.
@@ -184,9 +191,42 @@ fn emit_balance(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
     }
 }
 
+fn emit_constrained(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
+    let (name, private) = (&outline.name, &shapes.private);
+    let count = Literal::usize_unsuffixed(functions.constraint_count);
+    let kind = quote!([#private::Violation; #count]);
+    let violations = method(
+        "violations",
+        &arguments(outline, shapes, &functions.violations),
+        &kind,
+        &functions.violations,
+    );
+    let body = &functions.project.body;
+    let (time, input) = (
+        functions.project.argument(Source::Time, "time"),
+        functions.project.argument(Source::Input, "input"),
+    );
+    let (state, state_type, input_type) =
+        (local("state"), shapes.state_type(), input_type(outline));
+    quote! {
+        impl #private::Constrained for #name {
+            type Violations = #kind;
+            #violations
+            fn project(&self, #time: f64, #state: &mut #state_type, #input: &#input_type) -> ::core::result::Result<(), #private::Inconsistent> {
+                #body
+            }
+        }
+    }
+}
+
 fn emit_reactions(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
     let (name, private) = (&outline.name, &shapes.private);
     let (function, kind) = (&functions.reactions, reactions_type(outline));
+    let kind = if outline.is_constrained {
+        quote!(::core::result::Result<#kind, #private::Singular>)
+    } else {
+        kind
+    };
     let reactions = method(
         "reactions",
         &arguments(outline, shapes, function),

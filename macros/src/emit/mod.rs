@@ -4,6 +4,7 @@
 //! macro passes, so that a renamed dependency or a re-export works.
 
 mod code;
+mod consistency;
 mod constructor;
 mod docs;
 mod expression;

@@ -89,6 +89,7 @@ impl Body<'_> {
                 (operand(b).map(|b| format!("inverse_{b}")), "inverse")
             }
             Node::Divide(..) => (None, "ratio"),
+            Node::Pivot(..) => (None, "reciprocal"),
             Node::Select(..) => (None, "choice"),
             _ => (None, "condition"),
         };

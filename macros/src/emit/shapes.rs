@@ -8,6 +8,7 @@ use quote::{format_ident, quote};
 use crate::model::{AXES, Motion, Outline};
 use crate::symbolic::{Components, Id};
 
+use super::naming::local;
 use super::paths::private;
 
 /// The shapes of one body.
@@ -184,6 +185,28 @@ impl Shapes {
             | Motion::Rotation
             | Motion::FixedPoint => self.vector(values),
         }
+    }
+
+    /// `State { velocity: .., angular_velocity: .., ..*state }`, with these velocities or at rest.
+    pub fn moving_state(&self, values: &mut Values<'_>, moves: bool) -> TokenStream {
+        let (kind, state) = (self.state_type(), local("state"));
+        let field = |name: &str, value: TokenStream| {
+            let name = format_ident!("{name}");
+            let value = if moves {
+                value
+            } else {
+                quote!(::core::default::Default::default())
+            };
+            quote!(#name: #value,)
+        };
+        let mut fields = TokenStream::new();
+        if self.motion.translates() {
+            fields.extend(field("velocity", self.vector(values)));
+        }
+        if self.motion.has_attitude() {
+            fields.extend(field("angular_velocity", self.moment(values)));
+        }
+        quote!(#kind { #fields ..*#state })
     }
 
     pub fn wrench(&self, values: &mut Values<'_>) -> TokenStream {

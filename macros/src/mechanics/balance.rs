@@ -1,9 +1,11 @@
 //! The balances as they are written, for inspection: given loads, resultants, residuals.
 
 use crate::model::{Family, Frame, Inertia, LoadKind, Model, Point, Vector};
-use crate::symbolic::Components;
+use crate::symbolic::{Components, Id};
 
 use super::newton_euler::{arm, moments_about, resultant};
+use super::pushes::replaced;
+use super::reactions::ReactionExpressions;
 
 /// The expressions of `outputs: [balance]`, in world axes.
 pub struct Balance {
@@ -54,6 +56,27 @@ pub fn derive_balance(model: &mut Model) -> Balance {
         applied,
         residual,
         loads,
+    }
+}
+
+/// Puts the reactions that were solved for into the given loads that depend on them.
+pub fn solve_loads(model: &mut Model, balance: &mut Balance, solved: &[ReactionExpressions]) {
+    let symbols = model
+        .reactions
+        .iter()
+        .map(|reaction| reaction.symbols.world);
+    let values: Vec<(Id, Id)> = symbols
+        .zip(solved)
+        .flat_map(|(symbols, value)| symbols.into_iter().zip(value.vector))
+        .collect();
+    let graph = &mut model.frames.graph;
+    let own = [&mut balance.applied.force, &mut balance.applied.moment];
+    let listed = balance.loads.iter_mut();
+    let all = own
+        .into_iter()
+        .chain(listed.flat_map(|load| [&mut load.force, &mut load.point, &mut load.moment]));
+    for components in all {
+        *components = replaced(graph, *components, &values);
     }
 }
 

@@ -4,11 +4,18 @@
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
 mod balance;
+mod consistency;
+mod constraints;
 mod energy;
 mod momentum;
 mod newton_euler;
 mod potential;
+mod pushes;
+mod rates;
 mod reactions;
+mod redundancy;
+mod response;
+mod samples;
 mod skipped;
 mod solvability;
 
@@ -17,6 +24,7 @@ use crate::model::{Model, Output};
 use crate::symbolic::{Components, Id};
 
 pub use balance::{Balance, LoadExpressions, Resultant};
+pub use consistency::Consistency;
 pub use energy::Energy;
 pub use momentum::Momentum;
 pub use reactions::ReactionExpressions;
@@ -32,6 +40,8 @@ pub struct Equations {
     pub balance: Option<Balance>,
     /// Empty unless asked for.
     pub reactions: Vec<ReactionExpressions>,
+    /// How far a state is from each constraint.
+    pub constraints: Vec<Consistency>,
     /// What does not appear in the equations, and why.
     pub skipped: Vec<String>,
 }
@@ -41,16 +51,25 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
     name_properties(model);
     potential::derive_potentials(model);
     let asked = |output: Output, model: &Model| model.outputs.contains(&output);
-    let (linear, angular) = newton_euler::derive_accelerations(model, errors)?;
+    let Motion {
+        linear,
+        angular,
+        reactions: solved,
+        constraints,
+    } = derive_motion(model, errors)?;
     let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));
     let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model));
-    let solved = reactions::derive_reactions(model, &linear, &angular, errors)?;
+    let mut balance = asked(Output::Balance, model).then(|| balance::derive_balance(model));
+    if let Some(balance) = &mut balance
+        && !constraints.is_empty()
+    {
+        balance::solve_loads(model, balance, &solved);
+    }
     let reactions = if asked(Output::Reactions, model) {
         solved
     } else {
         Vec::new()
     };
-    let balance = asked(Output::Balance, model).then(|| balance::derive_balance(model));
     let skipped = skipped::list_skipped(model, &linear, &angular);
     Some(Equations {
         linear,
@@ -59,7 +78,36 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         momentum,
         balance,
         reactions,
+        constraints,
         skipped,
+    })
+}
+
+/// Accelerations, and the reactions that go with them.
+struct Motion {
+    linear: Components,
+    angular: Components,
+    reactions: Vec<ReactionExpressions>,
+    constraints: Vec<Consistency>,
+}
+
+fn derive_motion(model: &mut Model, errors: &mut Errors) -> Option<Motion> {
+    if model.constraints.is_empty() {
+        let (linear, angular) = newton_euler::derive_accelerations(model, errors)?;
+        let reactions = reactions::derive_reactions(model, &linear, &angular, errors)?;
+        return Some(Motion {
+            linear,
+            angular,
+            reactions,
+            constraints: Vec::new(),
+        });
+    }
+    let solved = constraints::derive_constrained(model, errors)?;
+    Some(Motion {
+        linear: solved.linear,
+        angular: solved.angular,
+        reactions: solved.reactions,
+        constraints: consistency::derive_consistency(model, &solved.constraints),
     })
 }
 
@@ -119,6 +167,7 @@ impl Equations {
             );
         }
         roots.extend(self.reactions.iter().flat_map(|reaction| reaction.vector));
+        roots.extend(self.constraints.iter().flat_map(Consistency::roots));
         roots
     }
 }

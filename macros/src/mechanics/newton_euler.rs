@@ -17,25 +17,50 @@ pub fn derive_accelerations(
     model: &mut Model,
     errors: &mut Errors,
 ) -> Option<(Components, Components)> {
-    let linear = linear_acceleration(model);
     let center = model.state.center(&mut model.frames);
-    let mut moments = moments_about(model, center);
-    let angular = if model.motion.has_attitude() {
-        let given = given_parts(model, center);
-        moments.extend(given.into_iter().map(|(_, moment)| moment));
-        angular_acceleration(model, moments)
+    let given = if model.motion.has_attitude() {
+        given_parts(model, center)
     } else {
         // where moments are unknown, whether they can balance these is found with them
         if model.reactions.is_empty() {
-            check_moment_free(model, &moments, errors)?;
+            check_moment_free(model, errors)?;
         }
+        Vec::new()
+    };
+    let labels = &mut model.frames.labels;
+    labels.describe("linear", "(1.3), world axes: a = sum of F / m");
+    if model.motion.is_planar() || model.motion.is_hinged() {
+        labels.describe("angular", "(1.4): w' = M / J");
+    }
+    labels.describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
+    let given = given.into_iter().map(|(_, moment)| moment);
+    Some(solve_balances(
+        model,
+        given.collect(),
+        ["linear", "angular"],
+    ))
+}
+
+/// The accelerations that the loads of the model and further moments make, under these names.
+pub fn solve_balances(
+    model: &mut Model,
+    further: Vec<Vector>,
+    names: [&str; 2],
+) -> (Components, Components) {
+    let linear = linear_acceleration(model, names[0]);
+    let center = model.state.center(&mut model.frames);
+    let mut moments = moments_about(model, center);
+    let angular = if model.motion.has_attitude() {
+        moments.extend(further);
+        angular_acceleration(model, moments, names[1])
+    } else {
         model.frames.graph.zeros()
     };
-    Some((linear, angular))
+    (linear, angular)
 }
 
 /// (1.3): `a = F / m`. All that is fixed in the body is added before it is turned.
-fn linear_acceleration(model: &mut Model) -> Components {
+fn linear_acceleration(model: &mut Model, name: &str) -> Components {
     let (true, Some(mass)) = (model.motion.translates(), model.mass) else {
         return model.frames.graph.zeros();
     };
@@ -57,11 +82,7 @@ fn linear_acceleration(model: &mut Model) -> Components {
     model.frames.labels.vector("specific_force", specific.body);
     let acceleration = model.frames.components(specific, Frame::World);
     let acceleration = model.frames.graph.results(acceleration);
-    model
-        .frames
-        .labels
-        .describe("linear", "(1.3), world axes: a = sum of F / m");
-    model.frames.labels.vector("linear", acceleration);
+    model.frames.labels.vector(name, acceleration);
     acceleration
 }
 
@@ -93,6 +114,15 @@ pub fn moments_about(model: &mut Model, pole: Point) -> Vec<Vector> {
 
 /// `P - O`, from the pole O to the point P.
 pub fn arm(model: &mut Model, point: Point, pole: Point) -> Vector {
+    let from_center = |model: &mut Model, point: Point| match point {
+        Point::Body(offset) => Some(model.frames.vector(Frame::Body, offset)),
+        Point::Moving(offset) => Some(offset),
+        Point::World(_) => None,
+    };
+    if let (Some(end), Some(start)) = (from_center(model, point), from_center(model, pole)) {
+        let backwards = model.frames.negate(start);
+        return model.frames.add(end, backwards);
+    }
     let end = model.state.place(&mut model.frames, point);
     let start = model.state.place(&mut model.frames, pole);
     let backwards = model.frames.negate(start);
@@ -101,7 +131,7 @@ pub fn arm(model: &mut Model, point: Point, pole: Point) -> Vector {
 
 /// (1.4) about G, or about the point that is held, whose reaction has no moment there:
 /// `w' = J^-1 (M - w x J w)`.
-fn angular_acceleration(model: &mut Model, moments: Vec<Vector>) -> Components {
+fn angular_acceleration(model: &mut Model, moments: Vec<Vector>, name: &str) -> Components {
     let moment = model.frames.sum(moments);
     let moment = model.frames.components(moment, Frame::Body);
     let angular = match (inertia_about_center(model), model.hinge()) {
@@ -119,11 +149,9 @@ fn angular_acceleration(model: &mut Model, moments: Vec<Vector>) -> Components {
     let angular = model.frames.graph.results(angular);
     let labels = &mut model.frames.labels;
     if model.motion.is_planar() || model.motion.is_hinged() {
-        labels.describe("angular", "(1.4): w' = M / J");
-        labels.name(angular[2], "angular");
+        labels.name(angular[2], name);
     }
-    labels.describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
-    labels.vector("angular", angular);
+    labels.vector(name, angular);
     angular
 }
 
@@ -174,7 +202,7 @@ pub fn inertia_about_center(model: &mut Model) -> Inertia {
     inertia
 }
 
-fn is_diagonal(model: &Model, rows: &[Components; 3]) -> bool {
+pub fn is_diagonal(model: &Model, rows: &[Components; 3]) -> bool {
     [(0, 1), (1, 2), (2, 0)]
         .iter()
         .all(|(i, j)| model.frames.graph.is_zero(rows[*i][*j]))
@@ -290,7 +318,7 @@ fn general(model: &mut Model, rows: &[Components; 3], moment: Components) -> Com
 }
 
 /// `J^-1`, computed from `J` over its trace, so that no determinant leaves the range of doubles (H10).
-fn inverse_inertia(model: &mut Model, rows: &[Components; 3]) -> [Components; 3] {
+pub fn inverse_inertia(model: &mut Model, rows: &[Components; 3]) -> [Components; 3] {
     let graph = &mut model.frames.graph;
     let trace = graph.sum(&[rows[0][0], rows[1][1], rows[2][2]]);
     let one = graph.one();
@@ -315,7 +343,9 @@ fn inverse_inertia(model: &mut Model, rows: &[Components; 3]) -> [Components; 3]
 }
 
 /// A body that does not turn needs a moment balance of its own: nothing else could hold it.
-fn check_moment_free(model: &mut Model, moments: &[Vector], errors: &mut Errors) -> Option<()> {
+pub fn check_moment_free(model: &mut Model, errors: &mut Errors) -> Option<()> {
+    let center = model.state.center(&mut model.frames);
+    let moments = moments_about(model, center);
     let total = model.frames.sum(moments.iter().copied());
     if model.frames.is_zero_vector(total) {
         return Some(());
@@ -323,7 +353,7 @@ fn check_moment_free(model: &mut Model, moments: &[Vector], errors: &mut Errors)
     let unbalanced: Vec<&Load> = model
         .loads
         .iter()
-        .zip(moments)
+        .zip(&moments)
         .filter(|(_, moment)| !model.frames.is_zero_vector(**moment))
         .map(|(load, _)| load)
         .collect();

@@ -71,6 +71,7 @@ fn load(model: &mut Model, index: usize, derived: &Derived) -> Load {
         point: center,
         moment: model.frames.vector(Frame::Body, derived.moment),
         potential: Some(derived.energy),
+        mention: None,
     }
 }
 

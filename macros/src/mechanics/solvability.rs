@@ -13,6 +13,11 @@ pub fn check_workless(model: &mut Model, errors: &mut Errors) -> Option<()> {
     let mut workless = true;
     for index in 0..model.reactions.len() {
         let unknown = model.reactions[index].unknown.clone();
+        if let (Some(_), Some((_, place))) = (model.reactions[index].along, unknown.first()) {
+            errors.push(*place, "a reaction along a direction of its own keeps a constraint, and there are none: write its components, as in `body(_, 0)`");
+            workless = false;
+            continue;
+        }
         let working = unknown
             .into_iter()
             .find(|(axis, _)| does_work(model, index, *axis));

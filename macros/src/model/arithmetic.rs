@@ -5,9 +5,9 @@ use crate::symbolic::{Comparison, Id};
 use crate::syntax::{Expression, Operator, Prefix, Step};
 
 use super::dimension::Dimension;
-use super::frame::Vector;
+use super::frame::{Frame, Vector};
 use super::lower::{Lowering, dimension};
-use super::value::Value;
+use super::value::{Point, Value};
 
 impl Lowering<'_> {
     pub fn prefix(&mut self, prefix: Prefix, operand: &Expression) -> Option<Value> {
@@ -116,6 +116,11 @@ impl Lowering<'_> {
 
     fn sum(&mut self, left: Value, right: Value, sides: Sides<'_>) -> Option<Value> {
         let is_sum = sides.step.operator == Operator::Add;
+        if let (Value::Point(point @ (Point::Body(_) | Point::Moving(_))), Some(vector)) =
+            (left, self.as_vector(right))
+        {
+            return self.point_beside(point, vector, dimension(right)?, sides);
+        }
         let (Some(a), Some(b)) = (dimension(left), dimension(right)) else {
             let (wrong, place) = if dimension(left).is_none() {
                 (left, sides.left.extent)
@@ -168,6 +173,44 @@ impl Lowering<'_> {
         let (a, b) = (self.as_vector(left)?, self.as_vector(right)?);
         let b = if is_sum { b } else { self.frames.negate(b) };
         Some(Value::Vector(self.frames.add(a, b), dimension))
+    }
+
+    /// `P + v`: the matter of the body that is there, away from a point of it.
+    fn point_beside(
+        &mut self,
+        point: Point,
+        vector: Vector,
+        found: Dimension,
+        sides: Sides<'_>,
+    ) -> Option<Value> {
+        if !found.fits(Dimension::LENGTH) {
+            let place = self.culprit(&sides.step.operand, Dimension::LENGTH);
+            let found = found.described();
+            return self.report(
+                place,
+                format!("from a point to a point is in m, and this is {found}"),
+            );
+        }
+        let vector = match sides.step.operator {
+            Operator::Add => vector,
+            _ => self.frames.negate(vector),
+        };
+        let from_center = match point {
+            Point::Moving(offset) => offset,
+            Point::Body(offset) | Point::World(offset) => self.frames.vector(Frame::Body, offset),
+        };
+        let offset = self.frames.add(from_center, vector);
+        let graph = &self.frames.graph;
+        let is_fixed = graph.is_zero_vector(&offset.world)
+            && offset
+                .body
+                .iter()
+                .all(|component| graph.is_early(*component));
+        Some(Value::Point(if is_fixed {
+            Point::Body(offset.body)
+        } else {
+            Point::Moving(offset)
+        }))
     }
 
     /// Vectors and components alike as a vector.

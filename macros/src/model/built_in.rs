@@ -50,6 +50,13 @@ impl Lowering<'_> {
                 name.span(),
                 format!("`{word}` makes a vector: write `{word}(..)` with components"),
             ),
+            _ if self.reactions.contains(&word) => self.report(
+                name.span(),
+                format!(
+                    "`{word}` is an unknown reaction, and only given loads can depend on it: write \
+                     this out in the load"
+                ),
+            ),
             _ => {
                 let hint = self.scope.hint(&word);
                 self.report(

@@ -208,7 +208,7 @@ impl Lowering<'_> {
     fn place(&mut self, written: &Expression) -> Option<Components> {
         match self.point(written)? {
             Point::Body(offset) => Some(offset),
-            Point::World(_) => self.report(
+            Point::World(_) | Point::Moving(_) => self.report(
                 written.extent,
                 "a part is fixed in the body, and this point is fixed in space",
             ),

@@ -9,7 +9,7 @@
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
 use super::names::{AXES, Labels};
-use super::turned_vector::Turns;
+use super::turned_vector::{Turn, Turns};
 
 /// Axes in which components are written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -52,6 +52,8 @@ pub struct Frames {
     pub attitude: Attitude,
     /// Turned vectors are kept apart in here, where potentials are read.
     pub turns: Option<Turns>,
+    /// All vectors that were turned otherwise: their rates are known as vectors.
+    pub turned: Vec<Turn>,
 }
 
 impl Frames {
@@ -221,8 +223,8 @@ impl Frames {
         if let Some(turns) = &mut self.turns {
             return turns.turn(&mut self.graph, v, to);
         }
-        match self.attitude {
-            Attitude::Fixed => v,
+        let turned = match self.attitude {
+            Attitude::Fixed => return v,
             Attitude::Axis { angle, direction } => self.turn_by_angle(angle, direction, v, to),
             Attitude::Quaternion { scalar, vector } => {
                 let axis = match to {
@@ -231,7 +233,13 @@ impl Frames {
                 };
                 self.turn_about(scalar, axis, v)
             }
-        }
+        };
+        self.turned.push(Turn {
+            to,
+            vector: v,
+            turned,
+        });
+        turned
     }
 
     /// `d d.v + c (v - d d.v) + s d x v`: in the plane, `(c x - s y, s x + c y)`.

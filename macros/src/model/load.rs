@@ -34,6 +34,7 @@ impl Lowering<'_> {
             moment,
             potential: None,
             extent: written.name.span().into(),
+            mention: value.and_then(|value| self.mentioned_reaction(value)),
         })
     }
 

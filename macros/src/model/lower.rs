@@ -28,6 +28,8 @@ pub struct Lowering<'a> {
     pub errors: &'a mut Errors,
     pub motion: Motion,
     pub state: &'a mut State,
+    /// The names of the unknown reactions that loads can refer to: under constraints.
+    pub reactions: Vec<String>,
     /// Of a body that is composed of parts, once they are read.
     pub composed: Option<Composed>,
 }

@@ -5,6 +5,7 @@
 mod arithmetic;
 mod built_in;
 mod composition;
+mod constraint;
 mod definitions;
 mod dimension;
 mod draft;
@@ -40,6 +41,7 @@ use crate::errors::{Errors, Extent};
 use crate::symbolic::{Components, Graph, Id, Number, Stage};
 use crate::syntax::{self, Description};
 
+pub use constraint::{Constraint, Level};
 pub use frame::{Attitude, Frame, Frames, Vector};
 pub use inertia::Inertia;
 pub use motion::{Meanings, Motion, State};
@@ -74,6 +76,8 @@ pub struct Model {
     pub potentials: Potentials,
     /// Loads with unknown components.
     pub reactions: Vec<Reaction>,
+    /// What the motion keeps at zero, by scalars.
+    pub constraints: Vec<Constraint>,
     pub pole: Point,
     pub outputs: Vec<Output>,
     /// The values of the parameters that have a default.
@@ -94,6 +98,8 @@ pub struct Load {
     pub potential: Option<Id>,
     /// What to underline if the load is at fault.
     pub extent: Extent,
+    /// Where it mentions an unknown reaction.
+    pub mention: Option<Extent>,
 }
 
 impl Model {
@@ -129,6 +135,7 @@ pub fn lower_description(
         labels: Labels::default(),
         attitude,
         turns: None,
+        turned: Vec::new(),
     };
     let mut scope = Scope::new(description, repeated);
     let mut lowering = Lowering {
@@ -138,6 +145,12 @@ pub fn lower_description(
         motion: outline.motion,
         state: &mut state,
         composed: None,
+        reactions: if outline.is_constrained {
+            let names = outline.reactions.iter().map(|(name, _)| name.to_string());
+            names.collect()
+        } else {
+            Vec::new()
+        },
     };
 
     let defaults = lowering.declarations(description, outline, &mut meanings);
@@ -149,12 +162,18 @@ pub fn lower_description(
         .iter()
         .filter(|load| load.charges.is_none());
     let (unknown, given): (Vec<_>, Vec<_>) = plain.partition(|load| is_unknown(load));
-    let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
+    let constraints: Vec<Option<Vec<Constraint>>> = description
+        .constraints
+        .iter()
+        .map(|constraint| lowering.constraint(constraint, &meanings))
+        .collect();
     let reactions: Vec<Option<Reaction>> = unknown
         .into_iter()
         .enumerate()
         .map(|(index, load)| lowering.reaction(index, load, &mut meanings))
         .collect();
+    lowering.name_reactions(description, &reactions);
+    let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
     let pole = lowering.pole(description.pole.as_ref());
 
     let declared = description
@@ -175,8 +194,9 @@ pub fn lower_description(
 
     let loads = loads.into_iter().collect::<Option<Vec<_>>>();
     let reactions = reactions.into_iter().collect::<Option<Vec<_>>>();
+    let constraints = constraints.into_iter().collect::<Option<Vec<_>>>();
     let (inertia, loads, reactions, pole) = (inertia?, loads?, reactions?, pole?);
-    let potentials = potentials?;
+    let (potentials, constraints) = (potentials?, constraints?);
     let (motion, outputs) = (outline.motion, outline.outputs.clone());
     Some(Model {
         motion,
@@ -189,6 +209,7 @@ pub fn lower_description(
         loads,
         potentials,
         reactions,
+        constraints: constraints.into_iter().flatten().collect(),
         pole,
         outputs,
         defaults,

@@ -114,6 +114,7 @@ impl State {
                 let offset = frames.vector(Frame::Body, offset);
                 frames.add(self.position, offset)
             }
+            Point::Moving(offset) => frames.add(self.position, offset),
         }
     }
 

@@ -12,6 +12,8 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Labels {
     names: HashMap<Id, String>,
     notes: HashMap<&'static str, &'static str>,
+    /// The unknowns that guarded reciprocals give.
+    unknowns: HashMap<Id, String>,
 }
 
 impl Labels {
@@ -49,6 +51,16 @@ impl Labels {
         self.notes
             .get_key_value(group)
             .map(|(group, note)| (*group, *note))
+    }
+
+    /// Says which unknown is found by dividing.
+    pub fn divide_for(&mut self, reciprocal: Id, unknown: String) {
+        self.unknowns.entry(reciprocal).or_insert(unknown);
+    }
+
+    /// The unknown that a guarded reciprocal gives.
+    pub fn unknown(&self, reciprocal: Id) -> &str {
+        self.unknowns.get(&reciprocal).map_or("", String::as_str)
     }
 
     pub fn get(&self, id: Id) -> Option<&str> {

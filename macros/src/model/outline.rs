@@ -50,6 +50,8 @@ pub struct Outline {
     pub outputs: Vec<Output>,
     /// Loads with unknown components, by name.
     pub reactions: Vec<(Ident, LoadKind)>,
+    /// Whether the motion is under constraints.
+    pub is_constrained: bool,
     /// Number of given loads.
     pub loads: usize,
     pub keys: Vec<Ident>,
@@ -101,6 +103,7 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
         inputs: distinct(&description.inputs).map(declared).collect(),
         outputs: check_outputs(description, errors),
         reactions: unknown_reactions(description),
+        is_constrained: !description.constraints.is_empty(),
         loads: description
             .loads
             .iter()

@@ -21,8 +21,8 @@ impl Lowering<'_> {
         let Point::Body(r) = point else {
             return self.report(
                 place.span(),
-                "the inertia is constant only about a point of the body, and this one is fixed \
-                 in space",
+                "the inertia is constant only about a point of the body, and this one is not \
+                 fixed in it",
             );
         };
         let mass = match mass {

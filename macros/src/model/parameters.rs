@@ -12,7 +12,7 @@ use super::motion::Meanings;
 use super::names::Meaning;
 use super::outline::Declared;
 use super::unit::lower_unit;
-use super::value::Value;
+use super::value::{Point, Value};
 
 /// The values that parameters have when nothing else is said.
 pub type Defaults = HashMap<Id, Id>;
@@ -56,13 +56,18 @@ impl Lowering<'_> {
         }
         let default =
             if declared.frame.is_some() && matches!(strip_unit(value).kind, Kind::Tuple(_)) {
-                self.point(value).map(|point| match point {
-                    super::value::Point::Body(components) => {
-                        Value::Components(Frame::Body, components, Dimension::LENGTH)
-                    }
-                    super::value::Point::World(components) => {
-                        Value::Components(Frame::World, components, Dimension::LENGTH)
-                    }
+                self.point(value).and_then(|point| match point {
+                    Point::Body(components) => Some(Value::Components(
+                        Frame::Body,
+                        components,
+                        Dimension::LENGTH,
+                    )),
+                    Point::World(components) => Some(Value::Components(
+                        Frame::World,
+                        components,
+                        Dimension::LENGTH,
+                    )),
+                    Point::Moving(_) => None,
                 })?
             } else {
                 self.value(value)?

@@ -71,7 +71,10 @@ impl Lowering<'_> {
             let (place, found) = (self.culprit(written, Dimension::LENGTH), found.described());
             return self.report(place, format!("a point is in m, and this is {found}"));
         }
-        let (Point::Body(components) | Point::World(components)) = point;
+        let components = match point {
+            Point::Body(components) | Point::World(components) => components,
+            Point::Moving(_) => return Some(point),
+        };
         self.check_early(written, &components, "a point is fixed")?;
         Some(match (point, self.composed) {
             (Point::Body(written), Some(composed)) => {

@@ -1,10 +1,11 @@
-//! Reactions with unknown components, `body(_, _, 0).at(P)` and `moment(body(_, _, 0))`.
+//! Reactions with unknown components, `body(_, _, 0).at(P)` and `moment(body(_, _, 0))`, or along
+//! a direction of their own, `_ * direction`.
 
 use proc_macro2::Ident;
 
 use crate::errors::Extent;
 use crate::symbolic::{Components, Id, Stage};
-use crate::syntax::{self, Expression, Family, Kind, LoadKind};
+use crate::syntax::{self, Description, Expression, Family, Kind, LoadKind, Operator};
 
 use super::dimension::Dimension;
 use super::frame::{Frame, Vector};
@@ -12,7 +13,7 @@ use super::lower::Lowering;
 use super::motion::{Meanings, Motion};
 use super::names::Meaning;
 use super::unit::lower_unit;
-use super::value::Point;
+use super::value::{Point, Value};
 
 /// A load of which some components are not known.
 pub struct Reaction {
@@ -25,6 +26,8 @@ pub struct Reaction {
     pub given: Components,
     /// The unknown components: their axes, and their places.
     pub unknown: Vec<(usize, Extent)>,
+    /// The direction of `_ * direction`: one unknown, whatever the axes.
+    pub along: Option<Vector>,
     /// The whole of it, given from outside, world axes.
     pub symbols: Vector,
 }
@@ -51,6 +54,7 @@ fn placeholders(value: &Expression) -> impl Iterator<Item = (usize, Extent)> {
         _ => value,
     };
     let parts = match &inner.kind {
+        Kind::Chain(first, _) if direction(inner).is_some() => std::slice::from_ref(&**first),
         Kind::Call(word, parts) if word == "body" || word == "world" => parts.as_slice(),
         Kind::Placeholder => std::slice::from_ref(inner),
         _ => &[],
@@ -60,6 +64,17 @@ fn placeholders(value: &Expression) -> impl Iterator<Item = (usize, Extent)> {
         .enumerate()
         .filter(|(_, part)| matches!(part.kind, Kind::Placeholder));
     unknown.map(|(axis, part)| (axis, part.extent))
+}
+
+/// The direction of `_ * direction`.
+fn direction(value: &Expression) -> Option<&Expression> {
+    match &value.kind {
+        Kind::Chain(first, rest) if matches!(first.kind, Kind::Placeholder) => match &**rest {
+            [step] if step.operator == Operator::Multiply => Some(&step.operand),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 impl Lowering<'_> {
@@ -72,7 +87,14 @@ impl Lowering<'_> {
     ) -> Option<Reaction> {
         let value = written.vector.as_ref()?;
         let point = self.point_of_reaction(written);
-        let (frame, given) = self.known_part(value, written.kind)?;
+        let along = match direction(value) {
+            Some(direction) => Some(self.vector(direction, Dimension::NONE, "a direction")?),
+            None => None,
+        };
+        let (frame, given) = match along {
+            Some(_) => (Frame::World, self.frames.graph.zeros()),
+            None => self.known_part(value, written.kind)?,
+        };
         let planar_moment = written.kind == LoadKind::Moment && self.motion.is_planar();
         let unknown =
             placeholders(value).map(|(axis, place)| (if planar_moment { 2 } else { axis }, place));
@@ -96,11 +118,12 @@ impl Lowering<'_> {
             frame,
             given,
             unknown: unknown.collect(),
+            along,
             symbols: self.frames.vector(Frame::World, symbols),
         })
     }
 
-    /// The point at which a reaction acts, which turns with the body.
+    /// The point at which a reaction acts, which turns with the body if a support is solved for.
     fn point_of_reaction(&mut self, written: &syntax::Load) -> Option<Point> {
         let value = written.vector.as_ref()?;
         if written.kind == LoadKind::Force && !self.motion.knows_position() {
@@ -112,7 +135,7 @@ impl Lowering<'_> {
             );
         }
         match (self.point_of_load(written)?, &written.point) {
-            (Point::World(_), Some(Some(point))) => self.report(
+            (Point::World(_), Some(Some(point))) if self.reactions.is_empty() => self.report(
                 point.extent,
                 "an unknown reaction acts at a point of the body, and this one is fixed in space",
             ),
@@ -203,5 +226,38 @@ impl Lowering<'_> {
             *component = self.frames.graph.multiply(factor, known?);
         }
         Some((frame, given))
+    }
+
+    /// Under constraints, loads may depend on the unknown reactions, by their names: friction does.
+    pub fn name_reactions(&mut self, description: &Description, reactions: &[Option<Reaction>]) {
+        if description.constraints.is_empty() {
+            return;
+        }
+        let unknown = description.loads.iter().filter(|load| is_unknown(load));
+        for (written, reaction) in unknown.zip(reactions) {
+            let name = written.name.to_string();
+            let Some(reaction) = reaction else {
+                self.scope.define(&name, None);
+                continue;
+            };
+            let symbols = reaction.symbols;
+            let value = match reaction.kind {
+                LoadKind::Force => Value::Vector(symbols, Dimension::FORCE),
+                LoadKind::Moment if self.motion.is_planar() => {
+                    Value::Scalar(symbols.world[2], Dimension::MOMENT)
+                }
+                LoadKind::Moment => Value::Vector(symbols, Dimension::MOMENT),
+            };
+            self.scope.define(&name, Some(value));
+        }
+    }
+
+    /// Where an expression names an unknown reaction.
+    pub fn mentioned_reaction(&self, value: &Expression) -> Option<Extent> {
+        let names = value.names();
+        let found = names
+            .iter()
+            .find(|name| self.reactions.contains(&name.to_string()));
+        found.map(|name| name.span().into())
     }
 }

@@ -162,5 +162,17 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
             );
         }
     }
+    let mut constraints = HashSet::new();
+    for constraint in &description.constraints {
+        if !constraints.insert(constraint.name.to_string()) {
+            errors.push(
+                constraint.name.span(),
+                format!(
+                    "there is a constraint `{}` already: constraints are told apart by their names",
+                    constraint.name
+                ),
+            );
+        }
+    }
     repeated
 }

@@ -66,9 +66,9 @@ impl Lowering<'_> {
     fn held_point(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
         match self.point(written)? {
             Point::Body(offset) => Some(offset),
-            Point::World(_) => self.report(
+            Point::World(_) | Point::Moving(_) => self.report(
                 written.extent,
-                "a support holds a point of the body, and this one is fixed in space: name the \
+                "a support holds a point of the body, and this one is not: name the \
                  point of the body, and where it is held as `.at(world(..))`",
             ),
         }
@@ -77,7 +77,7 @@ impl Lowering<'_> {
     fn anchor(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
         match self.point(written)? {
             Point::World(position) => Some(position),
-            Point::Body(_) => self.report(
+            Point::Body(_) | Point::Moving(_) => self.report(
                 written.extent,
                 "a support is held at a point in space: write `.at(world(..))`",
             ),

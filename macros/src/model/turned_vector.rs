@@ -10,10 +10,10 @@ use crate::symbolic::{Components, Graph, Stage};
 
 use super::frame::Frame;
 
-/// A vector, and the symbols of its components in the other axes.
+/// A vector, and its components in the other axes, or the symbols of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn {
-    /// The axes of the symbols.
+    /// The axes in which it was turned.
     pub to: Frame,
     pub vector: Components,
     pub turned: Components,

@@ -48,4 +48,6 @@ pub enum Point {
     Body(Components),
     /// Fixed in space: its position in world axes.
     World(Components),
+    /// Where it is from G changes: the matter of the body that is there, such as that in contact.
+    Moving(Vector),
 }

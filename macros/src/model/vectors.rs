@@ -131,7 +131,7 @@ impl Lowering<'_> {
         } else {
             Dimension::VELOCITY
         };
-        if !self.motion.knows_position() && matches!(point, Point::Body(_)) {
+        if !self.motion.knows_position() && !matches!(point, Point::World(_)) {
             return self.report(
                 method.span(),
                 format!(
@@ -148,9 +148,30 @@ impl Lowering<'_> {
                 let swept = self.frames.vector(Frame::Body, swept);
                 self.frames.add(self.state.velocity, swept)
             }
+            (Point::Moving(offset), _) => {
+                let swept = self.swept(offset);
+                self.frames.add(self.state.velocity, swept)
+            }
             (Point::World(_), _) => self.frames.zero_vector(),
         };
         Some(Value::Vector(vector, dimension))
+    }
+
+    /// `w x r`, each part in its own axes: those of w change together, and `w x w` is zero.
+    fn swept(&mut self, offset: Vector) -> Vector {
+        let w = self.state.angular_velocity;
+        let in_world = if self.motion.is_planar() || self.frames.graph.is_zero_vector(&offset.world)
+        {
+            w
+        } else {
+            let w = self.frames.vector(Frame::Body, w);
+            self.frames.components(w, Frame::World)
+        };
+        let graph = &mut self.frames.graph;
+        Vector {
+            body: graph.cross(w, offset.body),
+            world: graph.cross(in_world, offset.world),
+        }
     }
 
     pub fn field(&mut self, receiver: &Expression, field: &Ident) -> Option<Value> {

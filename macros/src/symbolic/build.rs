@@ -76,6 +76,16 @@ impl Graph {
         }
     }
 
+    /// `1 / divisor`, guarded against a divisor that is nothing but rounding of terms of the size
+    /// `scale`; what is known early is checked where it is computed.
+    pub fn pivot(&mut self, divisor: Id, scale: Id) -> Id {
+        if self.is_early(divisor) {
+            let one = self.one();
+            return self.divide(one, divisor);
+        }
+        self.intern(Node::Pivot(divisor, scale))
+    }
+
     /// The negative of `a`, if anybody made it.
     pub fn negation_of(&self, a: Id) -> Option<Id> {
         self.find(&Node::Negate(a))

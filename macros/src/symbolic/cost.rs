@@ -44,6 +44,10 @@ impl Graph {
                 Node::Multiply(..) => cost.mul += 1,
                 Node::Add(..) | Node::Subtract(..) => cost.add += 1,
                 Node::Divide(..) => cost.div += 1,
+                Node::Pivot(..) => {
+                    cost.div += 1;
+                    cost.other += 1;
+                }
                 Node::Unary(Function::Sqrt, _) => cost.sqrt += 1,
                 Node::Unary(
                     Function::Abs | Function::Signum | Function::Floor | Function::Ceil,

@@ -4,6 +4,7 @@
 //! and the results are built by the simplifying constructors.
 
 use super::graph::{Graph, Id, Node};
+use super::number::{Function, Number};
 
 impl Graph {
     /// The partial derivatives of `roots` with respect to the symbol `by`.
@@ -60,6 +61,12 @@ impl Graph {
                 self.add(left, right)
             }
             Node::Select(condition, a, b) => self.select(condition, d(a), d(b)),
+            Node::Pivot(a, _) => {
+                // (1 / a)' = -(1 / a)^2 a'
+                let square = self.square(id);
+                let change = self.multiply(square, d(a));
+                self.negate(change)
+            }
             Node::Number(_)
             | Node::Truth(_)
             | Node::Undefined
@@ -69,5 +76,52 @@ impl Graph {
             | Node::Or(..)
             | Node::Not(_) => return None,
         })
+    }
+
+    /// Where what depends on `id` changes by `weight` for each unit of it, by how much it changes for
+    /// each unit of the operands of `id`: one step of the chain rule backwards.
+    pub fn pull_back(&mut self, id: Id, weight: Id) -> Vec<(Id, Id)> {
+        match *self.node(id) {
+            Node::Quantity(a) => vec![(a, weight)],
+            Node::Negate(a) => vec![(a, self.negate(weight))],
+            Node::Add(a, b) => vec![(a, weight), (b, weight)],
+            Node::Subtract(a, b) => vec![(a, weight), (b, self.negate(weight))],
+            Node::Multiply(a, b) if a == b => {
+                let twice = self.add(weight, weight);
+                vec![(a, self.multiply(twice, a))]
+            }
+            Node::Multiply(a, b) => {
+                vec![(a, self.multiply(weight, b)), (b, self.multiply(weight, a))]
+            }
+            Node::Divide(a, b) => {
+                let by_a = self.divide(weight, b);
+                let by_b = self.multiply(by_a, id);
+                vec![(a, by_a), (b, self.negate(by_b))]
+            }
+            Node::Unary(Function::Sqrt, a) => {
+                let half = self.number(Number::ratio(1, 2));
+                let half = self.multiply(half, weight);
+                vec![(a, self.divide(half, id))]
+            }
+            Node::Unary(function, a) => {
+                let slope = self.slope(function, a, id);
+                vec![(a, self.multiply(slope, weight))]
+            }
+            Node::Binary(function, a, b) => {
+                let (by_a, by_b) = self.slopes(function, a, b, id);
+                vec![
+                    (a, self.multiply(by_a, weight)),
+                    (b, self.multiply(by_b, weight)),
+                ]
+            }
+            Node::Select(condition, a, b) => {
+                let zero = self.zero();
+                vec![
+                    (a, self.select(condition, weight, zero)),
+                    (b, self.select(condition, zero, weight)),
+                ]
+            }
+            _ => Vec::new(),
+        }
     }
 }

@@ -28,6 +28,7 @@ impl Graph {
                 Node::And(a, b) => truth(value(a) != 0.0 && value(b) != 0.0),
                 Node::Or(a, b) => truth(value(a) != 0.0 || value(b) != 0.0),
                 Node::Not(a) => truth(value(a) == 0.0),
+                Node::Pivot(a, _) => value(a).recip(),
                 Node::Select(condition, a, b) => value(if value(condition) == 0.0 { b } else { a }),
             };
         }

@@ -249,6 +249,7 @@ impl Graph {
             }
             // no symbol of interest is in them, or steps are; and inverses are powers
             Node::Divide(..)
+            | Node::Pivot(..)
             | Node::Number(_)
             | Node::Truth(_)
             | Node::Undefined

@@ -65,6 +65,9 @@ pub enum Node {
     Not(Id),
     /// `if condition { first } else { second }`
     Select(Id, Id, Id),
+    /// The reciprocal of a divisor that the configuration may make vanish, and the size of the
+    /// terms it was summed from: what is no more than their rounding is not divided by.
+    Pivot(Id, Id),
 }
 
 impl Node {
@@ -80,6 +83,7 @@ impl Node {
             | Self::Multiply(a, b)
             | Self::Divide(a, b)
             | Self::Binary(_, a, b)
+            | Self::Pivot(a, b)
             | Self::Compare(_, a, b)
             | Self::And(a, b)
             | Self::Or(a, b) => [Some(a), Some(b), None],

@@ -2,13 +2,12 @@
 //!
 //! This room knows no mechanics and no words: symbols are numbers, and what they stand for is the
 //! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
-//! vectors, gradients, a schedule, a cost and an interpreter.
+//! vectors, derivatives, linear equations, a schedule, a cost and an interpreter.
 
 mod build;
 mod cost;
-#[cfg(test)]
-#[allow(dead_code, reason = "used where the rooms are mounted: tests/compiler")]
 mod derivative;
+mod eliminate;
 mod evaluate;
 mod gradient;
 mod graph;
@@ -22,6 +21,7 @@ mod sum;
 mod vector;
 
 pub use cost::Cost;
+pub use eliminate::{Elimination, Row, Size};
 pub use graph::{Comparison, Graph, Id, Node, Stage, Symbol};
 pub use number::{Function, Number};
 pub use program::Program;

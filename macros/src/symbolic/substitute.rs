@@ -42,6 +42,7 @@ impl Graph {
             Node::And(a, b) => self.and(image(a), image(b)),
             Node::Or(a, b) => self.or(image(a), image(b)),
             Node::Not(a) => self.not(image(a)),
+            Node::Pivot(a, b) => self.pivot(image(a), image(b)),
             Node::Select(condition, a, b) => self.select(image(condition), image(a), image(b)),
         }
     }

@@ -112,7 +112,7 @@ impl Graph {
     }
 
     /// The terms of a sum, in order, and whether each is subtracted.
-    fn terms(&self, a: Id) -> Vec<(bool, Id)> {
+    pub fn terms(&self, a: Id) -> Vec<(bool, Id)> {
         let mut terms = Vec::new();
         let mut pending = vec![(false, a)];
         while let Some((negative, id)) = pending.pop() {

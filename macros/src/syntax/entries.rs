@@ -33,6 +33,10 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             let value = value.map(|value| without_point(value, errors));
             into.potentials.push(Definition { name, value });
         }
+        "constraints" => {
+            let value = parse_value(&name, rest, errors);
+            into.constraints.push(Definition { name, value });
+        }
         "outputs" => {
             if let Some(extra) = rest.first() {
                 errors.push(

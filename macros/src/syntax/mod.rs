@@ -48,6 +48,7 @@ pub struct Description {
     pub locals: Vec<Definition>,
     pub loads: Vec<Load>,
     pub potentials: Vec<Definition>,
+    pub constraints: Vec<Definition>,
     pub pole: Option<Written>,
     pub outputs: Vec<Ident>,
 }
@@ -71,6 +72,7 @@ impl Description {
             locals: Vec::new(),
             loads: Vec::new(),
             potentials: Vec::new(),
+            constraints: Vec::new(),
             pole: None,
             outputs: Vec::new(),
         }
@@ -107,7 +109,7 @@ pub struct Declaration {
     pub value: Option<Value>,
 }
 
-/// `name = value`: a point, a local or a potential.
+/// `name = value`: a point, a local, a potential or a constraint.
 pub struct Definition {
     pub name: Ident,
     pub value: Value,

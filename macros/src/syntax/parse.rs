@@ -16,7 +16,7 @@ use super::words::{check_name, is_keyword};
 use super::{Description, Written};
 
 /// Keys whose value is a list, each with an entry to show.
-const LISTS: [(&str, &str); 12] = [
+const LISTS: [(&str, &str); 13] = [
     ("params", "arm = 0.2[m]"),
     ("inputs", "thrust[N]"),
     ("points", "tip = (0.1, 0, 0)"),
@@ -26,6 +26,7 @@ const LISTS: [(&str, &str); 12] = [
     ("joint_forces", "pull = body(1, 0, 0).at(tip)"),
     ("joint_moments", "motor = body(0, 0, 1)"),
     ("reactions", "support = world(0, 0, 1).at(tip)"),
+    ("constraints", "contact = position.in_world().z"),
     ("fields", "weight = mass * world(0, 0, -9.80665[m / s ^ 2])"),
     ("potentials", "spring = 20[N / m] * position.norm_squared()"),
     ("outputs", "energy"),
@@ -33,7 +34,7 @@ const LISTS: [(&str, &str); 12] = [
 /// All other keys.
 const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
 /// Keys of the language that are not there yet.
-const LATER: [&str; 2] = ["constraints", "checks"];
+const LATER: [&str; 1] = ["checks"];
 /// Parses `(runtime) Name { key: value, .. }`. Only without a name is there no description at all.
 pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Description> {
     let (mut description, body) = parse_head(tokens, errors)?;

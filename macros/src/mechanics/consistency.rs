@@ -1,0 +1,87 @@
+//! How far a state is from its constraints, and how to bring it back.
+//!
+//! The projection moves the state along `M^-1 A^T`, the shortest way in the metric of the kinetic
+//! energy: `S l = g` with `S = A M^-1 A^T`, then `q - M^-1 A^T l`; and likewise the velocities.
+
+use crate::model::Model;
+use crate::symbolic::{Components, Function, Graph, Id};
+
+use super::constraints::Constrained;
+use super::response::response;
+
+/// One constraint, as the runtime is told of it.
+pub struct Consistency {
+    pub name: String,
+    /// `g`, and the size of what it is summed from.
+    pub position: Option<(Id, Id)>,
+    /// `h`, and the size of what it is summed from.
+    pub velocity: (Id, Id),
+    /// `M^-1 A^T`: world axes, body axes.
+    pub linear: Components,
+    pub angular: Components,
+    /// The row of `S`.
+    pub coupling: Vec<Id>,
+}
+
+impl Consistency {
+    /// All expressions that it is made of.
+    pub fn roots(&self) -> Vec<Id> {
+        let (value, size) = self.velocity;
+        let position = self
+            .position
+            .into_iter()
+            .flat_map(|(value, size)| [value, size]);
+        let own = [value, size].into_iter().chain(position);
+        own.chain(self.linear)
+            .chain(self.angular)
+            .chain(self.coupling.iter().copied())
+            .collect()
+    }
+}
+
+pub fn derive_consistency(model: &mut Model, constraints: &[Constrained]) -> Vec<Consistency> {
+    let directions: Vec<(Components, Components)> = constraints
+        .iter()
+        .map(|constraint| {
+            let (linear, angular) =
+                response(model, constraint.rates.linear, constraint.rates.angular);
+            let graph = &mut model.frames.graph;
+            (graph.results(linear), graph.results(angular))
+        })
+        .collect();
+    let list = constraints.iter().enumerate().map(|(row, constraint)| {
+        let graph = &mut model.frames.graph;
+        let angular = constraint.rates.angular;
+        let coupling = directions.iter().map(|(by_linear, by_angular)| {
+            let first = graph.dot(constraint.rates.linear, *by_linear);
+            let second = graph.dot(angular, *by_angular);
+            graph.add(first, second)
+        });
+        let coupling = coupling.collect();
+        let position = constraint.position.map(|value| {
+            let size = graph.largest_term(value);
+            (value, with_angles(graph, size, angular))
+        });
+        let velocity = (constraint.velocity, graph.largest_term(constraint.velocity));
+        Consistency {
+            name: constraint.name.clone(),
+            position,
+            velocity,
+            linear: directions[row].0,
+            angular: directions[row].1,
+            coupling,
+        }
+    });
+    list.collect()
+}
+
+/// An attitude is known to the rounding of one radian.
+fn with_angles(graph: &mut Graph, size: Id, angular: Components) -> Id {
+    angular.into_iter().fold(size, |size, part| {
+        if graph.is_zero(part) {
+            return size;
+        }
+        let part = graph.apply(Function::Abs, &[part]);
+        graph.apply(Function::Max, &[size, part])
+    })
+}

@@ -1,0 +1,294 @@
+//! Constraints, and the unknown reactions that keep them.
+//!
+//! ```text
+//! g(q, t) = 0         h = g' = A v + ..      position
+//!                     h' = A q'' + b = 0     position and velocity
+//! q'' = q''_0 + sum of u_j D_j               D_j: the acceleration by one unit of the unknown j
+//! sum of (A_i . D_j) u_j = -(A_i . q''_0 + b_i)
+//! ```
+//!
+//! Where the reactions point along the gradients of their constraints, `A_i . D_j` is symmetric and
+//! positive: a sum of squares over masses.
+
+use proc_macro2::Ident;
+
+use crate::errors::Errors;
+use crate::model::{AXES, Frame, Level, LoadKind, Model};
+use crate::symbolic::{Components, Elimination, Function, Id, Number, Row, Size};
+
+use super::newton_euler::{check_moment_free, moments_about, solve_balances};
+use super::pushes::{Push, given_loads, pushes};
+use super::rates::{Rates, rates};
+use super::reactions::{ReactionExpressions, assemble_along};
+use super::redundancy::{check_elimination, check_independent};
+use super::response::response;
+use super::samples::sample;
+
+/// A constraint with its derivatives.
+pub struct Constrained {
+    pub name: String,
+    pub place: Ident,
+    /// `g`; a constraint of velocities has none.
+    pub position: Option<Id>,
+    /// `h`
+    pub velocity: Id,
+    /// `b`, and `A` by its linear and its angular part.
+    pub rates: Rates,
+}
+
+/// The motion under constraints.
+pub struct Solved {
+    pub linear: Components,
+    pub angular: Components,
+    pub constraints: Vec<Constrained>,
+    pub reactions: Vec<ReactionExpressions>,
+}
+
+/// Accelerations and reactions of a body with constraints.
+pub fn derive_constrained(model: &mut Model, errors: &mut Errors) -> Option<Solved> {
+    let constraints = differentiate(model);
+    check_independent(model, &constraints, errors)?;
+    let pushes = pushes(model, errors)?;
+    let (free_linear, free_angular, moment) = unconstrained(model);
+    let mut rows = Vec::new();
+    for constraint in &constraints {
+        rows.push(constraint_row(
+            model,
+            constraint,
+            &pushes,
+            (free_linear, free_angular),
+        ));
+    }
+    if !model.motion.has_attitude() {
+        rows.extend(moment_rows(model, &pushes, moment, errors)?);
+    }
+    let rows = sampled(model, rows, &constraints, &pushes);
+    let elimination = model.frames.graph.solve_guarded(rows, pushes.len());
+    check_elimination(model, &constraints, &pushes, &elimination, errors)?;
+    name_unknowns(model, &pushes, &elimination);
+    let linear = pushed(model, free_linear, &pushes, &elimination.values, |push| {
+        push.linear
+    });
+    let angular = pushed(model, free_angular, &pushes, &elimination.values, |push| {
+        push.angular
+    });
+    name_accelerations(model, linear, angular);
+    let reactions = assemble_along(model, &pushes, &elimination.values);
+    Some(Solved {
+        linear,
+        angular,
+        constraints,
+        reactions,
+    })
+}
+
+/// Each constraint with what it says of velocities and accelerations.
+fn differentiate(model: &mut Model) -> Vec<Constrained> {
+    let written: Vec<_> = model
+        .constraints
+        .iter()
+        .map(|constraint| {
+            (
+                constraint.name.clone(),
+                constraint.place.clone(),
+                constraint.level,
+                constraint.value,
+            )
+        })
+        .collect();
+    let constraints = written.into_iter().map(|(name, place, level, value)| {
+        let (position, velocity) = match level {
+            Level::Position => (Some(value), rates(model, value).rate),
+            Level::Velocity => (None, value),
+        };
+        Constrained {
+            name,
+            place,
+            position,
+            velocity,
+            rates: rates(model, velocity),
+        }
+    });
+    constraints.collect()
+}
+
+/// The accelerations by the given loads alone, and their moment about G in world axes.
+fn unconstrained(model: &mut Model) -> (Components, Components, Components) {
+    let given = given_loads(model);
+    let loads = core::mem::replace(&mut model.loads, given);
+    let (linear, angular) = solve_balances(model, Vec::new(), ["free", "free_angular"]);
+    let center = model.state.center(&mut model.frames);
+    let moments = moments_about(model, center);
+    let moment = model.frames.sum(moments);
+    let moment = if model.motion.has_attitude() {
+        model.frames.graph.zeros()
+    } else {
+        model.frames.components(moment, Frame::World)
+    };
+    model.loads = loads;
+    (linear, angular, moment)
+}
+
+/// An equation for the unknowns, not sampled yet.
+type Equation = (Vec<Id>, Id);
+
+/// `sum of (A . D_j) u_j = -(A . q''_0 + b)`
+fn constraint_row(
+    model: &mut Model,
+    constraint: &Constrained,
+    pushes: &[Push],
+    free: (Components, Components),
+) -> Equation {
+    let Rates {
+        rate,
+        linear,
+        angular,
+    } = constraint.rates;
+    let graph = &mut model.frames.graph;
+    let mut along = |a: Components, b: Components| {
+        let (first, second) = (graph.dot(linear, a), graph.dot(angular, b));
+        graph.add(first, second)
+    };
+    let coefficients = pushes
+        .iter()
+        .map(|push| along(push.linear, push.angular))
+        .collect();
+    let given = along(free.0, free.1);
+    let known = graph.add(given, rate);
+    (coefficients, graph.negate(known))
+}
+
+/// Of a body that does not turn: the moments about G sum to zero.
+fn moment_rows(
+    model: &mut Model,
+    pushes: &[Push],
+    given: Components,
+    errors: &mut Errors,
+) -> Option<Vec<Equation>> {
+    let axes = if model.motion.is_planar() { 2..3 } else { 0..3 };
+    let mut rows = Vec::new();
+    for axis in axes {
+        let coefficients: Vec<Id> = pushes.iter().map(|push| push.moment[axis]).collect();
+        let is_empty = coefficients
+            .iter()
+            .all(|id| model.frames.graph.is_zero(*id));
+        if !is_empty {
+            rows.push((coefficients, model.frames.graph.negate(given[axis])));
+        } else if !model.frames.graph.is_zero(given[axis]) {
+            check_moment_free(model, errors)?;
+        }
+    }
+    Some(rows)
+}
+
+fn sampled(
+    model: &mut Model,
+    rows: Vec<Equation>,
+    constraints: &[Constrained],
+    pushes: &[Push],
+) -> Vec<Row> {
+    let all: Vec<Id> = rows
+        .iter()
+        .flat_map(|(coefficients, _)| coefficients.clone())
+        .collect();
+    let mut values = sample(model, &all).into_iter();
+    let mut sampled = Vec::new();
+    for (index, (coefficients, right)) in rows.into_iter().enumerate() {
+        let sizes = pushes.iter().map(|push| match constraints.get(index) {
+            Some(constraint) => size(model, constraint, push),
+            None => Size::Terms,
+        });
+        sampled.push(Row {
+            sizes: sizes.collect(),
+            sample: values.by_ref().take(coefficients.len()).collect(),
+            coefficients,
+            right,
+        });
+    }
+    sampled
+}
+
+/// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. Where the
+/// load pushes along the gradient it is a sum of squares; else it is at most the product of their
+/// lengths, and vanishes where they are perpendicular.
+fn size(model: &mut Model, constraint: &Constrained, push: &Push) -> Size {
+    let Rates {
+        linear, angular, ..
+    } = constraint.rates;
+    let gradient = [linear, angular].concat();
+    let load = [push.force, push.body_moment].concat();
+    let values = sample(model, &[gradient, load].concat());
+    let (a, b) = values.split_at(values.len() / 2);
+    if !push.is_followed && are_parallel(a, b) {
+        return Size::Squares;
+    }
+    let by_gradient = response(model, linear, angular);
+    let graph = &mut model.frames.graph;
+    let mut product = |a: [Components; 2], b: [Components; 2]| {
+        let (first, second) = (graph.dot(a[0], b[0]), graph.dot(a[1], b[1]));
+        graph.add(first, second)
+    };
+    let of_gradient = product([linear, angular], [by_gradient.0, by_gradient.1]);
+    let of_load = product([push.force, push.body_moment], [push.linear, push.angular]);
+    let square = graph.multiply(of_gradient, of_load);
+    Size::Product(graph.apply(Function::Sqrt, &[square]))
+}
+
+fn are_parallel(a: &[Number], b: &[Number]) -> bool {
+    let Some(lead) = a.iter().position(|entry| !entry.is_zero()) else {
+        return false;
+    };
+    let crossed = |i: usize| a[i].clone() * b[lead].clone() - a[lead].clone() * b[i].clone();
+    !b[lead].is_zero() && (0..a.len()).all(|i| crossed(i).is_zero())
+}
+
+/// `q''_0 + sum of u_j D_j`
+fn pushed(
+    model: &mut Model,
+    free: Components,
+    pushes: &[Push],
+    values: &[Id],
+    part: fn(&Push) -> Components,
+) -> Components {
+    let graph = &mut model.frames.graph;
+    let sum = pushes.iter().zip(values).fold(free, |sum, (push, value)| {
+        let change = graph.scale_vector(*value, part(push));
+        graph.add_vectors(sum, change)
+    });
+    graph.results(sum)
+}
+
+fn name_unknowns(model: &mut Model, pushes: &[Push], elimination: &Elimination) {
+    let names: Vec<String> = pushes.iter().map(|push| push.name(model)).collect();
+    let labels = &mut model.frames.labels;
+    for (name, value) in names.iter().zip(&elimination.values) {
+        labels.name(*value, name.replace('.', "_"));
+    }
+    for (column, reciprocal) in &elimination.pivots {
+        labels.divide_for(*reciprocal, names[*column].clone());
+    }
+}
+
+fn name_accelerations(model: &mut Model, linear: Components, angular: Components) {
+    let scalar = model.motion.is_planar();
+    let labels = &mut model.frames.labels;
+    labels.describe("linear", "(1.3) with the reactions, world axes");
+    labels.vector("linear", linear);
+    labels.describe("angular", "(1.4) with the reactions, body axes");
+    if scalar {
+        labels.name(angular[2], "angular");
+    }
+    labels.vector("angular", angular);
+}
+
+/// `normal` of one unknown, `pin.x` of one of several.
+pub fn component_name(model: &Model, reaction: usize, axis: usize) -> String {
+    let load = &model.reactions[reaction];
+    let is_scalar =
+        load.along.is_some() || (load.kind == LoadKind::Moment && model.motion.is_planar());
+    if is_scalar {
+        load.name.to_string()
+    } else {
+        format!("{}.{}", load.name, AXES[axis])
+    }
+}

@@ -1,0 +1,247 @@
+//! What one unit of each unknown does: its load, the loads that follow it, and the acceleration.
+//!
+//! A load may name an unknown reaction R, as friction does with `-mu R`. It is linear in R, or an
+//! error: `F(R) = F(given) + sum of u_j dF/dR . e_j`.
+
+use crate::errors::{Errors, Extent};
+use crate::model::{Family, Frame, Load, LoadKind, Meaning, Model, Point, Vector};
+use crate::symbolic::{Components, Graph, Id, Node};
+
+use super::constraints::component_name;
+use super::newton_euler::arm;
+use super::response::response;
+
+/// One unit of an unknown.
+pub struct Push {
+    pub reaction: usize,
+    pub axis: usize,
+    pub place: Extent,
+    /// Its own direction.
+    pub direction: Vector,
+    /// Another load depends on it.
+    pub is_followed: bool,
+    /// Its force, world axes, and its moment about G in world axes (of a body that does not turn)
+    /// and in body axes (of one that does); with what follows it.
+    pub force: Components,
+    pub moment: Components,
+    pub body_moment: Components,
+    /// The acceleration that it makes: of G, world axes; angular, body axes.
+    pub linear: Components,
+    pub angular: Components,
+}
+
+impl Push {
+    pub fn name(&self, model: &Model) -> String {
+        component_name(model, self.reaction, self.axis)
+    }
+}
+
+/// The loads without the unknowns: what is given, and what would be if the unknowns were zero.
+pub fn given_loads(model: &mut Model) -> Vec<Load> {
+    let mut values = Vec::new();
+    let mut loads = Vec::new();
+    for index in 0..model.reactions.len() {
+        let (frame, given) = (model.reactions[index].frame, model.reactions[index].given);
+        let given = model.frames.vector(frame, given);
+        let in_world = model.frames.components(given, Frame::World);
+        values.extend(symbols(model, index).into_iter().zip(in_world));
+        let zero = model.frames.zero_vector();
+        let reaction = &model.reactions[index];
+        let (force, moment) = match reaction.kind {
+            LoadKind::Force => (given, zero),
+            LoadKind::Moment => (zero, given),
+        };
+        loads.push(Load {
+            name: reaction.name.clone(),
+            family: Family::Reaction,
+            force,
+            point: reaction.point,
+            moment,
+            potential: None,
+            extent: reaction.name.span().into(),
+            mention: None,
+        });
+    }
+    for load in &model.loads {
+        let graph = &mut model.frames.graph;
+        loads.push(Load {
+            name: load.name.clone(),
+            force: without(graph, load.force, &values),
+            moment: without(graph, load.moment, &values),
+            ..*load
+        });
+    }
+    loads
+}
+
+fn without(graph: &mut Graph, vector: Vector, values: &[(Id, Id)]) -> Vector {
+    Vector {
+        body: replaced(graph, vector.body, values),
+        world: replaced(graph, vector.world, values),
+    }
+}
+
+/// The symbols of a reaction, by axis; zero where it has none.
+fn symbols(model: &Model, reaction: usize) -> Components {
+    model.reactions[reaction].symbols.world
+}
+
+pub fn replaced(graph: &mut Graph, components: Components, values: &[(Id, Id)]) -> Components {
+    let value = |id: Id| {
+        let known = values.iter().find(|(symbol, _)| *symbol == id);
+        known.map(|(_, value)| *value)
+    };
+    let images = graph.substitute(&components, value);
+    [images[0], images[1], images[2]]
+}
+
+/// What each unknown does; a load that depends on one in another way than linearly is an error.
+pub fn pushes(model: &mut Model, errors: &mut Errors) -> Option<Vec<Push>> {
+    check_linear(model, errors)?;
+    let mut pushes = Vec::new();
+    for reaction in 0..model.reactions.len() {
+        let unknown = model.reactions[reaction].unknown.clone();
+        for (axis, place) in unknown {
+            pushes.push(push(model, reaction, axis, place));
+        }
+    }
+    Some(pushes)
+}
+
+fn push(model: &mut Model, reaction: usize, axis: usize, place: Extent) -> Push {
+    let (kind, point, frame, along) = {
+        let reaction = &model.reactions[reaction];
+        (
+            reaction.kind,
+            reaction.point,
+            reaction.frame,
+            reaction.along,
+        )
+    };
+    let graph = &mut model.frames.graph;
+    let (zero, one) = (graph.zero(), graph.one());
+    let unit = [0, 1, 2].map(|i| if i == axis { one } else { zero });
+    let direction = along.unwrap_or_else(|| model.frames.vector(frame, unit));
+    let zero = model.frames.zero_vector();
+    let own = match kind {
+        LoadKind::Force => (direction, point, zero),
+        LoadKind::Moment => (zero, point, direction),
+    };
+    let followers = followers(model, reaction, direction);
+    let is_followed = !followers.is_empty();
+
+    let center = model.state.center(&mut model.frames);
+    let (mut forces, mut moments) = (Vec::new(), Vec::new());
+    for (force, point, moment) in core::iter::once(own).chain(followers) {
+        moments.push(moment);
+        if !model.frames.is_zero_vector(force) {
+            let arm = arm(model, point, center);
+            moments.push(model.frames.cross(arm, force));
+            forces.push(force);
+        }
+    }
+    let (force, moment) = (model.frames.sum(forces), model.frames.sum(moments));
+    let turns = model.motion.has_attitude();
+    let force = model.frames.components(force, Frame::World);
+    let in_axes = model
+        .frames
+        .components(moment, if turns { Frame::Body } else { Frame::World });
+    let zeros = model.frames.graph.zeros();
+    let (moment, body_moment) = if turns {
+        (zeros, in_axes)
+    } else {
+        (in_axes, zeros)
+    };
+    let (linear, angular) = response(model, force, body_moment);
+    Push {
+        reaction,
+        axis,
+        place,
+        direction,
+        is_followed,
+        force,
+        moment,
+        body_moment,
+        linear,
+        angular,
+    }
+}
+
+/// The loads that depend on a reaction, for one unit of it along `direction`: their forces, where they
+/// act, and their moments.
+fn followers(
+    model: &mut Model,
+    reaction: usize,
+    direction: Vector,
+) -> Vec<(Vector, Point, Vector)> {
+    let unit = model.frames.components(direction, Frame::World);
+    let symbols = symbols(model, reaction);
+    let mut followers = Vec::new();
+    for load in model.loads.iter().filter(|load| load.mention.is_some()) {
+        let graph = &mut model.frames.graph;
+        let roots = parts(load);
+        let mut changes = vec![graph.zero(); roots.len()];
+        for (symbol, part) in symbols.into_iter().zip(unit) {
+            if matches!(graph.node(symbol), Node::Symbol(_)) && !graph.is_zero(part) {
+                let slopes = graph.derivative(&roots, symbol);
+                for (change, slope) in changes.iter_mut().zip(slopes) {
+                    let term = graph.multiply(slope, part);
+                    *change = graph.add(*change, term);
+                }
+            }
+        }
+        if changes.iter().any(|change| !graph.is_zero(*change)) {
+            let vector = |first: usize| Vector {
+                body: [changes[first], changes[first + 1], changes[first + 2]],
+                world: [changes[first + 3], changes[first + 4], changes[first + 5]],
+            };
+            followers.push((vector(0), load.point, vector(6)));
+        }
+    }
+    followers
+}
+
+/// All components of a load.
+fn parts(load: &Load) -> Vec<Id> {
+    let (force, moment) = (load.force, load.moment);
+    [force.body, force.world, moment.body, moment.world].concat()
+}
+
+fn check_linear(model: &mut Model, errors: &mut Errors) -> Option<()> {
+    let is_reaction = |model: &Model, id: Id| match model.frames.graph.node(id) {
+        Node::Symbol(symbol) => matches!(model.meanings.of(*symbol), Meaning::Reaction(..)),
+        _ => false,
+    };
+    let mut linear = true;
+    for index in 0..model.loads.len() {
+        let Some(place) = model.loads[index].mention else {
+            continue;
+        };
+        let roots = parts(&model.loads[index]);
+        let reached = model.frames.graph.reachable(&roots, |_| true);
+        let symbols: Vec<Id> = reached
+            .into_iter()
+            .filter(|id| is_reaction(model, *id))
+            .collect();
+        for symbol in symbols {
+            let slopes = model.frames.graph.derivative(&roots, symbol);
+            if model
+                .frames
+                .graph
+                .depends_on(&slopes, |id| is_reaction(model, id))
+            {
+                let name = &model.loads[index].name;
+                errors.push(
+                    place,
+                    format!(
+                        "`{name}` is not linear in this unknown reaction: write a multiple of its \
+                         components, such as `-mu * N.in_world().y`"
+                    ),
+                );
+                linear = false;
+                break;
+            }
+        }
+    }
+    linear.then_some(())
+}

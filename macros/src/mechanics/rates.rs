@@ -1,0 +1,197 @@
+//! Rates: how an expression changes as the body moves.
+//!
+//! ```text
+//! de/dt = rate + linear . a + angular . w'
+//! ```
+//!
+//! One sweep of the chain rule backwards gives all of it: the weight with which each part of `e`
+//! enters, from `e` down to the state. A vector that was turned from one axes to the others is
+//! taken as a vector, whatever its rotation is made of:
+//!
+//! ```text
+//! u = R v:      p . u' = R^T p . (v' + w x v)          v in body axes
+//! u = R^T v:    p . u' = R p . v' - p . (w x u)        u in body axes
+//! ```
+
+use std::collections::HashMap;
+
+use crate::model::{Attitude, Frame, Meaning, Model, Turn};
+use crate::symbolic::{Components, Id, Node, Number};
+
+/// The derivative of an expression in time; inputs are held.
+pub struct Rates {
+    /// What does not depend on the accelerations.
+    pub rate: Id,
+    /// Factors of the acceleration of G, world axes.
+    pub linear: Components,
+    /// Factors of the angular acceleration, body axes.
+    pub angular: Components,
+}
+
+/// The weights of a sweep, by expression.
+struct Sweep<'m> {
+    model: &'m mut Model,
+    weights: HashMap<Id, Id>,
+    rates: Vec<Id>,
+    linear: Components,
+    angular: Components,
+}
+
+pub fn rates(model: &mut Model, value: Id) -> Rates {
+    let graph = &mut model.frames.graph;
+    let order: Vec<Id> = graph
+        .reachable(&[value], |id| !graph.is_early(id))
+        .into_iter()
+        .filter(|id| !graph.is_early(*id))
+        .collect();
+    let (one, zeros) = (graph.one(), graph.zeros());
+    let turns = turns_within(model, &order);
+    let mut sweep = Sweep {
+        model,
+        weights: HashMap::from([(value, one)]),
+        rates: Vec::new(),
+        linear: zeros,
+        angular: zeros,
+    };
+    for &id in order.iter().rev() {
+        match turns.get(&id) {
+            Some((turn, last)) if *last == id => sweep.turned(turn, &turns),
+            Some(_) => {}
+            None => sweep.step(id),
+        }
+    }
+    let (rates, linear, angular) = (sweep.rates, sweep.linear, sweep.angular);
+    Rates {
+        rate: model.frames.graph.sum(&rates),
+        linear,
+        angular,
+    }
+}
+
+/// The vectors among `order` that were turned: for each component of a result its turn, and the
+/// component that was made first, at which all weights of the result are known.
+fn turns_within(model: &Model, order: &[Id]) -> HashMap<Id, (Turn, Id)> {
+    let graph = &model.frames.graph;
+    let mut found = HashMap::new();
+    for turn in &model.frames.turned {
+        let is_there = |id: &&Id| order.binary_search(id).is_ok() && !found.contains_key(*id);
+        let there: Vec<Id> = turn.turned.iter().filter(is_there).copied().collect();
+        let late_parts = turn.vector.iter().filter(|id| !graph.is_early(**id)).max();
+        let Some(first) = there.iter().min().copied() else {
+            continue;
+        };
+        // what is turned was made before, or the components do not say that they were turned
+        if late_parts.is_none_or(|part| *part < first) {
+            found.extend(there.into_iter().map(|id| (id, (*turn, first))));
+        }
+    }
+    found
+}
+
+impl Sweep<'_> {
+    fn add_weight(&mut self, id: Id, weight: Id) {
+        let graph = &mut self.model.frames.graph;
+        if graph.is_early(id) || graph.is_zero(weight) {
+            return;
+        }
+        let sum = match self.weights.get(&id) {
+            Some(known) => graph.add(*known, weight),
+            None => weight,
+        };
+        self.weights.insert(id, sum);
+    }
+
+    fn step(&mut self, id: Id) {
+        let Some(weight) = self.weights.get(&id).copied() else {
+            return;
+        };
+        if let Node::Symbol(symbol) = self.model.frames.graph.node(id) {
+            let meaning = self.model.meanings.of(*symbol);
+            self.symbol(meaning, weight);
+            return;
+        }
+        for (operand, part) in self.model.frames.graph.pull_back(id, weight) {
+            self.add_weight(operand, part);
+        }
+    }
+
+    /// A part of the state, at last.
+    fn symbol(&mut self, meaning: Meaning, weight: Id) {
+        let state = &self.model.state;
+        let rate = match meaning {
+            Meaning::Velocity(axis) => {
+                self.linear[axis] = weight;
+                return;
+            }
+            Meaning::AngularVelocity(axis) => {
+                self.angular[axis] = weight;
+                return;
+            }
+            Meaning::Time => self.model.frames.graph.one(),
+            Meaning::Position(axis) => state.velocity.world[axis],
+            Meaning::Angle => state.angular_velocity[2],
+            Meaning::Quaternion(part) => self.quaternion_rate(part),
+            _ => return,
+        };
+        let rate = self.model.frames.graph.multiply(weight, rate);
+        self.rates.push(rate);
+    }
+
+    /// A part of `q' = q (0, w) / 2`.
+    fn quaternion_rate(&mut self, part: usize) -> Id {
+        let w = self.model.state.angular_velocity;
+        let frames = &mut self.model.frames;
+        let Attitude::Quaternion { scalar, vector } = frames.attitude else {
+            return frames.graph.zero();
+        };
+        let graph = &mut frames.graph;
+        let twice = if part == 0 {
+            let along = graph.dot(vector, w);
+            graph.negate(along)
+        } else {
+            let (swept, along) = (graph.cross(vector, w), graph.scale_vector(scalar, w));
+            graph.add(along[part - 1], swept[part - 1])
+        };
+        let half = graph.number(Number::ratio(1, 2));
+        graph.multiply(half, twice)
+    }
+
+    /// All components of a vector that was turned.
+    fn turned(&mut self, turn: &Turn, turns: &HashMap<Id, (Turn, Id)>) {
+        let zero = self.model.frames.graph.zero();
+        let weights = turn.turned.map(|id| {
+            let is_own = turns
+                .get(&id)
+                .is_some_and(|(owner, _)| owner.turned == turn.turned && owner.to == turn.to);
+            let weight = self.weights.get(&id).copied();
+            weight.filter(|_| is_own).unwrap_or(zero)
+        });
+        let (w, plane) = (
+            self.model.state.angular_velocity,
+            matches!(self.model.frames.attitude, Attitude::Axis { .. }),
+        );
+        let frames = &mut self.model.frames;
+        let back = turn.to.other();
+        let moves = turn.vector.iter().any(|id| !frames.graph.is_early(*id));
+        // about an axis, w has the same components in both axes, and the result is there already
+        let (swept, by) = match turn.to {
+            Frame::World if plane => (frames.graph.cross(w, turn.turned), weights),
+            Frame::World => (
+                frames.graph.cross(w, turn.vector),
+                frames.turn(weights, back),
+            ),
+            Frame::Body => {
+                let swept = frames.graph.cross(w, turn.turned);
+                (frames.graph.negate_vector(swept), weights)
+            }
+        };
+        let rate = frames.graph.dot(by, swept);
+        self.rates.push(rate);
+        if moves {
+            let parts = self.model.frames.turn(weights, back);
+            for (id, part) in turn.vector.into_iter().zip(parts) {
+                self.add_weight(id, part);
+            }
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Exact values at random states: what they say of a rank, it is for almost all states.
+
+use std::collections::HashMap;
+
+use crate::model::{Meaning, Model};
+use crate::symbolic::{Id, Node, Number};
+
+/// States that are tried until all expressions have a value.
+const TRIES: i64 = 8;
+
+/// The values of `roots` at one state. Rational functions are exact, all others to 200 bits.
+pub fn sample(model: &mut Model, roots: &[Id]) -> Vec<Number> {
+    let mut values = Vec::new();
+    for seed in 1..=TRIES {
+        values = at_state(model, roots, seed);
+        if values.iter().all(Option::is_some) {
+            break;
+        }
+    }
+    // what has no value anywhere does not vanish
+    let values = values.into_iter();
+    values
+        .map(|value| value.unwrap_or_else(Number::one))
+        .collect()
+}
+
+fn at_state(model: &mut Model, roots: &[Id], seed: i64) -> Vec<Option<Number>> {
+    let graph = &mut model.frames.graph;
+    let quaternion = unit_quaternion(seed);
+    let mut numbers = HashMap::new();
+    for id in graph.reachable(roots, |_| true) {
+        let Node::Symbol(symbol) = *graph.node(id) else {
+            continue;
+        };
+        let value = match model.meanings.of(symbol) {
+            Meaning::Quaternion(part) => quaternion[part].clone(),
+            _ => fraction(i64::from(symbol.0), seed),
+        };
+        numbers.insert(id, graph.number(value));
+    }
+    let images = graph.substitute(roots, |id| numbers.get(&id).copied());
+    let values = images
+        .into_iter()
+        .map(|image| graph.as_number(image).cloned());
+    values.collect()
+}
+
+/// Between 0 and 1, different for each symbol and each try.
+fn fraction(index: i64, seed: i64) -> Number {
+    Number::ratio((7919 * (index + 3) + 104_729 * seed) % 65_521 + 1, 65_537)
+}
+
+/// `(1 - s^2, 2 s) / (1 + s^2)` of a vector s: the stereographic projection.
+fn unit_quaternion(seed: i64) -> [Number; 4] {
+    let s = [101, 102, 103].map(|index| fraction(index, seed));
+    let square = s.iter().fold(Number::zero(), |sum, part| {
+        sum + part.clone() * part.clone()
+    });
+    let (above, below) = (Number::one() - square.clone(), Number::one() + square);
+    let over = |number: Number| number.checked_div(&below).unwrap_or_else(Number::zero);
+    let [x, y, z] = s.map(|part| over(Number::integer(2) * part));
+    [over(above), x, y, z]
+}

@@ -1,0 +1,124 @@
+//! The way back to the constraints: Newton's method in the metric of the kinetic energy.
+
+use crate::body::Singular;
+use crate::constrained::Inconsistent;
+use crate::state::State;
+
+/// One constraint in one state, as generated code tells of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<R, const N: usize> {
+    /// Its name.
+    pub name: &'static str,
+    /// Its value, and the size of the terms it was summed from.
+    pub position: Option<(f64, f64)>,
+    /// Its rate, likewise.
+    pub velocity: (f64, f64),
+    /// `M⁻¹ Aᵀ` as a displacement of the coordinates.
+    pub shift: R,
+    /// `M⁻¹ Aᵀ` as a displacement of the velocities.
+    pub push: R,
+    /// Its row of `A M⁻¹ Aᵀ`.
+    pub coupling: [f64; N],
+}
+
+/// Steps of Newton's method: from an error of the size of the body it takes about six.
+const STEPS: usize = 20;
+
+/// Moves a state to its constraints; `rows` evaluates them.
+///
+/// # Errors
+/// [`Inconsistent`].
+pub fn project<S: State<Scalar = f64>, const N: usize>(
+    state: &mut S,
+    rows: impl Fn(&S) -> [Row<S::Rate, N>; N],
+) -> Result<(), Inconsistent> {
+    newton(state, &rows, |row| row.position, |row| row.shift)?;
+    newton(state, &rows, |row| Some(row.velocity), |row| row.push)
+}
+
+/// Steps until nothing is left but rounding, or no step makes it less.
+fn newton<S: State<Scalar = f64>, const N: usize>(
+    state: &mut S,
+    rows: &impl Fn(&S) -> [Row<S::Rate, N>; N],
+    measured: impl Fn(&Row<S::Rate, N>) -> Option<(f64, f64)>,
+    direction: impl Fn(&Row<S::Rate, N>) -> S::Rate,
+) -> Result<(), Inconsistent> {
+    // terms vanish together with what they sum to: the largest seen counts
+    let mut sizes = [0.0_f64; N];
+    let mut previous = f64::INFINITY;
+    for _ in 0..STEPS {
+        let system = rows(state);
+        let mut values = [0.0; N];
+        let mut kept = [false; N];
+        let mut worst = (0.0_f64, 0);
+        for (index, row) in system.iter().enumerate() {
+            let Some((value, size)) = measured(row) else {
+                continue;
+            };
+            sizes[index] = sizes[index].max(size);
+            (values[index], kept[index]) = (value, true);
+            let relative = if value == 0.0 {
+                0.0
+            } else {
+                value.abs() / sizes[index]
+            };
+            if relative.is_nan() || relative > worst.0 {
+                worst = (relative, index);
+            }
+        }
+        if worst.0 <= 4.0 * f64::EPSILON {
+            return Ok(());
+        }
+        if worst.0.is_nan() || worst.0 > 0.5 * previous {
+            return if worst.0 <= Inconsistent::TOLERANCE {
+                Ok(())
+            } else {
+                Err(Inconsistent {
+                    constraint: system[worst.1].name,
+                    violation: values[worst.1],
+                })
+            };
+        }
+        previous = worst.0;
+        let factors = solve(&system, values, kept);
+        for (row, factor) in system.iter().zip(factors) {
+            if factor != 0.0 {
+                *state = state.moved(&(direction(row) * -factor));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// `A M⁻¹ Aᵀ λ = g` by elimination along the diagonal, which is positive; what depends on the rows before it in this state has no part of its own.
+fn solve<R, const N: usize>(
+    system: &[Row<R, N>; N],
+    mut values: [f64; N],
+    kept: [bool; N],
+) -> [f64; N] {
+    let mut matrix: [[f64; N]; N] = core::array::from_fn(|row| system[row].coupling);
+    let mut used = kept;
+    for pivot in 0..N {
+        let divisor = matrix[pivot][pivot];
+        used[pivot] &= divisor > Singular::TOLERANCE * system[pivot].coupling[pivot];
+        if !used[pivot] {
+            continue;
+        }
+        for row in pivot + 1..N {
+            let factor = matrix[row][pivot] / divisor;
+            let known = matrix[pivot];
+            for (entry, part) in matrix[row].iter_mut().zip(known) {
+                *entry -= factor * part;
+            }
+            values[row] -= factor * values[pivot];
+        }
+    }
+    let mut factors = [0.0; N];
+    for pivot in (0..N).rev().filter(|pivot| used[*pivot]) {
+        let known: f64 = (pivot + 1..N)
+            .map(|column| matrix[pivot][column] * factors[column])
+            .sum();
+        factors[pivot] = (values[pivot] - known) / matrix[pivot][pivot];
+    }
+    factors
+}

@@ -7,7 +7,7 @@
 //! and body y, of the largest, is normal to the orbit.
 //!
 //! To be checked: the moment, against 40-digit arithmetic; twice the libration angle is that of a pendulum, so that the
-//! period is that of the orbit over √(3 (J_x - J_z) / J_y) times 2 K(sin θ₀) / π; energy and angular momentum about the
+//! period is that of the orbit over `√(3 (J_x - J_z) / J_y)` times 2 K(sin θ₀) / π; energy and angular momentum about the
 //! Earth are conserved.
 
 use std::f64::consts::PI;

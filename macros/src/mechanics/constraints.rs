@@ -19,7 +19,7 @@ use crate::symbolic::{Components, Elimination, Function, Id, Number, Row, Size};
 use super::newton_euler::{check_moment_free, moments_about, solve_balances};
 use super::pushes::{Push, given_loads, pushes};
 use super::rates::{Rates, rates};
-use super::reactions::{ReactionExpressions, assemble_along};
+use super::reactions::ReactionExpressions;
 use super::redundancy::{check_elimination, check_independent};
 use super::response::response;
 use super::samples::sample;
@@ -73,7 +73,7 @@ pub fn derive_constrained(model: &mut Model, errors: &mut Errors) -> Option<Solv
         push.angular
     });
     name_accelerations(model, linear, angular);
-    let reactions = assemble_along(model, &pushes, &elimination.values);
+    let reactions = assemble(model, &pushes, &elimination.values);
     Some(Solved {
         linear,
         angular,
@@ -279,6 +279,29 @@ fn name_accelerations(model: &mut Model, linear: Components, angular: Components
         labels.name(angular[2], "angular");
     }
     labels.vector("angular", angular);
+}
+
+/// The reactions of a body with constraints: what is given, and the unknowns along their directions.
+fn assemble(model: &mut Model, pushes: &[Push], values: &[Id]) -> Vec<ReactionExpressions> {
+    let mut vectors = Vec::new();
+    for index in 0..model.reactions.len() {
+        let reaction = &model.reactions[index];
+        let (frame, given, name) = (reaction.frame, reaction.given, reaction.name.to_string());
+        let mut whole = vec![model.frames.vector(frame, given)];
+        let own = pushes
+            .iter()
+            .zip(values)
+            .filter(|(push, _)| push.reaction == index);
+        for (push, value) in own {
+            whole.push(model.frames.scale(*value, push.direction));
+        }
+        let whole = model.frames.sum(whole);
+        let vector = model.frames.components(whole, Frame::World);
+        let vector = model.frames.graph.results(vector);
+        model.frames.labels.vector(&name, vector);
+        vectors.push(ReactionExpressions { vector });
+    }
+    vectors
 }
 
 /// `normal` of one unknown, `pin.x` of one of several.

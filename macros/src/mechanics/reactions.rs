@@ -14,7 +14,6 @@ use crate::model::{Frame, Inertia, LoadKind, Meaning, Model, Point, Vector};
 use crate::symbolic::{Components, Equation, Graph, Id, Node, Solution};
 
 use super::newton_euler::{arm, inertia_about_center, moments_about, resultant};
-use super::pushes::Push;
 use super::solvability::{check_solution, check_workless};
 
 /// One reaction, as a whole.
@@ -353,33 +352,6 @@ fn coefficient(model: &mut Model, frame: Frame, row: &Row, unknown: &Unknown) ->
         }
     };
     model.frames.graph.dot(row.direction, part)
-}
-
-/// The reactions of a body with constraints: what is given, and the unknowns along their directions.
-pub fn assemble_along(
-    model: &mut Model,
-    pushes: &[Push],
-    values: &[Id],
-) -> Vec<ReactionExpressions> {
-    let mut vectors = Vec::new();
-    for index in 0..model.reactions.len() {
-        let reaction = &model.reactions[index];
-        let (frame, given, name) = (reaction.frame, reaction.given, reaction.name.to_string());
-        let mut whole = vec![model.frames.vector(frame, given)];
-        let own = pushes
-            .iter()
-            .zip(values)
-            .filter(|(push, _)| push.reaction == index);
-        for (push, value) in own {
-            whole.push(model.frames.scale(*value, push.direction));
-        }
-        let whole = model.frames.sum(whole);
-        let vector = model.frames.components(whole, Frame::World);
-        let vector = model.frames.graph.results(vector);
-        model.frames.labels.vector(&name, vector);
-        vectors.push(ReactionExpressions { vector });
-    }
-    vectors
 }
 
 /// Given and solved components together, in world axes.

@@ -208,9 +208,12 @@ impl Lowering<'_> {
     fn place(&mut self, written: &Expression) -> Option<Components> {
         match self.point(written)? {
             Point::Body(offset) => Some(offset),
-            Point::World(_) | Point::Moving(_) => self.report(
+            other => self.report(
                 written.extent,
-                "a part is fixed in the body, and this point is fixed in space",
+                format!(
+                    "a part is fixed in the body, and this point is {}",
+                    other.where_else()
+                ),
             ),
         }
     }

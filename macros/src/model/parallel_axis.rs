@@ -21,8 +21,10 @@ impl Lowering<'_> {
         let Point::Body(r) = point else {
             return self.report(
                 place.span(),
-                "the inertia is constant only about a point of the body, and this one is not \
-                 fixed in it",
+                format!(
+                    "the inertia is constant only about a point of the body, and this one is {}",
+                    point.where_else()
+                ),
             );
         };
         let mass = match mass {

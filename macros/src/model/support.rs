@@ -66,10 +66,13 @@ impl Lowering<'_> {
     fn held_point(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
         match self.point(written)? {
             Point::Body(offset) => Some(offset),
-            Point::World(_) | Point::Moving(_) => self.report(
+            other => self.report(
                 written.extent,
-                "a support holds a point of the body, and this one is not: name the \
-                 point of the body, and where it is held as `.at(world(..))`",
+                format!(
+                    "a support holds a point of the body, and this one is {}: name the point of \
+                     the body, and where it is held as `.at(world(..))`",
+                    other.where_else()
+                ),
             ),
         }
     }

@@ -103,9 +103,12 @@ impl Lowering<'_> {
     fn charged_point(&mut self, written: &Expression) -> Option<Components> {
         match self.point(written)? {
             Point::Body(offset) => Some(offset),
-            Point::World(_) | Point::Moving(_) => self.report(
+            other => self.report(
                 written.extent,
-                "the charges of a body are on points of it, and this one is fixed in space",
+                format!(
+                    "the charges of a body are on points of it, and this one is {}",
+                    other.where_else()
+                ),
             ),
         }
     }

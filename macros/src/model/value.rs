@@ -51,3 +51,13 @@ pub enum Point {
     /// Where it is from G changes: the matter of the body that is there, such as that in contact.
     Moving(Vector),
 }
+
+impl Point {
+    /// Why this is no point of the body, for messages.
+    pub fn where_else(self) -> &'static str {
+        match self {
+            Self::World(_) => "fixed in space",
+            Self::Body(_) | Self::Moving(_) => "not fixed in it",
+        }
+    }
+}

@@ -178,6 +178,24 @@ pub trait Reactions: RigidBody {
     ) -> Self::Reactions;
 }
 
+/// Inverse dynamics, `outputs: [inverse]`: the drives that go with a given motion.
+///
+/// The force and moment balances, (1.3) and (1.4), with the acceleration given and the drives unknown. The motion is taken to
+/// be one that the drives can make: a balance in which they have no part is not looked at.
+pub trait Inverse: RigidBody {
+    /// One field for each drive with unknown components, in the axes in which it is written \[N, N m\].
+    type Drives;
+
+    /// The drives with which the body has this acceleration.
+    fn inverse(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        acceleration: &<Self::State as State>::Acceleration,
+        input: &Self::Input,
+    ) -> Self::Drives;
+}
+
 /// A configuration in which the balances do not determine what is asked.
 ///
 /// Solving them divides by a quantity that depends on the configuration and vanishes in this one, such as the sine of the

@@ -1,6 +1,8 @@
 //! What most programs need: `use newton_euler::prelude::*;`.
 
-pub use crate::body::{Balance, Energy, InvalidBody, Momentum, Reactions, RigidBody, Singular};
+pub use crate::body::{
+    Balance, Energy, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
+};
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
 pub use crate::inertia::InertiaTensor;
 pub use crate::load::{Family, Load, PlanarLoad};

@@ -3,7 +3,9 @@
 pub use nalgebra::{UnitQuaternion, Vector2, Vector3};
 pub use newton_euler_macros::rigid_body;
 
-pub use crate::body::{Balance, Energy, InvalidBody, Momentum, Reactions, RigidBody, Singular};
+pub use crate::body::{
+    Balance, Energy, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
+};
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
 pub use crate::inertia::InertiaTensor;
 pub use crate::load::{Family, Load, PlanarLoad};

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::mechanics::{Balance, Equations, Resultant};
+use crate::mechanics::{Balance, Equations, ReactionExpressions, Resultant};
 use crate::model::{Family, LoadKind, Model, Outline, Output};
 use crate::symbolic::{Components, Cost, Id, Stage};
 
@@ -27,6 +27,7 @@ pub struct Functions {
     pub residual: Function,
     pub loads: Function,
     pub reactions: Function,
+    pub inverse: Function,
     pub violations: Function,
     pub project: Function,
     /// Number of scalar constraints.
@@ -142,16 +143,21 @@ impl Functions {
             functions.constraint_count = equations.constraints.len();
         }
         if outline.outputs.contains(&Output::Reactions) {
+            let (open, solved) = (&outline.reactions, &equations.reactions);
             functions.reactions = if outline.is_constrained {
                 let fallible = Writer {
                     is_fallible: true,
                     private: private(outline),
                     ..writer
                 };
-                write_reactions(&fallible, &shapes, equations)
+                write_open(&fallible, &shapes, "Reactions", open, solved)
             } else {
-                write_reactions(&writer, &shapes, equations)
+                write_open(&writer, &shapes, "Reactions", open, solved)
             };
+        }
+        if outline.outputs.contains(&Output::Inverse) {
+            let (open, solved) = (&outline.drives, &equations.drives);
+            functions.inverse = write_open(&writer, &shapes, "Drives", open, solved);
         }
         functions
     }
@@ -173,6 +179,7 @@ impl Functions {
             residual: never(),
             loads: never(),
             reactions: never(),
+            inverse: never(),
             violations: never(),
             project: never(),
             constraint_count: 0,
@@ -197,6 +204,7 @@ impl Functions {
                     ),
                 ]),
                 Output::Reactions => functions.push(("reactions", &self.reactions)),
+                Output::Inverse => functions.push(("inverse", &self.inverse)),
                 Output::Balance => functions.extend([
                     ("applied", &self.applied),
                     ("residual", &self.residual),
@@ -230,8 +238,14 @@ fn write_acceleration(writer: &Writer<'_>, shapes: &Shapes, equations: &Equation
 }
 
 /// `BodyReactions { pin: .., guide: .. }`
-fn write_reactions(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) -> Function {
-    let reactions = || writer.outline.reactions.iter().zip(&equations.reactions);
+fn write_open(
+    writer: &Writer<'_>,
+    shapes: &Shapes,
+    suffix: &str,
+    open: &[(Ident, LoadKind)],
+    solved: &[ReactionExpressions],
+) -> Function {
+    let reactions = || open.iter().zip(solved);
     let part = |(kind, vector): (LoadKind, &'_ Components)| match kind {
         LoadKind::Force => shapes.vector_part(vector).to_vec(),
         LoadKind::Moment => shapes.moment_part(vector).to_vec(),
@@ -239,7 +253,7 @@ fn write_reactions(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) 
     let outputs: Vec<Id> = reactions()
         .flat_map(|((_, kind), reaction)| part((*kind, &reaction.vector)))
         .collect();
-    let name = format_ident!("{}Reactions", writer.outline.name);
+    let name = format_ident!("{}{suffix}", writer.outline.name);
     Function::write(writer, &outputs, |values| {
         let fields = reactions().map(|((field, kind), _)| {
             let value = match kind {

@@ -17,6 +17,7 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
         Output::Momentum => emit_momentum(outline, &shapes, functions),
         Output::Balance => emit_balance(outline, &shapes, functions),
         Output::Reactions => emit_reactions(outline, &shapes, functions),
+        Output::Inverse => emit_inverse(outline, &shapes, functions),
     });
     let rigid_body = emit_rigid_body(outline, &shapes, &functions.acceleration);
     let constrained = outline
@@ -237,6 +238,28 @@ fn emit_reactions(outline: &Outline, shapes: &Shapes, functions: &Functions) -> 
         impl #private::Reactions for #name {
             type Reactions = #kind;
             #reactions
+        }
+    }
+}
+
+fn emit_inverse(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
+    let (name, private, function) = (&outline.name, &shapes.private, &functions.inverse);
+    let drives = format_ident!("{name}Drives");
+    let time = function.argument(Source::Time, "time");
+    let acceleration = function.argument(Source::Acceleration, "acceleration");
+    let input = function.argument(Source::Input, "input");
+    let (state, acceleration_type, input_type) = (
+        state_argument(shapes, function),
+        shapes.acceleration_type(),
+        input_type(outline),
+    );
+    let arguments =
+        quote!(#time: f64, #state, #acceleration: &#acceleration_type, #input: &#input_type);
+    let inverse = method("inverse", &arguments, &quote!(#drives), function);
+    quote! {
+        impl #private::Inverse for #name {
+            type Drives = #drives;
+            #inverse
         }
     }
 }

@@ -46,14 +46,15 @@ fn emit_struct(
 }
 
 /// One field for each load with unknown components.
-fn emit_reactions(outline: &Outline) -> TokenStream {
+fn emit_open(
+    outline: &Outline,
+    suffix: &str,
+    doc: &str,
+    open: &[(Ident, LoadKind)],
+) -> TokenStream {
     let shapes = Shapes::of(outline);
-    let name = format_ident!("{}Reactions", outline.name);
-    let doc = format!(
-        " The unknown reactions of [`{}`], world axes.",
-        outline.name
-    );
-    let fields = outline.reactions.iter().map(|(field, kind)| {
+    let name = format_ident!("{}{suffix}", outline.name);
+    let fields = open.iter().map(|(field, kind)| {
         let (kind, unit) = match kind {
             LoadKind::Force => (shapes.vector_type(), "N"),
             LoadKind::Moment => (shapes.moment_type(), "N * m"),
@@ -61,7 +62,7 @@ fn emit_reactions(outline: &Outline) -> TokenStream {
         let doc = format!(" `{field}` in {unit}.");
         quote!(#[doc = #doc] pub #field: #kind)
     });
-    let lints = lints(outline.reactions.iter().map(|(field, _)| field));
+    let lints = lints(open.iter().map(|(field, _)| field));
     quote! {
         #[doc = #doc]
         #lints
@@ -110,7 +111,15 @@ pub fn emit_items(
             &outline.inputs,
         )
     });
-    let reactions = (!outline.reactions.is_empty()).then(|| emit_reactions(outline));
+    let reactions = (!outline.reactions.is_empty()).then(|| {
+        let doc = format!(" The unknown reactions of [`{name}`], world axes.");
+        emit_open(outline, "Reactions", &doc, &outline.reactions)
+    });
+    let drives = (!outline.drives.is_empty()).then(|| {
+        let doc =
+            format!(" The unknown drives of [`{name}`], in the axes in which they are written.");
+        emit_open(outline, "Drives", &doc, &outline.drives)
+    });
     if outline.params.is_empty() {
         return quote! {
             #documentation_lines
@@ -118,6 +127,7 @@ pub fn emit_items(
             pub struct #name {}
             #inputs
             #reactions
+            #drives
             impl #name { #constants }
         };
     }
@@ -142,6 +152,7 @@ pub fn emit_items(
         #param_struct
         #inputs
         #reactions
+        #drives
         impl #name {
             #constants
             #[doc = #new_doc]

@@ -7,6 +7,7 @@ mod balance;
 mod consistency;
 mod constraints;
 mod energy;
+mod inverse;
 mod momentum;
 mod newton_euler;
 mod potential;
@@ -40,6 +41,8 @@ pub struct Equations {
     pub balance: Option<Balance>,
     /// Empty unless asked for.
     pub reactions: Vec<ReactionExpressions>,
+    /// Drives of a given motion; empty unless asked for.
+    pub drives: Vec<ReactionExpressions>,
     /// How far a state is from each constraint.
     pub constraints: Vec<Consistency>,
     /// What does not appear in the equations, and why.
@@ -57,6 +60,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         reactions: solved,
         constraints,
     } = derive_motion(model, errors)?;
+    let drives = inverse::derive_inverse(model, errors)?;
     let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));
     let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model));
     let mut balance = asked(Output::Balance, model).then(|| balance::derive_balance(model));
@@ -78,6 +82,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         momentum,
         balance,
         reactions,
+        drives,
         constraints,
         skipped,
     })
@@ -166,7 +171,12 @@ impl Equations {
                     .flat_map(|load| load.force.into_iter().chain(load.point).chain(load.moment)),
             );
         }
-        roots.extend(self.reactions.iter().flat_map(|reaction| reaction.vector));
+        roots.extend(
+            self.reactions
+                .iter()
+                .chain(&self.drives)
+                .flat_map(|reaction| reaction.vector),
+        );
         roots.extend(self.constraints.iter().flat_map(Consistency::roots));
         roots
     }

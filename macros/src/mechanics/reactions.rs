@@ -37,6 +37,16 @@ pub struct Row {
     direction: Components,
 }
 
+impl Row {
+    pub fn new(name: &'static str, kind: LoadKind, direction: Components) -> Self {
+        Self {
+            name,
+            kind,
+            direction,
+        }
+    }
+}
+
 /// Solves for the unknown components; what they cannot be solved for is reported on them.
 pub fn derive_reactions(
     model: &mut Model,
@@ -48,12 +58,35 @@ pub fn derive_reactions(
         return Some(Vec::new());
     }
     check_workless(model, errors)?;
+    let rows = balances_left(model);
+    let solved = solve_unknowns(model, &rows, linear, angular, errors)?;
+    let names: Vec<String> = model
+        .reactions
+        .iter()
+        .map(|reaction| reaction.name.to_string())
+        .collect();
+    let in_world = solved.into_iter().zip(names).map(|(whole, name)| {
+        let vector = model.frames.components(whole, Frame::World);
+        let vector = model.frames.graph.results(vector);
+        model.frames.labels.vector(&name, vector);
+        ReactionExpressions { vector }
+    });
+    Some(in_world.collect())
+}
+
+/// The unknown loads that meet the balances of `rows`, in a motion with these accelerations.
+pub fn solve_unknowns(
+    model: &mut Model,
+    rows: &[Row],
+    linear: &Components,
+    angular: &Components,
+    errors: &mut Errors,
+) -> Option<Vec<Vector>> {
     let frame = choose_frame(model, errors)?;
     let unknowns = list_unknowns(model);
-    let rows = rows_left(model);
     let (force, moment) = balances_without_unknowns(model, frame, linear, angular);
     let mut equations = Vec::new();
-    for row in &rows {
+    for row in rows {
         let coefficients = unknowns
             .iter()
             .map(|unknown| coefficient(model, frame, row, unknown))
@@ -74,7 +107,7 @@ pub fn derive_reactions(
         });
     }
     let solution = model.frames.graph.solve(equations, unknowns.len());
-    check_solution(model, &unknowns, &rows, &solution, errors)?;
+    check_solution(model, &unknowns, rows, &solution, errors)?;
     Some(assemble(model, frame, &unknowns, &solution))
 }
 
@@ -136,7 +169,7 @@ fn list_unknowns(model: &Model) -> Vec<Unknown> {
 }
 
 /// The balances that do not determine the accelerations.
-fn rows_left(model: &mut Model) -> Vec<Row> {
+pub fn balances_left(model: &mut Model) -> Vec<Row> {
     let graph = &mut model.frames.graph;
     let (zero, one) = (graph.zero(), graph.one());
     let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
@@ -354,18 +387,18 @@ fn coefficient(model: &mut Model, frame: Frame, row: &Row, unknown: &Unknown) ->
     model.frames.graph.dot(row.direction, part)
 }
 
-/// Given and solved components together, in world axes.
+/// Given and solved components together.
 fn assemble(
     model: &mut Model,
     frame: Frame,
     unknowns: &[Unknown],
     solution: &Solution,
-) -> Vec<ReactionExpressions> {
+) -> Vec<Vector> {
     let mut vectors = Vec::new();
     for index in 0..model.reactions.len() {
-        let (written, given, name) = {
+        let (written, given) = {
             let reaction = &model.reactions[index];
-            (reaction.frame, reaction.given, reaction.name.to_string())
+            (reaction.frame, reaction.given)
         };
         let mut solved = model.frames.graph.zeros();
         for (unknown, value) in unknowns.iter().zip(&solution.values) {
@@ -377,11 +410,7 @@ fn assemble(
             model.frames.vector(written, given),
             model.frames.vector(frame, solved),
         );
-        let whole = model.frames.add(given, solved);
-        let vector = model.frames.components(whole, Frame::World);
-        let vector = model.frames.graph.results(vector);
-        model.frames.labels.vector(&name, vector);
-        vectors.push(ReactionExpressions { vector });
+        vectors.push(model.frames.add(given, solved));
     }
     vectors
 }

@@ -122,7 +122,7 @@ pub fn check_solution(
                 );
             }
             format!(
-                "the body is held more than once: only `{combination}` is determined; write the value of one of them, 0 if that support does not hold it"
+                "more is unknown than the balances determine: only `{combination}` is determined; write the value of one of them, 0 if it carries nothing"
             )
         };
         errors.push(unknowns[*last].place, message);

@@ -58,7 +58,7 @@ use entries::entries;
 use lower::Lowering;
 use parameters::Defaults;
 use possible::is_possible;
-use reaction::is_unknown;
+use reaction::{is_drive, is_unknown};
 use scope::{Scope, check_names};
 
 /// A description, understood.
@@ -76,6 +76,8 @@ pub struct Model {
     pub potentials: Potentials,
     /// Loads with unknown components.
     pub reactions: Vec<Reaction>,
+    /// Drives with unknown components, at rest in the accelerations.
+    pub drives: Vec<Reaction>,
     /// What the motion keeps at zero, by scalars.
     pub constraints: Vec<Constraint>,
     pub pole: Point,
@@ -162,6 +164,12 @@ pub fn lower_description(
         .iter()
         .filter(|load| load.charges.is_none());
     let (unknown, given): (Vec<_>, Vec<_>) = plain.partition(|load| is_unknown(load));
+    let (driving, given): (Vec<_>, Vec<_>) = given.into_iter().partition(|load| is_drive(load));
+    let is_asked_for = outline.outputs.contains(&Output::Inverse);
+    let drives: Vec<Option<Reaction>> = driving
+        .into_iter()
+        .map(|load| lowering.drive(load, is_asked_for))
+        .collect();
     let constraints: Vec<Option<Vec<Constraint>>> = description
         .constraints
         .iter()
@@ -209,6 +217,7 @@ pub fn lower_description(
         loads,
         potentials,
         reactions,
+        drives: drives.into_iter().collect::<Option<Vec<_>>>()?,
         constraints: constraints.into_iter().flatten().collect(),
         pole,
         outputs,

@@ -15,10 +15,10 @@ use super::dimension::Dimension;
 use super::frame::Frame;
 use super::motion::Motion;
 use super::parameters::has_placeholder;
-use super::reaction::is_unknown;
+use super::reaction::{is_drive, is_unknown};
 
 /// Outputs of later versions.
-const LATER: [&str; 5] = ["linearization", "flow", "taylor", "inverse", "sensitivity"];
+const LATER: [&str; 4] = ["linearization", "flow", "taylor", "sensitivity"];
 
 /// What can be asked for beyond the accelerations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -27,14 +27,16 @@ pub enum Output {
     Momentum,
     Balance,
     Reactions,
+    Inverse,
 }
 
 impl Output {
-    pub const ALL: [(&'static str, Self); 4] = [
+    pub const ALL: [(&'static str, Self); 5] = [
         ("energy", Self::Energy),
         ("momentum", Self::Momentum),
         ("balance", Self::Balance),
         ("reactions", Self::Reactions),
+        ("inverse", Self::Inverse),
     ];
 }
 
@@ -50,6 +52,8 @@ pub struct Outline {
     pub outputs: Vec<Output>,
     /// Loads with unknown components, by name.
     pub reactions: Vec<(Ident, LoadKind)>,
+    /// Drives with unknown components, by name.
+    pub drives: Vec<(Ident, LoadKind)>,
     /// Whether the motion is under constraints.
     pub is_constrained: bool,
     /// Number of given loads.
@@ -102,12 +106,13 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
         outputs: check_outputs(description, errors),
-        reactions: unknown_reactions(description),
+        reactions: by_name(description, is_unknown),
+        drives: by_name(description, is_drive),
         is_constrained: !description.constraints.is_empty(),
         loads: description
             .loads
             .iter()
-            .filter(|load| !is_unknown(load))
+            .filter(|load| !is_unknown(load) && !is_drive(load))
             .count()
             + description.potentials.len(),
         keys: description.keys.clone(),
@@ -221,12 +226,12 @@ fn check_motion(description: &Description, errors: &mut Errors) {
     }
 }
 
-/// The loads with unknown components, each name once.
-fn unknown_reactions(description: &Description) -> Vec<(Ident, LoadKind)> {
+/// The loads with unknown components that are wanted, each name once.
+fn by_name(description: &Description, wanted: fn(&syntax::Load) -> bool) -> Vec<(Ident, LoadKind)> {
     let mut seen = HashSet::new();
-    let unknown = description.loads.iter().filter(|load| is_unknown(load));
-    let reactions = unknown.map(|load| (load.name.clone(), load.kind));
-    reactions
+    let unknown = description.loads.iter().filter(|load| wanted(load));
+    let loads = unknown.map(|load| (load.name.clone(), load.kind));
+    loads
         .filter(|(name, _)| seen.insert(name.to_string()))
         .collect()
 }
@@ -257,6 +262,21 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
                     word.span(),
                     "there are no unknown reactions: leave components open, as in `reactions: \
                      [pin = world(_, _).at(P)]`",
+                );
+            }
+            Some((_, Output::Inverse))
+                if !description.loads.iter().any(is_drive) && !is_reported(description) =>
+            {
+                errors.push(
+                    word.span(),
+                    "there are no unknown drives: leave components open, as in `moments: [motor = \
+                     body(0, 0, _)]`",
+                );
+            }
+            Some((_, Output::Inverse)) if !description.constraints.is_empty() => {
+                errors.push(
+                    word.span(),
+                    "inverse dynamics under constraints is not there yet: use a motion with a support",
                 );
             }
             Some((_, output)) => outputs.push(*output),

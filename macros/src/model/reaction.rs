@@ -1,5 +1,5 @@
-//! Reactions with unknown components, `body(_, _, 0).at(P)` and `moment(body(_, _, 0))`, or along
-//! a direction of their own, `_ * direction`.
+//! Loads with unknown components, `body(_, _, 0).at(P)` and `moment(body(_, _, 0))`, or along a
+//! direction of their own, `_ * direction`: reactions, and drives that inverse dynamics solves for.
 
 use proc_macro2::Ident;
 
@@ -45,6 +45,13 @@ pub fn is_unknown(written: &syntax::Load) -> bool {
     let value = written.vector.as_ref();
     written.family == Family::Reaction
         && value.is_some_and(|value| placeholders(value).next().is_some())
+}
+
+/// Whether a load is a drive with unknown components.
+pub fn is_drive(written: &syntax::Load) -> bool {
+    let drives = matches!(written.family, Family::External | Family::Joint);
+    let value = written.vector.as_ref();
+    drives && value.is_some_and(|value| placeholders(value).next().is_some())
 }
 
 /// The placeholders in `_`, `body(_, 0, _)` and `body(_, 0, _)[N]`, with their axes.
@@ -120,6 +127,40 @@ impl Lowering<'_> {
             unknown: unknown.collect(),
             along,
             symbols: self.frames.vector(Frame::World, symbols),
+        })
+    }
+
+    /// A drive with unknown components. In the accelerations it is at rest.
+    pub fn drive(&mut self, written: &syntax::Load, is_asked_for: bool) -> Option<Reaction> {
+        let value = written.vector.as_ref()?;
+        let place = placeholders(value).next()?.1;
+        if !is_asked_for {
+            return self.report(
+                place,
+                "an unknown drive is solved for by `outputs: [inverse]`: ask for it, make this an input, \
+                 or put it among `reactions` if a support makes it",
+            );
+        }
+        let point = self.point_of_load(written);
+        let (frame, given) = self.known_part(value, written.kind)?;
+        if !self.frames.graph.is_zero_vector(&given) {
+            return self.report(
+                value.extent,
+                "what is known of a drive is a load of its own: write 0 here",
+            );
+        }
+        let planar_moment = written.kind == LoadKind::Moment && self.motion.is_planar();
+        let unknown =
+            placeholders(value).map(|(axis, place)| (if planar_moment { 2 } else { axis }, place));
+        Some(Reaction {
+            name: written.name.clone(),
+            kind: written.kind,
+            point: point?,
+            frame,
+            given,
+            unknown: unknown.collect(),
+            along: None,
+            symbols: self.frames.zero_vector(),
         })
     }
 

@@ -1,0 +1,12 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Arm {
+    motion: pivot(pin),
+    mass: 2[kg],
+    inertia: 0.2[kg * m ^ 2],
+    points: [pin = (0, 0.35)],
+    moments: [motor = 3[N * m]],
+    outputs: [inverse],
+});
+
+fn main() {}

@@ -6,9 +6,9 @@
 //! moment 3 μ/r³ n × J n are derived. World axes are inertial; body z, of the smallest moment, points away from the Earth,
 //! and body y, of the largest, is normal to the orbit.
 //!
-//! To be checked: the moment, against 40-digit arithmetic; twice the libration angle is that of a pendulum, so that the
-//! period is that of the orbit over `√(3 (J_x - J_z) / J_y)` times 2 K(sin θ₀) / π; energy and angular momentum about the
-//! Earth are conserved.
+//! To be checked: the moment, against 40-digit arithmetic; twice the libration angle is that of a pendulum, so that with
+//! J = (A, B, C) the period is that of the orbit over √(3 (A - C) / B), times 2 K(sin θ₀) / π; energy and angular
+//! momentum about the Earth are conserved.
 
 use std::f64::consts::PI;
 

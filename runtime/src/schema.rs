@@ -39,9 +39,11 @@ pub struct Body {
     /// Constraint loads `R_v` and `M_v` on this body: a force, at G unless `.at(P)` follows, or `moment(..)`. `_` marks an
     /// unknown component, to be solved for: `[pin = world(_, _).at(hinge)]`.
     pub reactions: (),
-    /// Loads `F_f` and `M_f` that stand for fields: `[weight = mass * world(0, 0, -9.80665[m / s ^ 2])]`.
+    /// Loads `F_f` and `M_f` that stand for fields: `[weight = mass * world(0, 0, -9.80665[m / s ^ 2])]`; uniform fields on
+    /// charges: `[electric = world(0, 0, 3)[V / m].on([q.at(tip)])]`.
     pub fields: (),
-    /// Potentials U, scalars \[J\]; their forces and moments are derived: `F = -∂U/∂R`, `K = -∂U/∂φ`.
+    /// Potentials U, scalars \[J\]; their forces and moments are derived, `F = -∂U/∂R`, `K = -∂U/∂φ`:
+    /// `[spring = 20[N / m] * (tip.position() - hook.position()).norm_squared()]`.
     pub potentials: (),
     /// Expressions that the motion keeps at zero, of positions or of velocities, each kept by an unknown reaction:
     /// `[floor = foot.position().in_world().z]`.

@@ -4,6 +4,8 @@
 //! are made of. Where a length is taken of a vector with parts in both axes, either of them can be
 //! turned: there are two forms then, and mechanics takes the cheaper one.
 
+use std::collections::HashSet;
+
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
@@ -173,19 +175,22 @@ impl Lowering<'_> {
 
     /// Whether any of `roots` depends on one of the symbols, through turned vectors too.
     pub fn depends(&self, roots: &[Id], symbols: &[Id]) -> bool {
-        let graph = &self.frames.graph;
-        let mut roots = roots.to_vec();
-        for turn in self
-            .frames
-            .turns
-            .iter()
-            .flat_map(|turns| turns.list.iter().rev())
-        {
-            if graph.depends_on(&roots, |id| turn.turned.contains(&id)) {
-                roots.extend(turn.vector);
+        let mut followed = HashSet::new();
+        let mut pending = roots.to_vec();
+        while !pending.is_empty() {
+            let found = self.late_symbols(&pending);
+            if found.iter().any(|symbol| symbols.contains(symbol)) {
+                return true;
             }
+            let turns = self.frames.turns.iter();
+            let through = turns.flat_map(|turns| found.iter().filter_map(|id| turns.of(*id)));
+            let new: Vec<Id> = through
+                .filter(|turn| followed.insert(turn.turned))
+                .flat_map(|turn| turn.vector)
+                .collect();
+            pending = new;
         }
-        graph.depends_on(&roots, |id| symbols.contains(&id))
+        false
     }
 
     /// The first of the names and methods in `expression` that is one of `words`, or whose value

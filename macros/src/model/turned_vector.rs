@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use crate::symbolic::{Components, Graph, Stage};
+use crate::symbolic::{Components, Graph, Id, Stage};
 
 use super::frame::Frame;
 
@@ -23,6 +23,7 @@ pub struct Turn {
 pub struct Turns {
     pub list: Vec<Turn>,
     known: HashMap<(Components, bool), usize>,
+    by_symbol: HashMap<Id, usize>,
     /// Number of components.
     axes: usize,
     /// The axes in which the length of a vector is taken that has parts in both.
@@ -36,10 +37,16 @@ impl Turns {
         Self {
             list: Vec::new(),
             known: HashMap::new(),
+            by_symbol: HashMap::new(),
             axes,
             mixed,
             met_mixed: false,
         }
+    }
+
+    /// The turned vector that a symbol is a component of.
+    pub fn of(&self, symbol: Id) -> Option<&Turn> {
+        self.list.get(*self.by_symbol.get(&symbol)?)
     }
 
     pub fn choose_axes(&mut self) -> Frame {
@@ -61,7 +68,10 @@ impl Turns {
                 graph.zero()
             }
         });
-        self.known.insert(key, self.list.len());
+        let index = self.list.len();
+        self.known.insert(key, index);
+        self.by_symbol
+            .extend(turned[..axes].iter().map(|symbol| (*symbol, index)));
         self.list.push(Turn { to, vector, turned });
         turned
     }

@@ -13,14 +13,13 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::model::{Attitude, Family, Form, Frame, Load, Model, Turn};
+use crate::model::{Attitude, Family, Form, Frame, Load, Model, Turn, Vector};
 use crate::symbolic::{Components, Id, Number};
 
 /// What a potential amounts to.
 struct Derived {
     energy: Id,
-    /// World axes.
-    force: Components,
+    force: Vector,
     /// About G, or about the point that is held; body axes.
     moment: Components,
 }
@@ -55,7 +54,7 @@ pub fn derive_potentials(model: &mut Model) {
 fn load(model: &mut Model, index: usize, derived: &Derived) -> Load {
     let name = model.potentials.list[index].name.clone();
     let labels = &mut model.frames.labels;
-    labels.vector(&format!("{name}_force"), derived.force);
+    labels.vector(&format!("{name}_force"), derived.force.world);
     let moment = format!("{name}_moment");
     if model.motion.is_planar() {
         labels.name(derived.moment[2], moment);
@@ -67,7 +66,7 @@ fn load(model: &mut Model, index: usize, derived: &Derived) -> Load {
         extent: name.span().into(),
         name,
         family: Family::Field,
-        force: model.frames.vector(Frame::World, derived.force),
+        force: derived.force,
         point: center,
         moment: model.frames.vector(Frame::Body, derived.moment),
         potential: Some(derived.energy),
@@ -76,15 +75,15 @@ fn load(model: &mut Model, index: usize, derived: &Derived) -> Load {
 }
 
 /// Late operations of what enters the accelerations.
-fn cost(model: &Model, derived: &[Derived]) -> u32 {
+fn cost(model: &mut Model, derived: &[Derived]) -> u32 {
     let mut roots = Vec::new();
-    for potential in derived {
-        if model.motion.translates() {
-            roots.extend(potential.force);
-        }
-        if model.motion.has_attitude() {
-            roots.extend(potential.moment);
-        }
+    if model.motion.translates() {
+        let force = model.frames.sum(derived.iter().map(|one| one.force));
+        roots.extend(model.frames.turn(force.body, Frame::World));
+        roots.extend(force.world);
+    }
+    if model.motion.has_attitude() {
+        roots.extend(derived.iter().flat_map(|one| one.moment));
     }
     model.frames.graph.late_cost(&roots).total()
 }
@@ -96,6 +95,7 @@ fn derive(model: &mut Model, form: &Form, energy: Id) -> Derived {
     let mut slopes = Slopes::new();
     descend(model, &place, &[(energy, one)], &mut slopes);
     let mut moment = model.frames.graph.zeros();
+    let mut in_body = model.frames.graph.zeros();
     // each vector is made of those that were turned before it
     for turn in form.turns.iter().rev() {
         let slope = along(model, &slopes, turn.turned);
@@ -104,8 +104,9 @@ fn derive(model: &mut Model, form: &Form, energy: Id) -> Derived {
         }
         let turning = turning(model, turn, slope);
         moment = model.frames.graph.add_vectors(moment, turning);
-        let graph = &model.frames.graph;
-        if graph.depends_on(&turn.vector, |id| place.contains(&id)) {
+        if let Some(slope) = carried(model, form, turn, &place, slope) {
+            in_body = model.frames.graph.add_vectors(in_body, slope);
+        } else if depends_on_place(model, turn, &place) {
             let back = model.frames.turn(slope, turn.to.other());
             let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();
             descend(model, &place, &weighted, &mut slopes);
@@ -113,12 +114,49 @@ fn derive(model: &mut Model, form: &Form, energy: Id) -> Derived {
     }
     let direct = attitude_moment(model, &slopes);
     let force = along(model, &slopes, form.displacement);
-    let graph = &mut model.frames.graph;
+    let slope = Vector {
+        body: in_body,
+        world: force,
+    };
     Derived {
         energy,
-        force: graph.negate_vector(force),
-        moment: graph.add_vectors(moment, direct),
+        force: model.frames.negate(slope),
+        moment: model.frames.graph.add_vectors(moment, direct),
     }
+}
+
+fn depends_on_place(model: &Model, turn: &Turn, place: &HashSet<Id>) -> bool {
+    let graph = &model.frames.graph;
+    graph.depends_on(&turn.vector, |id| place.contains(&id))
+}
+
+/// The slope along the position, in body axes, where what was turned into them is the position, or
+/// a distance from it: forces of one body are added before they are turned.
+fn carried(
+    model: &mut Model,
+    form: &Form,
+    turn: &Turn,
+    place: &HashSet<Id>,
+    slope: Components,
+) -> Option<Components> {
+    let graph = &mut model.frames.graph;
+    let (zero, one) = (graph.zero(), graph.one());
+    if turn.to == Frame::World {
+        return None;
+    }
+    let mut factor = None;
+    for (component, symbol) in turn.vector.into_iter().zip(form.displacement) {
+        let gradient = graph.gradient(&[(component, one)], |id| place.contains(&id));
+        match gradient.as_slice() {
+            [] if component == zero && symbol == zero => {}
+            [(along, rate)] if *along == symbol && factor.is_none_or(|known| known == *rate) => {
+                factor = Some(*rate);
+            }
+            _ => return None,
+        }
+    }
+    let factor = factor.filter(|factor| graph.is_early(*factor))?;
+    Some(graph.scale_vector(factor, slope))
 }
 
 /// The moment that a slope along a turned vector amounts to.
@@ -216,18 +254,23 @@ fn expand(model: &mut Model, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let roots: Vec<Id> = derived
         .iter()
         .flat_map(|one| {
-            let vectors = one.force.into_iter().chain(one.moment);
-            [one.energy].into_iter().chain(vectors)
+            let Vector { body, world } = one.force;
+            [one.energy]
+                .into_iter()
+                .chain([body, world, one.moment].concat())
         })
         .collect();
     let images = replace(model, &roots, &values);
     let vector = |parts: &[Id]| [parts[0], parts[1], parts[2]];
     images
-        .chunks(7)
+        .chunks(10)
         .map(|parts| Derived {
             energy: parts[0],
-            force: vector(&parts[1..4]),
-            moment: vector(&parts[4..7]),
+            force: Vector {
+                body: vector(&parts[1..4]),
+                world: vector(&parts[4..7]),
+            },
+            moment: vector(&parts[7..10]),
         })
         .collect()
 }

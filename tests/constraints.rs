@@ -5,6 +5,7 @@
 //! derived twice, with a pin as a constraint and with a pin as a support.
 
 use nalgebra::{Rotation2, Vector2};
+use newton_euler::operations::{Operations, Stage};
 use newton_euler::{integrate, prelude::*};
 
 mod reference;
@@ -172,6 +173,22 @@ fn leaning(angle: f64, rate: f64) -> Planar {
         velocity: Vector2::new(sine, cosine) * 0.6 * rate,
         angular_velocity: rate,
     }
+}
+
+/// What is known early is solved in the constructor; the ladder takes two divisors and one sine.
+#[test]
+fn operations_are_few() {
+    let row = |rows: &[Operations], function: &str| {
+        let mut rows = rows.iter().filter(|row| row.stage == Stage::State);
+        let row = rows.find(|row| row.function == function).unwrap();
+        [row.mul + row.add, row.div, row.trig]
+    };
+    assert_eq!(row(cylinder::Stick::OPERATIONS, "acceleration"), [0, 0, 0]);
+    assert_eq!(row(cylinder::Stick::OPERATIONS, "reactions"), [0, 0, 0]);
+    let [bead, ladder] =
+        [Bead::OPERATIONS, Ladder::OPERATIONS].map(|rows| row(rows, "acceleration"));
+    assert!(bead[0] <= 13 && bead[1..] == [1, 0], "{bead:?}");
+    assert!(ladder[0] <= 33 && ladder[1..] == [2, 2], "{ladder:?}");
 }
 
 /// Lagrange: `(J + m l^2) angle'' = -m g l cos(angle)`; the reactions are m times the acceleration of G.

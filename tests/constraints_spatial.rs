@@ -119,6 +119,14 @@ fn rolling(attitude: UnitQuaternion<f64>, angular_velocity: Vector3<f64>) -> Spa
     }
 }
 
+/// The rows of the constraints and the moments of their reactions are the same vectors, turned once.
+#[test]
+fn a_ball_takes_two_rotations() {
+    let mut rows = ball::Uneven::OPERATIONS.iter();
+    let row = rows.find(|row| row.function == "acceleration").unwrap();
+    assert!(row.mul <= 66 && row.add <= 29 && row.div == 2, "{row}");
+}
+
 /// Down an incline a ball rolls with `a = f / (1 + J / m r^2)`, however it spins.
 #[test]
 fn a_ball_rolls_down_an_incline() {

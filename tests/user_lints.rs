@@ -247,6 +247,28 @@ pub mod motions {
         });
     }
 
+    /// Under constraints.
+    pub mod constrained {
+        newton_euler::rigid_body!(Sphere {
+            motion: spatial,
+            params: [r, mu = 0.3],
+            inputs: [push[N]],
+            mass: 2[kg],
+            inertia: principal(0.03, 0.04, 0.05)[kg * m ^ 2],
+            points: [contact = G - r * world(0, 0, 1)],
+            forces: [driven = world(push, 0, 0)],
+            constraints: [
+                touching = position.in_world().z - r,
+                straight = contact.velocity().in_world().y,
+            ],
+            reactions: [
+                ground = world(0, _, _).at(contact),
+                friction = world(-mu * ground.in_world().z, 0, 0).at(contact),
+            ],
+            outputs: [reactions, balance, energy, momentum],
+        });
+    }
+
     /// In the plane, without turning.
     pub mod planar_translation {
         newton_euler::rigid_body!(Puck {

@@ -113,7 +113,7 @@ fn published_torque_of_m1() {
     };
     let motor = Arm::default().inverse(0.0, &state, &2.5, &()).motor;
     // a sum of three terms, none above 8
-    assert!((motor - 7.247_023_426_509_280).abs() < 4.0 * f64::EPSILON * 8.0);
+    assert!((motor - 7.247_023_426_509_28).abs() < 4.0 * f64::EPSILON * 8.0);
 }
 
 #[test]

@@ -21,6 +21,7 @@ mod symbolic;
 mod syntax;
 
 mod calculus;
+mod equations;
 mod expansions;
 mod numbers;
 mod operations;

@@ -38,14 +38,9 @@ struct Sweep<'m> {
 }
 
 pub fn rates(model: &mut Model, value: Id) -> Rates {
+    let (order, turns) = late_parts(model, value);
     let graph = &mut model.frames.graph;
-    let order: Vec<Id> = graph
-        .reachable(&[value], |id| !graph.is_early(id))
-        .into_iter()
-        .filter(|id| !graph.is_early(*id))
-        .collect();
     let (one, zeros) = (graph.one(), graph.zeros());
-    let turns = turns_within(model, &order);
     let mut sweep = Sweep {
         model,
         weights: HashMap::from([(value, one)]),
@@ -65,6 +60,26 @@ pub fn rates(model: &mut Model, value: Id) -> Rates {
         rate: model.frames.graph.sum(&rates),
         linear,
         angular,
+    }
+}
+
+/// What `value` is made of and what the vectors are made of that were turned in it, children first;
+/// and these vectors.
+fn late_parts(model: &Model, value: Id) -> (Vec<Id>, HashMap<Id, (Turn, Id)>) {
+    let graph = &model.frames.graph;
+    let is_late = |id: Id| !graph.is_early(id);
+    let mut roots = vec![value];
+    loop {
+        let mut order = graph.reachable(&roots, is_late);
+        order.retain(|id| is_late(*id));
+        let turns = turns_within(model, &order);
+        let vectors = turns.values().flat_map(|(turn, _)| turn.vector);
+        let is_new = |id: &Id| is_late(*id) && order.binary_search(id).is_err();
+        let known = roots.len();
+        roots.extend(vectors.filter(is_new));
+        if roots.len() == known {
+            return (order, turns);
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Partial derivatives.
+//! Partial derivatives, and the chain rule backwards.
 //!
 //! The nodes are walked in the order in which they were made, children first, without recursion,
 //! and the results are built by the simplifying constructors.

@@ -1,0 +1,109 @@
+//! Equations with coefficients of the state, and the chain rule backwards.
+
+use crate::symbolic::{Function, Graph, Id, Node, Number, Row, Size, Stage};
+
+fn row(g: &mut Graph, coefficients: &[Id], right: i64, sample: &[i64]) -> Row {
+    Row {
+        coefficients: coefficients.to_vec(),
+        right: g.integer(right),
+        sample: sample.iter().map(|entry| Number::integer(*entry)).collect(),
+        sizes: vec![Size::Terms; coefficients.len()],
+    }
+}
+
+#[test]
+fn numbers_are_solved_exactly_and_without_guards() {
+    let mut g = Graph::default();
+    let entries = [[2, 1, -1], [-3, -1, 2], [-2, 1, 2]];
+    let rows = entries
+        .into_iter()
+        .zip([8, -11, -3])
+        .map(|(entries, right)| {
+            let coefficients = entries.map(|entry| g.integer(entry));
+            row(&mut g, &coefficients, right, &entries)
+        });
+    let rows = rows.collect();
+    let solved = g.solve_guarded(rows, 3);
+    let values = solved
+        .values
+        .iter()
+        .map(|id| g.as_number(*id).and_then(Number::to_integer));
+    assert_eq!(values.collect::<Vec<_>>(), [Some(2), Some(3), Some(-1)]);
+    assert!(solved.pivots.is_empty() && solved.spare.is_empty() && solved.undetermined.is_empty());
+}
+
+#[test]
+fn what_depends_on_the_state_is_guarded() {
+    let mut g = Graph::default();
+    let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
+    let zero = g.zero();
+    let rows = vec![
+        row(&mut g, &[a, zero], 6, &[5, 0]),
+        row(&mut g, &[b, a], 2, &[7, 5]),
+    ];
+    let solved = g.solve_guarded(rows, 2);
+    assert_eq!(solved.pivots.len(), 2);
+    assert!(
+        solved
+            .pivots
+            .iter()
+            .all(|(_, id)| matches!(g.node(*id), Node::Pivot(..)))
+    );
+    let values = g.evaluate(&solved.values, |id| if id == a { 3.0 } else { -1.5 });
+    assert!((values[0] - 2.0).abs() < 1e-15 && (values[1] - 5.0 / 3.0).abs() < 1e-15);
+}
+
+#[test]
+fn dependent_rows_are_left_over() {
+    let mut g = Graph::default();
+    let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
+    let twice = [a, b].map(|id| g.add(id, id));
+    let rows = vec![
+        row(&mut g, &[a, b], 1, &[5, 7]),
+        row(&mut g, &twice, 2, &[10, 14]),
+    ];
+    let solved = g.solve_guarded(rows, 2);
+    assert_eq!((solved.spare, solved.undetermined), (vec![1], vec![1]));
+}
+
+/// Weights that are handed down from a root add up to its derivatives.
+#[test]
+fn the_chain_rule_backwards_is_the_chain_rule() {
+    let mut g = Graph::default();
+    let (x, y) = (g.symbol(Stage::State), g.symbol(Stage::State));
+    let root = {
+        let (sine, product) = (g.apply(Function::Sin, &[x]), g.multiply(x, y));
+        let (square, sum) = (g.square(y), g.add(sine, product));
+        let root = g.apply(Function::Sqrt, &[square]);
+        let ratio = g.divide(sum, root);
+        let angle = g.apply(Function::Atan2, &[ratio, y]);
+        let condition = g.compare(crate::symbolic::Comparison::Less, x, y);
+        let choice = g.select(condition, angle, product);
+        let choice = g.quantity(choice);
+        g.subtract(choice, sine)
+    };
+    let mut order = g.reachable(&[root], |_| true);
+    let mut weights = vec![(root, g.one())];
+    let mut slopes = [g.zero(); 2];
+    while let Some(id) = order.pop() {
+        let own: Vec<Id> = weights
+            .iter()
+            .filter(|(to, _)| *to == id)
+            .map(|(_, weight)| *weight)
+            .collect();
+        let weight = g.sum(&own);
+        if let Some(index) = [x, y].iter().position(|symbol| *symbol == id) {
+            slopes[index] = weight;
+        } else {
+            weights.extend(g.pull_back(id, weight));
+        }
+    }
+    let expected = [x, y].map(|symbol| g.derivative(&[root], symbol)[0]);
+    for (at_x, at_y) in [(0.3, 0.9), (1.4, 0.6), (-0.7, 2.0)] {
+        let symbols = |id| if id == x { at_x } else { at_y };
+        let (found, expected) = (g.evaluate(&slopes, symbols), g.evaluate(&expected, symbols));
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-14, "{found} for {expected}");
+        }
+    }
+}

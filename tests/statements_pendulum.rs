@@ -192,3 +192,34 @@ fn simple_pendulum() {
         30.0,
     );
 }
+
+rigid_body!(Bob {
+    doc: "A point on a massless rod: no inertia of its own.",
+    motion: pivot(pin),
+    params: [length = 0.75[m]],
+    mass: 2[kg],
+    inertia: 0,
+    points: [pin = (0, length)],
+    fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    reactions: [pull = world(_, _).at(pin)],
+    outputs: [reactions],
+});
+
+/// EQUATIONS, section D: the degenerate body of which all mass is in one point.
+#[test]
+fn a_point_on_a_rod() {
+    let state = Hinge {
+        angle: 0.7,
+        angular_velocity: -1.3,
+    };
+    let bob = Bob::default();
+    is(
+        bob.acceleration(0.0, &state, &()),
+        -8.423_489_843_399_338,
+        9.0,
+    );
+    let pull = bob.reactions(0.0, &state, &()).pull;
+    is(pull.x, -11.297_052_431_738_88, 20.0);
+    is(pull.y, 13.412_333_226_688_826, 20.0);
+    is(pull.norm(), 17.536_079_271_866_857, 20.0);
+}

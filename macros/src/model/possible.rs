@@ -28,6 +28,8 @@ impl Lowering<'_> {
         match draft.inertia {
             Inertia::Absent => Some(()),
             Inertia::Planar(_) if numbers[0].is_positive() => Some(()),
+            // a point swings about a pin away from it
+            Inertia::Planar(_) if numbers[0].is_zero() && self.is_held_off_center() => Some(()),
             Inertia::Planar(_) => self.report(
                 draft.extent,
                 format!(
@@ -47,6 +49,12 @@ impl Lowering<'_> {
         }
     }
 
+    /// Whether a point other than G is held.
+    fn is_held_off_center(&self) -> bool {
+        let support = self.state.support;
+        support.is_some_and(|support| !self.frames.graph.is_zero_vector(&support.offset))
+    }
+
     /// Whatever the rest is: a moment that is known is positive.
     fn check_known_moments(&mut self, draft: &Draft) -> Option<()> {
         for entry in draft
@@ -55,7 +63,11 @@ impl Lowering<'_> {
             .filter(|entry| entry.row == entry.column)
         {
             let known = self.frames.graph.as_number(entry.value);
-            if let Some(moment) = known.filter(|moment| !moment.is_positive()) {
+            let is_point = |moment: &Number| {
+                moment.is_zero() && self.motion.is_planar() && self.is_held_off_center()
+            };
+            let wrong = |moment: &&Number| !moment.is_positive() && !is_point(moment);
+            if let Some(moment) = known.filter(wrong) {
                 let (axis, value) = (AXES[entry.row], shown(moment));
                 return self.report(
                     entry.extent,

@@ -1,10 +1,10 @@
 use newton_euler::rigid_body;
 
 rigid_body!(Pendulum {
-    motion: pivot(pin),
+    motion: pivot(G),
     mass: 2[kg],
     inertia: 0[kg * m ^ 2],
-    points: [pin = (0, 0.5)[m], heel = (0.2, -0.3)[m]],
+    points: [heel = (0.2, -0.3)[m]],
     fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
 });
 

@@ -102,10 +102,7 @@ impl Lowering<'_> {
             Some(_) => (Frame::World, self.frames.graph.zeros()),
             None => self.known_part(value, written.kind)?,
         };
-        let planar_moment = written.kind == LoadKind::Moment && self.motion.is_planar();
-        let unknown =
-            placeholders(value).map(|(axis, place)| (if planar_moment { 2 } else { axis }, place));
-        let axes = if planar_moment {
+        let axes = if self.is_planar_moment(written) {
             2..3
         } else {
             0..self.motion.axes()
@@ -124,7 +121,7 @@ impl Lowering<'_> {
             point: point?,
             frame,
             given,
-            unknown: unknown.collect(),
+            unknown: self.unknown_components(written),
             along,
             symbols: self.frames.vector(Frame::World, symbols),
         })
@@ -149,19 +146,30 @@ impl Lowering<'_> {
                 "what is known of a drive is a load of its own: write 0 here",
             );
         }
-        let planar_moment = written.kind == LoadKind::Moment && self.motion.is_planar();
-        let unknown =
-            placeholders(value).map(|(axis, place)| (if planar_moment { 2 } else { axis }, place));
         Some(Reaction {
             name: written.name.clone(),
             kind: written.kind,
             point: point?,
             frame,
             given,
-            unknown: unknown.collect(),
+            unknown: self.unknown_components(written),
             along: None,
             symbols: self.frames.zero_vector(),
         })
+    }
+
+    /// A moment in the plane has one component, about its normal.
+    fn is_planar_moment(&self, written: &syntax::Load) -> bool {
+        written.kind == LoadKind::Moment && self.motion.is_planar()
+    }
+
+    /// The axes of the components written `_`, and where they are.
+    fn unknown_components(&self, written: &syntax::Load) -> Vec<(usize, Extent)> {
+        let about_normal = self.is_planar_moment(written);
+        let written = written.vector.iter().flat_map(placeholders);
+        written
+            .map(|(axis, place)| (if about_normal { 2 } else { axis }, place))
+            .collect()
     }
 
     /// The point at which a reaction acts, which turns with the body if a support is solved for.

@@ -21,6 +21,7 @@ mod symbolic;
 mod syntax;
 
 mod calculus;
+mod descriptions;
 mod equations;
 mod expansions;
 mod numbers;

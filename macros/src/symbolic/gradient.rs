@@ -207,57 +207,18 @@ impl Graph {
             return;
         }
         match *self.node(id) {
-            Node::Quantity(a) => self.hand_down(sweep, a, guard, slope),
-            Node::Negate(a) => {
-                let slope = self.negate(slope);
-                self.hand_down(sweep, a, guard, slope);
-            }
-            Node::Add(a, b) => {
-                self.hand_down(sweep, a, guard, slope);
-                self.hand_down(sweep, b, guard, slope);
-            }
-            Node::Subtract(a, b) => {
-                self.hand_down(sweep, a, guard, slope);
-                let slope = self.negate(slope);
-                self.hand_down(sweep, b, guard, slope);
-            }
-            Node::Multiply(a, b) => {
-                for (to, other) in [(a, b), (b, a)] {
-                    if sweep.matters[to.index()] {
-                        let slope = self.multiply(slope, other);
-                        self.hand_down(sweep, to, guard, slope);
-                    }
-                }
-            }
-            Node::Unary(function, a) => {
-                let rate = self.slope(function, a, id);
-                let slope = self.multiply(slope, rate);
-                self.hand_down(sweep, a, guard, slope);
-            }
             Node::Binary(function @ (Function::Min | Function::Max), a, b) => {
                 let condition = self.takes_first(function, a, b);
                 self.branch(sweep, (condition, a, b), guard, slope);
             }
-            Node::Binary(function, a, b) => {
-                let (by_a, by_b) = self.slopes(function, a, b, id);
-                let (by_a, by_b) = (self.multiply(slope, by_a), self.multiply(slope, by_b));
-                self.hand_down(sweep, a, guard, by_a);
-                self.hand_down(sweep, b, guard, by_b);
-            }
             Node::Select(condition, a, b) => {
                 self.branch(sweep, (condition, a, b), guard, slope);
             }
-            // no symbol of interest is in them, or steps are; and inverses are powers
-            Node::Divide(..)
-            | Node::Pivot(..)
-            | Node::Number(_)
-            | Node::Truth(_)
-            | Node::Undefined
-            | Node::Symbol(_)
-            | Node::Compare(..)
-            | Node::And(..)
-            | Node::Or(..)
-            | Node::Not(_) => {}
+            _ => {
+                for (operand, part) in self.pull_back(id, slope) {
+                    self.hand_down(sweep, operand, guard, part);
+                }
+            }
         }
     }
 

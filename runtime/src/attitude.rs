@@ -8,9 +8,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use crate::private::math;
 
-/// Below this square of the angle, series replace divisions by the angle; of each sum, the first term left out is at most
-/// 2⁻⁵³.
-const SMALL_SQUARE: f64 = 1e-2;
+pub mod generic;
 
 /// The rotation by the angle `|v|` about the axis v \[rad\].
 ///
@@ -26,20 +24,7 @@ const SMALL_SQUARE: f64 = 1e-2;
 #[inline]
 #[must_use]
 pub fn exp(rotation: &Vector3<f64>) -> UnitQuaternion<f64> {
-    let square = rotation.norm_squared();
-    // cos(θ/2) and sin(θ/2)/θ
-    let (cosine, ratio) = if square < SMALL_SQUARE {
-        let x = 0.25 * square;
-        (
-            1.0 - x * (1.0 / 2.0 - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x / 40320.0))),
-            0.5 - x * (1.0 / 12.0 - x * (1.0 / 240.0 - x / 10080.0)),
-        )
-    } else {
-        let angle = math::sqrt(square);
-        let (sine, cosine) = libm::sincos(0.5 * angle);
-        (cosine, sine / angle)
-    };
-    UnitQuaternion::new_unchecked(Quaternion::from_parts(cosine, rotation * ratio))
+    generic::exp(rotation)
 }
 
 /// The rotation vector of an attitude, of angle at most π \[rad\]; q and -q give the same.
@@ -103,8 +88,7 @@ pub fn kinematics(
 #[inline]
 #[must_use]
 pub fn normalized(quaternion: &Quaternion<f64>) -> UnitQuaternion<f64> {
-    let factor = 0.5 * (3.0 - quaternion.norm_squared());
-    UnitQuaternion::new_unchecked(quaternion * factor)
+    generic::normalized(quaternion)
 }
 
 /// An attitude turned on by a rotation vector in body axes: normalised `q exp(v)`.
@@ -119,48 +103,57 @@ pub fn normalized(quaternion: &Quaternion<f64>) -> UnitQuaternion<f64> {
 #[inline]
 #[must_use]
 pub fn turned(attitude: &UnitQuaternion<f64>, rotation: &Vector3<f64>) -> UnitQuaternion<f64> {
-    normalized(&(attitude.quaternion() * exp(rotation).quaternion()))
+    generic::turned(attitude, rotation)
 }
 
 /// An attitude as a map of its components by name, `{ w, x, y, z }`, so that no reader has to guess where the scalar is.
 #[cfg(feature = "serde")]
 pub(crate) mod checked {
-    use nalgebra::{Quaternion, UnitQuaternion};
+    use nalgebra::{Quaternion, UnitQuaternion, Vector4};
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
-    /// How far |q|² read may be from 1. Nine printed digits pass, single precision does not, and what passes is
-    /// unit to rounding after the first step of a motion (see [`super::normalized`]). It is kept as it was read.
-    const TOLERANCE: f64 = 1e-9;
+    use crate::scalar::Scalar;
+
+    /// How far |q|² read may be from 1: nine printed digits of a double pass, single precision does not, and what passes
+    /// is unit to rounding after the first step of a motion (see [`super::normalized`]). It is kept as it was read.
+    fn tolerance<T: Scalar>() -> f64 {
+        f64::max(1e-9, 8.0 * T::EPSILON)
+    }
 
     #[derive(Serialize, Deserialize)]
     #[serde(rename = "Attitude")]
-    struct Components {
-        w: f64,
-        x: f64,
-        y: f64,
-        z: f64,
+    struct Components<T> {
+        w: T,
+        x: T,
+        y: T,
+        z: T,
     }
 
-    pub(crate) fn serialize<S: Serializer>(
-        attitude: &UnitQuaternion<f64>,
+    pub(crate) fn serialize<T: Scalar + Serialize, S: Serializer>(
+        attitude: &UnitQuaternion<T>,
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
-        let [w, x, y, z] = [attitude.w, attitude.i, attitude.j, attitude.k];
+        let [x, y, z, w] = attitude.as_ref().coords.into();
         Components { w, x, y, z }.serialize(serializer)
     }
 
-    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
+    pub(crate) fn deserialize<'de, T: Scalar + Deserialize<'de>, D: Deserializer<'de>>(
         deserializer: D,
-    ) -> Result<UnitQuaternion<f64>, D::Error> {
-        let Components { w, x, y, z } = Components::deserialize(deserializer)?;
-        let quaternion = Quaternion::new(w, x, y, z);
-        let square = quaternion.norm_squared();
-        if (square - 1.0).abs() <= TOLERANCE {
-            Ok(UnitQuaternion::new_unchecked(quaternion))
-        } else {
-            Err(D::Error::custom(format_args!(
-                "attitude must be a unit quaternion: |q|² is {square}, further than {TOLERANCE:e} from 1"
-            )))
+    ) -> Result<UnitQuaternion<T>, D::Error> {
+        let Components { w, x, y, z } = Components::<T>::deserialize(deserializer)?;
+        let square = w * w + x * x + y * y + z * z;
+        for lane in 0..T::LANES {
+            let square = square.lane(lane);
+            let is_unit = (square - 1.0).abs() <= tolerance::<T>();
+            if !is_unit {
+                return Err(D::Error::custom(format_args!(
+                    "attitude must be a unit quaternion: |q|² is {square}, further than {:e} from 1",
+                    tolerance::<T>()
+                )));
+            }
         }
+        Ok(UnitQuaternion::new_unchecked(Quaternion {
+            coords: Vector4::new(x, y, z, w),
+        }))
     }
 }

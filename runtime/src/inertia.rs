@@ -22,6 +22,7 @@ mod shape;
 mod written;
 
 pub use invalid::InvalidInertia;
+pub(crate) use invalid::check_turning;
 pub use points::MassProperties;
 pub use shape::{Extent, Symmetry};
 

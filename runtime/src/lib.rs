@@ -65,6 +65,7 @@ pub mod prelude;
 pub mod principal;
 #[doc(hidden)]
 pub mod private;
+pub mod scalar;
 mod scale;
 #[doc(hidden)]
 pub mod schema;
@@ -74,6 +75,7 @@ mod twofold;
 pub mod wrench;
 
 pub use nalgebra;
+pub use scalar::{Dual, Scalar};
 
 #[doc = include_str!("rigid_body.md")]
 #[macro_export]

@@ -1,5 +1,6 @@
 //! All that generated code may name. Not for users: no promise of stability.
 
+use nalgebra::Matrix3;
 pub use nalgebra::{UnitQuaternion, Vector2, Vector3};
 pub use newton_euler_macros::rigid_body;
 
@@ -7,9 +8,10 @@ pub use crate::body::{
     Balance, Energy, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
 };
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
-pub use crate::inertia::InertiaTensor;
+use crate::inertia::check_turning;
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::operations::{Operations, Stage};
+pub use crate::scalar::Scalar;
 pub use crate::state::{
     Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod, RodAcceleration, Rotation, Spatial,
     SpatialAcceleration, State, Translation,
@@ -17,6 +19,14 @@ pub use crate::state::{
 pub use crate::wrench::{PlanarWrench, Wrench};
 
 pub mod math;
+
+/// The types that hold numbers, over any scalar.
+pub mod generic {
+    pub use crate::load::generic::*;
+    pub use crate::state::generic::*;
+    pub use crate::wrench::generic::*;
+}
+
 mod projection;
 
 pub use projection::{Row, project};
@@ -25,22 +35,23 @@ pub use projection::{Row, project};
 ///
 /// # Errors
 /// [`InvalidBody::NotFinite`] with the first that is not.
-pub fn check_finite(params: &[(&'static str, f64)]) -> Result<(), InvalidBody> {
-    match params.iter().find(|(_, value)| !value.is_finite()) {
-        Some(&(name, value)) => Err(InvalidBody::NotFinite { name, value }),
-        None => Ok(()),
+pub fn check_finite<T: Scalar>(params: &[(&'static str, T)]) -> Result<(), InvalidBody> {
+    for &(name, value) in params {
+        if let Some(value) = find(value, |value| !value.is_finite()) {
+            return Err(InvalidBody::NotFinite { name, value });
+        }
     }
+    Ok(())
 }
 
 /// The mass \[kg\]: finite and positive.
 ///
 /// # Errors
 /// [`InvalidBody::Mass`].
-pub fn check_mass(value: f64) -> Result<(), InvalidBody> {
-    if value.is_finite() && value > 0.0 {
-        Ok(())
-    } else {
-        Err(InvalidBody::Mass { value })
+pub fn check_mass<T: Scalar>(value: T) -> Result<(), InvalidBody> {
+    match find(value, |value| !is_positive(value)) {
+        Some(value) => Err(InvalidBody::Mass { value }),
+        None => Ok(()),
     }
 }
 
@@ -48,11 +59,10 @@ pub fn check_mass(value: f64) -> Result<(), InvalidBody> {
 ///
 /// # Errors
 /// [`InvalidBody::PlanarInertia`].
-pub fn check_planar_inertia(value: f64) -> Result<(), InvalidBody> {
-    if value.is_finite() && value > 0.0 {
-        Ok(())
-    } else {
-        Err(InvalidBody::PlanarInertia { value })
+pub fn check_planar_inertia<T: Scalar>(value: T) -> Result<(), InvalidBody> {
+    match find(value, |value| !is_positive(value)) {
+        Some(value) => Err(InvalidBody::PlanarInertia { value }),
+        None => Ok(()),
     }
 }
 
@@ -60,9 +70,24 @@ pub fn check_planar_inertia(value: f64) -> Result<(), InvalidBody> {
 ///
 /// # Errors
 /// [`InvalidBody::Inertia`] with the violated condition.
-pub fn check_inertia([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> Result<(), InvalidBody> {
-    InertiaTensor::tensor(xx, yy, zz, xy, yz, zx)?.inverse()?;
+pub fn check_inertia<T: Scalar>(entries: [T; 6]) -> Result<(), InvalidBody> {
+    for lane in 0..T::LANES {
+        let [xx, yy, zz, xy, yz, zx] = entries.map(|entry| entry.lane(lane));
+        let matrix = Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz);
+        check_turning(&matrix, T::EPSILON)?;
+    }
     Ok(())
+}
+
+/// The first of the numbers of a scalar that is such.
+fn find<T: Scalar>(scalar: T, is_such: impl Fn(f64) -> bool) -> Option<f64> {
+    (0..T::LANES)
+        .map(|lane| scalar.lane(lane))
+        .find(|value| is_such(*value))
+}
+
+fn is_positive(value: f64) -> bool {
+    value.is_finite() && value > 0.0
 }
 
 /// The reciprocal of the divisor of an unknown, where it depends on the configuration, given the largest of the terms it was

@@ -7,16 +7,22 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use nalgebra::{SVector, UnitQuaternion, Vector2, Vector3, Vector4, Vector6};
-#[cfg(feature = "serde")]
-use serde::{Deserialize, Serialize};
-
-use crate::attitude;
-
 mod hinge;
+mod planar;
 mod rod;
+mod rotation;
+mod spatial;
+mod translation;
 
-pub use hinge::Hinge;
+/// States and accelerations over any [`Scalar`](crate::Scalar); their aliases in [`state`](crate::state) are those of `f64`.
+pub mod generic {
+    pub use super::hinge::Hinge;
+    pub use super::planar::{Planar, PlanarAcceleration, PlanarTranslation};
+    pub use super::rotation::Rotation;
+    pub use super::spatial::{Spatial, SpatialAcceleration};
+    pub use super::translation::Translation;
+}
+
 pub use rod::{Rod, RodAcceleration};
 
 /// A point of the space of states: what an integrator needs to know of it.
@@ -54,199 +60,18 @@ pub trait State: Clone {
 }
 
 /// State of `motion: spatial`, six degrees of freedom.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct Spatial {
-    /// Position of G, world axes \[m\].
-    pub position: Vector3<f64>,
-    /// Takes body components to world components.
-    #[cfg_attr(feature = "serde", serde(with = "attitude::checked"))]
-    pub attitude: UnitQuaternion<f64>,
-    /// Velocity of G, world axes \[m/s\].
-    pub velocity: Vector3<f64>,
-    /// Angular velocity, body axes \[rad/s\].
-    pub angular_velocity: Vector3<f64>,
-}
-
-/// State of `motion: rotation`, three degrees of freedom.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct Rotation {
-    /// Takes body components to world components.
-    #[cfg_attr(feature = "serde", serde(with = "attitude::checked"))]
-    pub attitude: UnitQuaternion<f64>,
-    /// Angular velocity, body axes \[rad/s\].
-    pub angular_velocity: Vector3<f64>,
-}
-
-/// State of `motion: translation`, three degrees of freedom; body axes stay along world axes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct Translation {
-    /// Position of G, world axes \[m\].
-    pub position: Vector3<f64>,
-    /// Velocity of G, world axes \[m/s\].
-    pub velocity: Vector3<f64>,
-}
-
-/// State of `motion: planar`, three degrees of freedom.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct Planar {
-    /// Position of G, world axes \[m\].
-    pub position: Vector2<f64>,
-    /// From world x to body x, anticlockwise, not wrapped \[rad\].
-    pub angle: f64,
-    /// Velocity of G, world axes \[m/s\].
-    pub velocity: Vector2<f64>,
-    /// Rate of the angle \[rad/s\].
-    pub angular_velocity: f64,
-}
-
-/// State of `motion: planar_translation`, two degrees of freedom; body axes stay along world axes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct PlanarTranslation {
-    /// Position of G, world axes \[m\].
-    pub position: Vector2<f64>,
-    /// Velocity of G, world axes \[m/s\].
-    pub velocity: Vector2<f64>,
-}
-
+pub type Spatial = generic::Spatial<f64>;
 /// Acceleration of a [`Spatial`] state.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct SpatialAcceleration {
-    /// Acceleration of G, world axes \[m/s²\].
-    pub linear: Vector3<f64>,
-    /// Angular acceleration, body axes \[rad/s²\]: the derivatives of the components of the angular velocity, which
-    /// are the components of its derivative (1.7).
-    pub angular: Vector3<f64>,
-}
-
+pub type SpatialAcceleration = generic::SpatialAcceleration<f64>;
+/// State of `motion: rotation` and `motion: fixed_point`, three degrees of freedom.
+pub type Rotation = generic::Rotation<f64>;
+/// State of `motion: translation`, three degrees of freedom; body axes stay along world axes.
+pub type Translation = generic::Translation<f64>;
+/// State of `motion: planar`, three degrees of freedom.
+pub type Planar = generic::Planar<f64>;
 /// Acceleration of a [`Planar`] state.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct PlanarAcceleration {
-    /// Acceleration of G, world axes \[m/s²\].
-    pub linear: Vector2<f64>,
-    /// Angular acceleration, anticlockwise \[rad/s²\].
-    pub angular: f64,
-}
-
-impl State for Spatial {
-    type Scalar = f64;
-    type Acceleration = SpatialAcceleration;
-    /// Velocity, angular velocity, acceleration of G, angular acceleration: three components each.
-    type Rate = SVector<f64, 12>;
-
-    #[inline]
-    fn rate(&self, acceleration: &SpatialAcceleration) -> Self::Rate {
-        let [v, w] = [self.velocity, self.angular_velocity];
-        let [a, b] = [acceleration.linear, acceleration.angular];
-        SVector::from([v.x, v.y, v.z, w.x, w.y, w.z, a.x, a.y, a.z, b.x, b.y, b.z])
-    }
-
-    #[inline]
-    fn moved(&self, displacement: &Self::Rate) -> Self {
-        Self {
-            position: self.position + displacement.fixed_rows::<3>(0),
-            attitude: attitude::turned(&self.attitude, &displacement.fixed_rows::<3>(3).into()),
-            velocity: self.velocity + displacement.fixed_rows::<3>(6),
-            angular_velocity: self.angular_velocity + displacement.fixed_rows::<3>(9),
-        }
-    }
-}
-
-impl State for Rotation {
-    type Scalar = f64;
-    type Acceleration = Vector3<f64>;
-    /// Angular velocity, angular acceleration: three components each.
-    type Rate = Vector6<f64>;
-
-    #[inline]
-    fn rate(&self, acceleration: &Vector3<f64>) -> Self::Rate {
-        let [w, b] = [self.angular_velocity, *acceleration];
-        Vector6::new(w.x, w.y, w.z, b.x, b.y, b.z)
-    }
-
-    #[inline]
-    fn moved(&self, displacement: &Self::Rate) -> Self {
-        Self {
-            attitude: attitude::turned(&self.attitude, &displacement.fixed_rows::<3>(0).into()),
-            angular_velocity: self.angular_velocity + displacement.fixed_rows::<3>(3),
-        }
-    }
-}
-
-impl State for Translation {
-    type Scalar = f64;
-    type Acceleration = Vector3<f64>;
-    /// Velocity, acceleration of G: three components each.
-    type Rate = Vector6<f64>;
-
-    #[inline]
-    fn rate(&self, acceleration: &Vector3<f64>) -> Self::Rate {
-        let [v, a] = [self.velocity, *acceleration];
-        Vector6::new(v.x, v.y, v.z, a.x, a.y, a.z)
-    }
-
-    #[inline]
-    fn moved(&self, displacement: &Self::Rate) -> Self {
-        Self {
-            position: self.position + displacement.fixed_rows::<3>(0),
-            velocity: self.velocity + displacement.fixed_rows::<3>(3),
-        }
-    }
-}
-
-impl State for Planar {
-    type Scalar = f64;
-    type Acceleration = PlanarAcceleration;
-    /// Velocity (two components), angular velocity, acceleration of G (two), angular acceleration.
-    type Rate = Vector6<f64>;
-
-    #[inline]
-    fn rate(&self, acceleration: &PlanarAcceleration) -> Self::Rate {
-        let [v, a] = [self.velocity, acceleration.linear];
-        Vector6::new(
-            v.x,
-            v.y,
-            self.angular_velocity,
-            a.x,
-            a.y,
-            acceleration.angular,
-        )
-    }
-
-    #[inline]
-    fn moved(&self, displacement: &Self::Rate) -> Self {
-        Self {
-            position: self.position + displacement.fixed_rows::<2>(0),
-            angle: self.angle + displacement[2],
-            velocity: self.velocity + displacement.fixed_rows::<2>(3),
-            angular_velocity: self.angular_velocity + displacement[5],
-        }
-    }
-}
-
-impl State for PlanarTranslation {
-    type Scalar = f64;
-    type Acceleration = Vector2<f64>;
-    /// Velocity, acceleration of G: two components each.
-    type Rate = Vector4<f64>;
-
-    #[inline]
-    fn rate(&self, acceleration: &Vector2<f64>) -> Self::Rate {
-        let [v, a] = [self.velocity, *acceleration];
-        Vector4::new(v.x, v.y, a.x, a.y)
-    }
-
-    #[inline]
-    fn moved(&self, displacement: &Self::Rate) -> Self {
-        Self {
-            position: self.position + displacement.fixed_rows::<2>(0),
-            velocity: self.velocity + displacement.fixed_rows::<2>(2),
-        }
-    }
-}
+pub type PlanarAcceleration = generic::PlanarAcceleration<f64>;
+/// State of `motion: planar_translation`, two degrees of freedom; body axes stay along world axes.
+pub type PlanarTranslation = generic::PlanarTranslation<f64>;
+/// State of `motion: pivot` and `motion: fixed_axis`, one degree of freedom; its acceleration is a scalar \[rad/s²\].
+pub type Hinge = generic::Hinge<f64>;

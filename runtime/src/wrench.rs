@@ -8,9 +8,8 @@ use core::iter::Sum;
 use core::ops::{Add, AddAssign, Neg, Sub};
 
 use nalgebra::{Vector2, Vector3};
-#[cfg(feature = "serde")]
-use serde::{Deserialize, Serialize};
 
+pub mod generic;
 mod line;
 mod reduction;
 
@@ -29,14 +28,7 @@ pub use reduction::{PlanarReduction, Reduction, Tolerance};
 /// assert_eq!(couple, Wrench::from_moment(Vector3::new(0.0, -2.0, 0.0)));
 /// assert_eq!(couple.moved(&Vector3::zeros(), &Vector3::new(7.0, 8.0, 9.0)), couple);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct Wrench {
-    /// Resultant force \[N\].
-    pub force: Vector3<f64>,
-    /// Moment about the pole \[N m\].
-    pub moment: Vector3<f64>,
-}
+pub type Wrench = generic::Wrench<f64>;
 
 impl Wrench {
     /// A force \[N\] acting at `arm` \[m\] from the pole: its moment is arm × force.
@@ -111,14 +103,7 @@ impl Wrench {
 /// let push = PlanarWrench::from_force_at(Vector2::new(0.0, 10.0), Vector2::new(0.5, 0.0));
 /// assert_eq!((push + PlanarWrench::from_moment(-5.0)).moment, 0.0);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct PlanarWrench {
-    /// Resultant force \[N\].
-    pub force: Vector2<f64>,
-    /// Moment about the pole, anticlockwise \[N m\].
-    pub moment: f64,
-}
+pub type PlanarWrench = generic::PlanarWrench<f64>;
 
 impl PlanarWrench {
     /// A force \[N\] acting at `arm` \[m\] from the pole: its moment is arm × force.

@@ -1,6 +1,7 @@
 //! Straight-line code: the statements of one generated function, and what it returns.
 
-use std::collections::{HashMap, HashSet};
+use std::cell::RefCell;
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -9,6 +10,7 @@ use crate::model::{Model, Outline};
 use crate::symbolic::{Comparison, Cost, Function, Id, Node, Program, Stage};
 
 use super::expression::Precedence;
+use super::scalar::Scalar;
 use super::text::to_text;
 
 /// Names that a function has before its first statement.
@@ -40,6 +42,8 @@ pub struct Code {
     pub has_pivots: bool,
     /// The statements as text, for documentation.
     pub text: Vec<String>,
+    /// What was asked for as text.
+    pub output_text: Vec<String>,
 }
 
 /// Where the values of symbols come from.
@@ -89,6 +93,10 @@ pub struct Body<'a> {
     pub taken: HashSet<String>,
     pub noted: HashSet<&'static str>,
     pub reads: Vec<Source>,
+    /// Whether it is written for any scalar, whose constants are statements.
+    pub is_generic: bool,
+    /// The numbers that it has.
+    pub numbers: RefCell<BTreeSet<Id>>,
 }
 
 impl Writer<'_> {
@@ -109,17 +117,37 @@ impl Writer<'_> {
             .collect()
     }
 
-    /// The code that computes `outputs`.
+    /// The code that computes `outputs`. That of a generic body has a line for each constant; its text
+    /// is that of the same code for `f64`.
     pub fn function(&self, outputs: &[Id]) -> Code {
         let program = self.schedule(outputs);
+        let (plain, numbers) = self.write(&program, None);
+        if !Scalar::of(self.outline).is_generic() {
+            return plain;
+        }
+        let (generic, _) = self.write(&program, Some(&numbers));
+        Code {
+            text: plain.text,
+            output_text: plain.output_text,
+            ..generic
+        }
+    }
+
+    /// The code of a program, and the numbers in it; with `constants`, for any scalar.
+    fn write(&self, program: &Program, constants: Option<&BTreeSet<Id>>) -> (Code, BTreeSet<Id>) {
         let mut body = Body {
             writer: self,
             names: HashMap::new(),
             taken: self.taken(),
             noted: HashSet::new(),
             reads: Vec::new(),
+            is_generic: constants.is_some(),
+            numbers: RefCell::default(),
         };
-        let mut statements = body.read(&program);
+        let mut statements = body.read(program);
+        if let Some(constants) = constants {
+            statements.extend(body.constants(constants));
+        }
         let mut text = Vec::new();
         for &id in &program.statements {
             if body.names.contains_key(&id) {
@@ -128,7 +156,7 @@ impl Writer<'_> {
             let name = body.statement_name(id);
             let note = body.note(&name);
             text.extend(note.iter().map(|note| format!("# {note}")));
-            let (left, right) = body.statement(id, name, &program);
+            let (left, right) = body.statement(id, name, program);
             text.push(format!("{} = {}", to_text(&left), to_text(&right)));
             let note = note.map(|note| format!(" {note}"));
             let note = note.iter();
@@ -141,13 +169,15 @@ impl Writer<'_> {
                 Node::Compare(Comparison::Equal | Comparison::NotEqual, ..)
             )
         };
-        let outputs = program
+        let outputs: Vec<TokenStream> = program
             .outputs
             .iter()
-            .map(|id| body.expression(*id, Precedence::Lowest));
-        Code {
+            .map(|id| body.expression(*id, Precedence::Lowest))
+            .collect();
+        let code = Code {
             statements,
-            outputs: outputs.collect(),
+            output_text: outputs.iter().map(to_text).collect(),
+            outputs,
             cost: self.model.frames.graph.cost(&program.nodes),
             has_notes: !body.noted.is_empty(),
             has_pivots: program
@@ -157,7 +187,8 @@ impl Writer<'_> {
             has_equality: program.nodes.iter().any(compares_equality),
             reads: body.reads,
             text,
-        }
+        };
+        (code, body.numbers.into_inner())
     }
 }
 
@@ -175,17 +206,19 @@ impl Body<'_> {
             return (left, value);
         };
         let second = self.statement_name(other);
-        let private = &self.writer.private;
-        let angle = self.expression(*angle, Precedence::Lowest);
+        let value = if self.is_generic {
+            self.method("sin_cos", &[*angle])
+        } else {
+            let private = &self.writer.private;
+            let angle = self.expression(*angle, Precedence::Lowest);
+            quote!(#private::math::sin_cos(#angle))
+        };
         let (sine, cosine) = if *function == Function::Sin {
             (&name, &second)
         } else {
             (&second, &name)
         };
-        let tokens = (
-            quote!((#sine, #cosine)),
-            quote!(#private::math::sin_cos(#angle)),
-        );
+        let tokens = (quote!((#sine, #cosine)), value);
         self.names.extend([(id, name), (other, second)]);
         tokens
     }

@@ -125,10 +125,11 @@ impl Constructor {
         let statements = &code.statements;
         let mut text = code.text;
         let mut rest = TokenStream::new();
-        for (name, value) in stored.iter().zip(values) {
+        let value_text = &code.output_text[code.outputs.len() - values.len()..];
+        for ((name, value), value_text) in stored.iter().zip(values).zip(value_text) {
             // what is a statement has its name already
             if *name != to_text(value) {
-                text.push(format!("{name} = {}", to_text(value)));
+                text.push(format!("{name} = {value_text}"));
                 rest.extend(quote!(let #name = #value;));
             }
         }

@@ -1,11 +1,12 @@
 //! Expressions of the graph as expressions of Rust, with the parentheses they need and no others.
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use crate::symbolic::{Comparison, Function, Id, Node, Number};
 
 use super::code::Body;
+use super::scalar::number_literal;
 
 /// How tightly an expression binds, from the loosest to the tightest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -61,7 +62,10 @@ impl Body<'_> {
             };
         let graph = &self.writer.model.frames.graph;
         match *graph.node(id) {
-            Node::Number(ref number) => number_tokens(number),
+            Node::Number(ref number) => {
+                self.numbers.borrow_mut().insert(id);
+                number_tokens(number)
+            }
             Node::Truth(value) => (value.into_token_stream(), Precedence::Atom),
             Node::Undefined | Node::Symbol(_) => (quote!(f64::NAN), Precedence::Atom),
             Node::Quantity(inner) => self.operand(inner),
@@ -82,14 +86,15 @@ impl Body<'_> {
                     (a, b)
                 };
                 match graph.as_number(b).filter(|number| number.is_negative()) {
-                    Some(number) => {
+                    Some(number) if !self.names.contains_key(&b) => {
+                        self.numbers.borrow_mut().insert(b);
                         let (a, b) = (
                             self.expression(a, Precedence::Sum),
                             number_tokens(&number.abs()).0,
                         );
                         (quote!(#a - #b), Precedence::Sum)
                     }
-                    None => infix(a, quote!(+), b, Precedence::Sum, Precedence::Product),
+                    _ => infix(a, quote!(+), b, Precedence::Sum, Precedence::Product),
                 }
             }
             Node::Subtract(a, b) => infix(a, quote!(-), b, Precedence::Sum, Precedence::Product),
@@ -97,6 +102,18 @@ impl Body<'_> {
             Node::Divide(a, b) => infix(a, quote!(/), b, Precedence::Product, Precedence::Sign),
             Node::Unary(function, a) => (self.call(function, &[a]), Precedence::Atom),
             Node::Binary(function, a, b) => (self.call(function, &[a, b]), Precedence::Atom),
+            Node::Compare(comparison, a, b) if self.is_generic => {
+                let compared = |name: &str| self.method(name, &[a, b]);
+                match comparison {
+                    Comparison::Less => (compared("less"), Precedence::Atom),
+                    Comparison::LessOrEqual => (compared("less_or_equal"), Precedence::Atom),
+                    Comparison::Equal => (compared("equal"), Precedence::Atom),
+                    Comparison::NotEqual => {
+                        let equal = compared("equal");
+                        (quote!(!#equal), Precedence::Sign)
+                    }
+                }
+            }
             Node::Compare(comparison, a, b) => {
                 let operator = match comparison {
                     Comparison::Less => quote!(<),
@@ -105,6 +122,12 @@ impl Body<'_> {
                     Comparison::NotEqual => quote!(!=),
                 };
                 infix(a, operator, b, Precedence::Comparison, Precedence::Sum)
+            }
+            Node::And(a, b) if self.is_generic => {
+                infix(a, quote!(&), b, Precedence::And, Precedence::Sum)
+            }
+            Node::Or(a, b) if self.is_generic => {
+                infix(a, quote!(|), b, Precedence::Or, Precedence::And)
             }
             Node::And(a, b) => infix(a, quote!(&&), b, Precedence::And, Precedence::Comparison),
             Node::Or(a, b) => infix(a, quote!(||), b, Precedence::Or, Precedence::And),
@@ -125,6 +148,9 @@ impl Body<'_> {
                     quote!(#private::math::reciprocal(#unknown, #divisor, #scale))
                 };
                 (tokens, Precedence::Atom)
+            }
+            Node::Select(condition, a, b) if self.is_generic => {
+                (self.method("select", &[condition, a, b]), Precedence::Atom)
             }
             Node::Select(condition, a, b) => {
                 let condition = self.expression(condition, Precedence::Lowest);
@@ -160,34 +186,26 @@ impl Body<'_> {
     }
 
     fn call(&self, function: Function, arguments: &[Id]) -> TokenStream {
+        if self.is_generic {
+            return self.method(function.name(), arguments);
+        }
+        let (private, arguments) = (&self.writer.private, self.arguments(arguments));
         let name = Ident::new(function.name(), Span::call_site());
-        let arguments = arguments
-            .iter()
-            .map(|argument| self.expression(*argument, Precedence::Lowest));
-        let private = &self.writer.private;
         quote!(#private::math::#name(#(#arguments),*))
     }
-}
 
-/// A double, as the shortest literal that reads back as it.
-pub fn number_literal(value: f64) -> TokenStream {
-    let magnitude = value.abs();
-    let plain = magnitude == 0.0 || (1e-5..1e16).contains(&magnitude);
-    let mut text = if plain {
-        format!("{magnitude}")
-    } else {
-        format!("{magnitude:e}")
-    };
-    if !text.contains(['.', 'e']) {
-        text.push_str(".0");
+    /// A method of the scalar.
+    pub fn method(&self, name: &str, arguments: &[Id]) -> TokenStream {
+        let (private, arguments) = (&self.writer.private, self.arguments(arguments));
+        let name = Ident::new(name, Span::call_site());
+        quote!(#private::Scalar::#name(#(#arguments),*))
     }
-    let literal: Literal = text
-        .parse()
-        .unwrap_or_else(|_| Literal::f64_unsuffixed(0.0));
-    if value < 0.0 {
-        quote!(-#literal)
-    } else {
-        quote!(#literal)
+
+    fn arguments(&self, arguments: &[Id]) -> Vec<TokenStream> {
+        let arguments = arguments.iter();
+        arguments
+            .map(|argument| self.expression(*argument, Precedence::Lowest))
+            .collect()
     }
 }
 

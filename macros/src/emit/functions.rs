@@ -12,7 +12,6 @@ use super::consistency::{write_project, write_violations};
 use super::lints::allow_constants;
 use super::paths::private;
 use super::shapes::{Shapes, Values};
-use super::text::to_text;
 
 /// The generated functions; those that are not asked for are empty.
 #[derive(Default)]
@@ -41,6 +40,7 @@ pub struct Function {
     pub cost: Cost,
     /// The statements as text, and then what is returned.
     pub text: Vec<String>,
+    output_text: Vec<String>,
     reads: Vec<Source>,
     /// Whether it panics where it would divide by nothing but rounding.
     pub has_pivots: bool,
@@ -61,6 +61,7 @@ impl Function {
             body: quote!(#statements #value),
             cost: code.cost,
             text: code.text,
+            output_text: code.output_text,
             reads: code.reads,
             has_pivots: code.has_pivots,
             has_notes: code.has_notes,
@@ -221,18 +222,13 @@ impl Functions {
 
 fn write_acceleration(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) -> Function {
     let outputs = shapes.pair_part(&equations.linear, &equations.angular);
-    let mut text = Vec::new();
-    let mut function = Function::write(writer, &outputs, |values| {
-        // what is known early is no statement, and stands in the text all the same
-        for (name, value) in shapes
-            .pair_names()
-            .into_iter()
-            .zip(values.clone().map(to_text))
-        {
-            text.extend((name != value).then(|| format!("{name} = {value}")));
-        }
-        shapes.acceleration(values)
-    });
+    let mut function = Function::write(writer, &outputs, |values| shapes.acceleration(values));
+    // what is known early is no statement, and stands in the text all the same
+    let results = shapes.pair_names().into_iter().zip(&function.output_text);
+    let stated = results.filter(|(name, value)| name != *value);
+    let text: Vec<String> = stated
+        .map(|(name, value)| format!("{name} = {value}"))
+        .collect();
     function.text.extend(text);
     function
 }

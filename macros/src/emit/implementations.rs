@@ -8,6 +8,8 @@ use crate::model::{Motion, Outline, Output};
 use super::code::Source;
 use super::functions::{Function, Functions};
 use super::naming::local;
+use super::paths::private;
+use super::scalar::Scalar;
 use super::shapes::Shapes;
 
 pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenStream {
@@ -29,23 +31,37 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
         .collect()
 }
 
+/// `impl Trait for Body`, of a generic body `impl<T: Scalar> Trait for Body<T>`
+fn header(outline: &Outline, name: &str) -> TokenStream {
+    let (scalar, private) = (Scalar::of(outline), private(outline));
+    let (declared, applied) = (scalar.declared(), scalar.applied());
+    let (body, name) = (&outline.name, format_ident!("{name}"));
+    quote!(impl #declared #private::#name for #body #applied)
+}
+
 /// The type of the inputs; nothing is given to a body that declares none.
 fn input_type(outline: &Outline) -> TokenStream {
-    let name = format_ident!("{}Input", outline.name);
+    let (name, applied) = (
+        format_ident!("{}Input", outline.name),
+        Scalar::of(outline).applied(),
+    );
     if outline.inputs.is_empty() {
         quote!(())
     } else {
-        quote!(#name)
+        quote!(#name #applied)
     }
 }
 
 /// The type of the unknown reactions, if there are any.
 fn reactions_type(outline: &Outline) -> TokenStream {
-    let name = format_ident!("{}Reactions", outline.name);
+    let (name, applied) = (
+        format_ident!("{}Reactions", outline.name),
+        Scalar::of(outline).applied(),
+    );
     if outline.reactions.is_empty() {
         quote!(())
     } else {
-        quote!(#name)
+        quote!(#name #applied)
     }
 }
 
@@ -55,7 +71,8 @@ fn arguments(outline: &Outline, shapes: &Shapes, function: &Function) -> TokenSt
     let state = function.argument(Source::State, "state");
     let input = function.argument(Source::Input, "input");
     let (state_type, input_type) = (shapes.state_type(), input_type(outline));
-    quote!(#time: f64, #state: &#state_type, #input: &#input_type)
+    let scalar = shapes.scalar.kind();
+    quote!(#time: #scalar, #state: &#state_type, #input: &#input_type)
 }
 
 /// `state: &State`
@@ -79,8 +96,9 @@ fn method(
 }
 
 fn emit_rigid_body(outline: &Outline, shapes: &Shapes, function: &Function) -> TokenStream {
-    let (name, private) = (&outline.name, &shapes.private);
+    let header = header(outline, "RigidBody");
     let (state, input) = (shapes.state_type(), input_type(outline));
+    let scalar = shapes.scalar.kind();
     let acceleration = method(
         "acceleration",
         &arguments(outline, shapes, function),
@@ -88,8 +106,8 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, function: &Function) -> T
         function,
     );
     quote! {
-        impl #private::RigidBody for #name {
-            type Scalar = f64;
+        #header {
+            type Scalar = #scalar;
             type State = #state;
             type Input = #input;
             #[inline]
@@ -99,9 +117,9 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, function: &Function) -> T
 }
 
 fn emit_energy(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let (name, private) = (&outline.name, &shapes.private);
+    let header = header(outline, "Energy");
     let (kinetic, potential) = (&functions.kinetic_energy, &functions.potential_energy);
-    let scalar = quote!(f64);
+    let scalar = shapes.scalar.kind();
     let kinetic = method(
         "kinetic_energy",
         &state_argument(shapes, kinetic),
@@ -114,11 +132,12 @@ fn emit_energy(outline: &Outline, shapes: &Shapes, functions: &Functions) -> Tok
         &scalar,
         potential,
     );
-    quote!(impl #private::Energy for #name { #kinetic #potential })
+    quote!(#header { #kinetic #potential })
 }
 
 fn emit_momentum(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let (name, private, angular) = (&outline.name, &shapes.private, shapes.moment_type());
+    let header = header(outline, "Momentum");
+    let angular = shapes.moment_type();
     // the momentum of a body whose motion of G is not modelled is not known
     let linear = if outline.motion == Motion::Rotation {
         quote!(())
@@ -135,14 +154,15 @@ fn emit_momentum(outline: &Outline, shapes: &Shapes, functions: &Functions) -> T
         function.argument(Source::Time, "time"),
         state_argument(shapes, function),
     );
+    let scalar = shapes.scalar.kind();
     let about_pole = method(
         "angular_momentum_about_pole",
-        &quote!(#time: f64, #state),
+        &quote!(#time: #scalar, #state),
         &angular,
         function,
     );
     quote! {
-        impl #private::Momentum for #name {
+        #header {
             type Linear = #linear;
             type Angular = #angular;
             #translation
@@ -153,7 +173,7 @@ fn emit_momentum(outline: &Outline, shapes: &Shapes, functions: &Functions) -> T
 }
 
 fn emit_balance(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let (name, private) = (&outline.name, &shapes.private);
+    let header = header(outline, "Balance");
     let (wrench, load) = (shapes.wrench_type(), shapes.load_type());
     let count = Literal::usize_unsuffixed(outline.loads);
     let loads = quote!([#load; #count]);
@@ -178,10 +198,11 @@ fn emit_balance(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
         shapes.acceleration_type(),
         input_type(outline),
     );
-    let of_residual = quote!(#time: f64, #state, #acceleration: &#acceleration_type, #reactions: &#reactions_type, #input: &#input_type);
+    let scalar = shapes.scalar.kind();
+    let of_residual = quote!(#time: #scalar, #state, #acceleration: &#acceleration_type, #reactions: &#reactions_type, #input: &#input_type);
     let residual = method("residual", &of_residual, &wrench, function);
     quote! {
-        impl #private::Balance for #name {
+        #header {
             type Wrench = #wrench;
             type Reactions = #reactions_type;
             type Loads = #loads;
@@ -193,7 +214,8 @@ fn emit_balance(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
 }
 
 fn emit_constrained(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let (name, private) = (&outline.name, &shapes.private);
+    let header = header(outline, "Constrained");
+    let private = &shapes.private;
     let count = Literal::usize_unsuffixed(functions.constraint_count);
     let kind = quote!([#private::Violation; #count]);
     let violations = method(
@@ -209,11 +231,12 @@ fn emit_constrained(outline: &Outline, shapes: &Shapes, functions: &Functions) -
     );
     let (state, state_type, input_type) =
         (local("state"), shapes.state_type(), input_type(outline));
+    let scalar = shapes.scalar.kind();
     quote! {
-        impl #private::Constrained for #name {
+        #header {
             type Violations = #kind;
             #violations
-            fn project(&self, #time: f64, #state: &mut #state_type, #input: &#input_type) -> ::core::result::Result<(), #private::Inconsistent> {
+            fn project(&self, #time: #scalar, #state: &mut #state_type, #input: &#input_type) -> ::core::result::Result<(), #private::Inconsistent> {
                 #body
             }
         }
@@ -221,7 +244,8 @@ fn emit_constrained(outline: &Outline, shapes: &Shapes, functions: &Functions) -
 }
 
 fn emit_reactions(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let (name, private) = (&outline.name, &shapes.private);
+    let header = header(outline, "Reactions");
+    let private = &shapes.private;
     let (function, kind) = (&functions.reactions, reactions_type(outline));
     let kind = if outline.is_constrained {
         quote!(::core::result::Result<#kind, #private::Singular>)
@@ -235,7 +259,7 @@ fn emit_reactions(outline: &Outline, shapes: &Shapes, functions: &Functions) -> 
         function,
     );
     quote! {
-        impl #private::Reactions for #name {
+        #header {
             type Reactions = #kind;
             #reactions
         }
@@ -243,8 +267,10 @@ fn emit_reactions(outline: &Outline, shapes: &Shapes, functions: &Functions) -> 
 }
 
 fn emit_inverse(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let (name, private, function) = (&outline.name, &shapes.private, &functions.inverse);
-    let drives = format_ident!("{name}Drives");
+    let header = header(outline, "Inverse");
+    let (name, function) = (&outline.name, &functions.inverse);
+    let (drives, applied) = (format_ident!("{name}Drives"), shapes.scalar.applied());
+    let drives = quote!(#drives #applied);
     let time = function.argument(Source::Time, "time");
     let acceleration = function.argument(Source::Acceleration, "acceleration");
     let input = function.argument(Source::Input, "input");
@@ -253,11 +279,12 @@ fn emit_inverse(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
         shapes.acceleration_type(),
         input_type(outline),
     );
+    let scalar = shapes.scalar.kind();
     let arguments =
-        quote!(#time: f64, #state, #acceleration: &#acceleration_type, #input: &#input_type);
-    let inverse = method("inverse", &arguments, &quote!(#drives), function);
+        quote!(#time: #scalar, #state, #acceleration: &#acceleration_type, #input: &#input_type);
+    let inverse = method("inverse", &arguments, &drives, function);
     quote! {
-        impl #private::Inverse for #name {
+        #header {
             type Drives = #drives;
             #inverse
         }

@@ -7,19 +7,18 @@ use crate::model::{Declared, LoadKind, Outline};
 
 use super::constructor::Constructor;
 use super::docs::{Documentation, declared_doc};
-use super::expression::number_literal;
 use super::lints::allow_constants;
 use super::naming::local_name;
 use super::paths::private;
+use super::scalar::Scalar;
 use super::shapes::Shapes;
 
 /// The type of a declared quantity.
 fn declared_type(outline: &Outline, declared: &Declared) -> TokenStream {
-    let private = private(outline);
-    match (declared.frame, outline.motion.axes()) {
-        (None, _) => quote!(f64),
-        (Some(_), 2) => quote!(#private::Vector2<f64>),
-        (Some(_), _) => quote!(#private::Vector3<f64>),
+    let shapes = Shapes::of(outline);
+    match declared.frame {
+        None => shapes.scalar.kind(),
+        Some(_) => shapes.vector_type(),
     }
 }
 
@@ -37,11 +36,12 @@ fn emit_struct(
         .iter()
         .map(|declared| declared_type(outline, declared));
     let lints = lints(declared.iter().map(|declared| &declared.name));
+    let generics = Scalar::of(outline).declared();
     quote! {
         #[doc = #doc]
         #lints
         #derives
-        pub struct #name { #(#[doc = #docs] pub #names: #types),* }
+        pub struct #name #generics { #(#[doc = #docs] pub #names: #types),* }
     }
 }
 
@@ -63,11 +63,12 @@ fn emit_open(
         quote!(#[doc = #doc] pub #field: #kind)
     });
     let lints = lints(open.iter().map(|(field, _)| field));
+    let generics = shapes.scalar.declared();
     quote! {
         #[doc = #doc]
         #lints
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
-        pub struct #name { #(#fields),* }
+        pub struct #name #generics { #(#fields),* }
     }
 }
 
@@ -80,12 +81,11 @@ fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
 }
 
 fn default_value(outline: &Outline, declared: &Declared) -> Option<TokenStream> {
-    let private = private(outline);
-    let numbers = declared
-        .default
-        .as_ref()?
-        .iter()
-        .map(|number| number_literal(number.to_f64()));
+    let (private, scalar) = (private(outline), Scalar::of(outline));
+    let kind = scalar.kind();
+    let at_hand = quote!(<#kind as ::core::default::Default>::default());
+    let numbers = declared.default.as_ref()?.iter();
+    let numbers = numbers.map(|number| scalar.constant(number, &at_hand));
     Some(match (declared.frame, outline.motion.axes()) {
         (None, _) => quote!(#(#numbers)*),
         (Some(_), 2) => quote!(#private::Vector2::new(#(#numbers),*)),
@@ -120,15 +120,20 @@ pub fn emit_items(
             format!(" The unknown drives of [`{name}`], in the axes in which they are written.");
         emit_open(outline, "Drives", &doc, &outline.drives)
     });
+    let scalar = Scalar::of(outline);
+    let (declared, applied, kind) = (scalar.declared(), scalar.applied(), scalar.kind());
     if outline.params.is_empty() {
+        let marker = scalar
+            .is_generic()
+            .then(|| quote!(scalar: ::core::marker::PhantomData<#kind>));
         return quote! {
             #documentation_lines
             #[derive(Clone, Debug, Default)]
-            pub struct #name {}
+            pub struct #name #declared { #marker }
             #inputs
             #reactions
             #drives
-            impl #name { #constants }
+            impl #declared #name #applied { #constants }
         };
     }
     let params = format_ident!("{name}Params");
@@ -148,22 +153,22 @@ pub fn emit_items(
     quote! {
         #documentation_lines
         #[derive(Clone, Debug)]
-        pub struct #name { params: #params, #(#stored: f64),* }
+        pub struct #name #declared { params: #params #applied, #(#stored: #kind),* }
         #param_struct
         #inputs
         #reactions
         #drives
-        impl #name {
+        impl #declared #name #applied {
             #constants
             #[doc = #new_doc]
             #[doc = ""]
             #[doc = " # Errors"]
             #[doc = " A parameter is not finite, or no body has the mass or inertia they make."]
             #constants_of_new
-            pub fn new(params: #params) -> ::core::result::Result<Self, #private::InvalidBody> { #body }
+            pub fn new(params: #params #applied) -> ::core::result::Result<Self, #private::InvalidBody> { #body }
             /// The parameters this body was built from.
             #[must_use]
-            pub fn params(&self) -> &#params { &self.params }
+            pub fn params(&self) -> &#params #applied { &self.params }
         }
         #default
     }
@@ -179,14 +184,16 @@ fn emit_default(outline: &Outline) -> TokenStream {
         .filter_map(|param| default_value(outline, param));
     let values = quote!(#(#names: #values),*);
     let constants = allow_constants(&values);
+    let scalar = Scalar::of(outline);
+    let (declared, applied) = (scalar.declared(), scalar.applied());
     quote! {
-        impl ::core::default::Default for #params {
+        impl #declared ::core::default::Default for #params #applied {
             #constants
             fn default() -> Self { Self { #values } }
         }
-        impl ::core::default::Default for #name {
+        impl #declared ::core::default::Default for #name #applied {
             fn default() -> Self {
-                Self::new(<#params as ::core::default::Default>::default()).expect("the defaults were checked at expansion")
+                Self::new(<#params #applied as ::core::default::Default>::default()).expect("the defaults were checked at expansion")
             }
         }
     }

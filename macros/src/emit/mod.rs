@@ -15,6 +15,7 @@ mod lints;
 mod naming;
 mod paths;
 mod reads;
+mod scalar;
 mod shapes;
 mod text;
 

@@ -3,7 +3,7 @@
 
 use proc_macro2::{Ident, Span};
 
-use crate::symbolic::{Id, Node};
+use crate::symbolic::{Id, Node, Number};
 
 use super::code::Body;
 
@@ -24,6 +24,20 @@ pub fn local_name(name: &str) -> String {
     } else {
         name + "_"
     }
+}
+
+/// What a constant of a generic body is called that has no other name.
+fn number_name(number: &Number) -> &'static str {
+    let names = [
+        (Number::ratio(-1, 1), "minus_one"),
+        (Number::ratio(1, 2), "half"),
+        (Number::ratio(1, 1), "one"),
+        (Number::ratio(2, 1), "two"),
+        (Number::ratio(3, 1), "three"),
+        (Number::ratio(4, 1), "four"),
+    ];
+    let found = names.iter().find(|(known, _)| known == number);
+    found.map_or("constant", |(_, name)| name)
 }
 
 impl Body<'_> {
@@ -91,6 +105,7 @@ impl Body<'_> {
             Node::Divide(..) => (None, "ratio"),
             Node::Pivot(..) => (None, "reciprocal"),
             Node::Select(..) => (None, "choice"),
+            Node::Number(ref number) => (None, number_name(number)),
             _ => (None, "condition"),
         };
         name.filter(|name| name.len() <= LENGTH)

@@ -1,14 +1,17 @@
 //! The first lines of a function: they read the parameters, inputs and parts of the state that it
 //! needs, and no others.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use crate::model::{AXES, Declared, LoadKind, Meaning, Motion};
-use crate::symbolic::{Id, Node, Program};
+use crate::symbolic::{Id, Node, Number, Program, Stage};
 
 use super::code::{Body, Source};
 use super::naming::local;
+use super::scalar::Scalar;
 
 /// Components that are read together.
 struct Place {
@@ -154,6 +157,44 @@ impl Body<'_> {
         tokens
     }
 
+    /// The constants of a generic body, each made from a value at hand.
+    pub fn constants(&mut self, constants: &BTreeSet<Id>) -> TokenStream {
+        let graph = &self.writer.model.frames.graph;
+        let numbers: Vec<(Id, Number)> = constants
+            .iter()
+            .filter_map(|id| Some((*id, graph.as_number(*id)?.clone())))
+            .collect();
+        if numbers.is_empty() {
+            return TokenStream::new();
+        }
+        let (at_hand, scalar) = (self.value_at_hand(), Scalar::of(self.writer.outline));
+        let mut tokens = TokenStream::new();
+        for (id, number) in numbers {
+            let name = self.statement_name(id);
+            let value = scalar.constant(&number, &at_hand);
+            tokens.extend(quote!(let #name = #value;));
+            self.names.insert(id, name);
+        }
+        tokens
+    }
+
+    /// A value that every function of this stage is given.
+    fn value_at_hand(&mut self) -> TokenStream {
+        let (motion, state) = (self.writer.model.motion, local("state"));
+        if self.writer.stage == Stage::Parameter {
+            let first = self.writer.outline.params.first();
+            return first.map_or_else(TokenStream::new, parameter_at_hand);
+        }
+        self.reads.push(Source::State);
+        if motion.translates() {
+            quote!(#state.velocity.x)
+        } else if motion.is_planar() || motion.is_hinged() {
+            quote!(#state.angular_velocity)
+        } else {
+            quote!(#state.angular_velocity.x)
+        }
+    }
+
     /// `let [pin_x, pin_y]: [f64; 2] = reactions.pin.into();`
     fn read_reactions(&mut self, symbols: &[(Id, Meaning)]) -> TokenStream {
         let mut tokens = TokenStream::new();
@@ -207,7 +248,8 @@ impl Body<'_> {
             pattern.push(name.into_token_stream());
         }
         let count = Literal::usize_unsuffixed(names.len());
-        quote!(let [#(#pattern),*]: [f64; #count] = #path.into();)
+        let kind = Scalar::of(self.writer.outline).kind();
+        quote!(let [#(#pattern),*]: [#kind; #count] = #path.into();)
     }
 
     /// `let Params { arm, .. } = self.params;`, and the components of the vectors among them.
@@ -259,10 +301,19 @@ impl Body<'_> {
         let (suffix, place) = match (source, self.writer.stage) {
             (Source::Input, _) => ("Input", quote!(*#input)),
             // in the constructor the parameters are not stored yet
-            (_, crate::symbolic::Stage::Parameter) => ("Params", quote!(params)),
+            (_, Stage::Parameter) => ("Params", quote!(params)),
             _ => ("Params", quote!(self.params)),
         };
         let kind = Ident::new(&format!("{body}{suffix}"), body.span());
         quote!(let #kind { #(#pattern),* } = #place; #components)
+    }
+}
+
+/// The first component of a parameter.
+fn parameter_at_hand(declared: &Declared) -> TokenStream {
+    let name = &declared.name;
+    match declared.frame {
+        None => quote!(params.#name),
+        Some(_) => quote!(params.#name.x),
     }
 }

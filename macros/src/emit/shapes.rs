@@ -10,10 +10,12 @@ use crate::symbolic::{Components, Id};
 
 use super::naming::local;
 use super::paths::private;
+use super::scalar::Scalar;
 
 /// The shapes of one body.
 pub struct Shapes {
     pub motion: Motion,
+    pub scalar: Scalar,
     pub private: TokenStream,
 }
 
@@ -24,12 +26,12 @@ impl Shapes {
     pub fn of(outline: &Outline) -> Self {
         Self {
             motion: outline.motion,
+            scalar: Scalar::of(outline),
             private: private(outline),
         }
     }
 
     pub fn state_type(&self) -> TokenStream {
-        let private = &self.private;
         let name = match self.motion {
             Motion::Planar => format_ident!("Planar"),
             Motion::PlanarTranslation => format_ident!("PlanarTranslation"),
@@ -38,33 +40,33 @@ impl Shapes {
             Motion::Rotation | Motion::FixedPoint => format_ident!("Rotation"),
             Motion::Pivot | Motion::FixedAxis => format_ident!("Hinge"),
         };
-        quote!(#private::#name)
+        self.scalar.holder(&name)
     }
 
     pub fn vector_type(&self) -> TokenStream {
-        let private = &self.private;
+        let (private, kind) = (&self.private, self.scalar.kind());
         if self.motion.is_planar() {
-            quote!(#private::Vector2<f64>)
+            quote!(#private::Vector2<#kind>)
         } else {
-            quote!(#private::Vector3<f64>)
+            quote!(#private::Vector3<#kind>)
         }
     }
 
     /// In the plane a moment is a scalar.
     pub fn moment_type(&self) -> TokenStream {
         if self.motion.is_planar() {
-            quote!(f64)
+            self.scalar.kind()
         } else {
             self.vector_type()
         }
     }
 
     pub fn acceleration_type(&self) -> TokenStream {
-        let private = &self.private;
+        let holder = |name: &str| self.scalar.holder(&format_ident!("{name}"));
         match self.motion {
-            Motion::Planar => quote!(#private::PlanarAcceleration),
-            Motion::Spatial => quote!(#private::SpatialAcceleration),
-            Motion::Pivot | Motion::FixedAxis => quote!(f64),
+            Motion::Planar => holder("PlanarAcceleration"),
+            Motion::Spatial => holder("SpatialAcceleration"),
+            Motion::Pivot | Motion::FixedAxis => self.scalar.kind(),
             Motion::PlanarTranslation
             | Motion::Translation
             | Motion::Rotation
@@ -73,21 +75,21 @@ impl Shapes {
     }
 
     pub fn wrench_type(&self) -> TokenStream {
-        let private = &self.private;
+        let holder = |name: &str| self.scalar.holder(&format_ident!("{name}"));
         match self.motion {
             Motion::Rotation => self.moment_type(),
-            _ if self.motion.is_planar() => quote!(#private::PlanarWrench),
-            _ => quote!(#private::Wrench),
+            _ if self.motion.is_planar() => holder("PlanarWrench"),
+            _ => holder("Wrench"),
         }
     }
 
     pub fn load_type(&self) -> TokenStream {
-        let private = &self.private;
-        if self.motion.is_planar() {
-            quote!(#private::PlanarLoad)
+        let name = if self.motion.is_planar() {
+            "PlanarLoad"
         } else {
-            quote!(#private::Load)
-        }
+            "Load"
+        };
+        self.scalar.holder(&format_ident!("{name}"))
     }
 
     /// The components that a vector has.

@@ -43,6 +43,8 @@ impl Output {
 /// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it has.
 pub struct Outline {
     pub name: Ident,
+    /// The scalar that the body is generic over; none of a body of `f64`.
+    pub scalar: Option<Ident>,
     /// The path of the runtime crate.
     pub runtime: TokenStream,
     pub doc: Vec<String>,
@@ -98,8 +100,10 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
             default: has_default.then(|| vec![Number::zero(); components]),
         }
     };
+    check_scalar(description, errors);
     Outline {
         name: description.name.clone(),
+        scalar: description.scalar.clone(),
         runtime: description.runtime.clone(),
         doc: description.doc.clone(),
         motion,
@@ -221,6 +225,19 @@ fn check_motion(description: &Description, errors: &mut Errors) {
             format!(
                 "unknown motion `{written}`: expected one of `{}`{hint}",
                 all()
+            ),
+        );
+    }
+}
+
+/// What generic bodies do not have.
+fn check_scalar(description: &Description, errors: &mut Errors) {
+    if let (Some(scalar), Some(first)) = (&description.scalar, description.constraints.first()) {
+        errors.push(
+            first.name.span(),
+            format!(
+                "a body that is generic over its scalar has no constraints in this version: leave \
+                 `::<{scalar}>` out, or use a motion with a support"
             ),
         );
     }

@@ -203,6 +203,11 @@ impl Number {
         self.value.to_f64().value()
     }
 
+    /// The nearest number of single precision; infinite beyond their range.
+    pub fn to_f32(&self) -> f32 {
+        self.value.to_f32().value()
+    }
+
     /// Whether the nearest double is finite, and zero only if the number is.
     pub fn fits_f64(&self) -> bool {
         let nearest = self.to_f64();

@@ -29,6 +29,8 @@ pub use unit::UnitExpression;
 /// A whole description.
 pub struct Description {
     pub name: Ident,
+    /// The scalar that the body is generic over.
+    pub scalar: Option<Ident>,
     /// The path of the runtime, as the wrapper of the macro passes it.
     pub runtime: TokenStream,
     /// The keys as they were written, known or not, each once.
@@ -58,6 +60,7 @@ impl Description {
     fn new(name: Ident, runtime: TokenStream) -> Self {
         Self {
             name,
+            scalar: None,
             runtime,
             keys: Vec::new(),
             lost: Vec::new(),

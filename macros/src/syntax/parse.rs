@@ -108,15 +108,7 @@ fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, 
         return None;
     };
     let (between, after) = (&rest[..position], &rest[position + 1..]);
-    match between.first() {
-        Some(sign) if is_punct(sign, '<') || is_punct(sign, ':') => errors.push(
-            Extent::of(stream(between)),
-            "bodies with a scalar of your choice are part of the language, but this version \
-             does not have them yet: all numbers are `f64`",
-        ),
-        Some(other) => errors.push(other.span(), format!("expected a brace: `{name} {{ .. }}`")),
-        None => {}
-    }
+    let scalar = parse_scalar(name, between, errors);
     let TokenTree::Group(body) = &rest[position] else {
         return None;
     };
@@ -132,8 +124,72 @@ fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, 
             "one description in one call: nothing follows its braces",
         );
     }
-    let description = Description::new(name.clone(), runtime.stream());
+    let mut description = Description::new(name.clone(), runtime.stream());
+    description.scalar = scalar;
     Some((description, body.stream()))
+}
+
+/// `::<T>` between the name and its brace: the scalar that the body is generic over.
+fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
+    let first = between.first()?;
+    match between {
+        [a, b, open, TokenTree::Ident(scalar), close]
+            if is_punct(a, ':')
+                && is_punct(b, ':')
+                && is_punct(open, '<')
+                && is_punct(close, '>') =>
+        {
+            if is_number_type(&scalar.to_string()) {
+                errors.push(
+                    scalar.span(),
+                    format!(
+                        "a parameter stands here, and no type: write `{name}::<T> {{ .. }}`, \
+                         and `{name}::<{scalar}>` where the body is used"
+                    ),
+                );
+                return None;
+            }
+            check_name(scalar, "a scalar", errors)?;
+            Some(scalar.clone())
+        }
+        _ if is_punct(first, '<') || is_punct(first, ':') => {
+            errors.push(
+                Extent::of(stream(between)),
+                format!("a body that is generic over its scalar is `{name}::<T> {{ .. }}`"),
+            );
+            None
+        }
+        _ => {
+            errors.push(first.span(), format!("expected a brace: `{name} {{ .. }}`"));
+            None
+        }
+    }
+}
+
+/// Types of numbers, which are no names of parameters.
+fn is_number_type(word: &str) -> bool {
+    matches!(
+        word,
+        "f16"
+            | "f32"
+            | "f64"
+            | "f128"
+            | "i8"
+            | "i16"
+            | "i32"
+            | "i64"
+            | "i128"
+            | "isize"
+            | "u8"
+            | "u16"
+            | "u32"
+            | "u64"
+            | "u128"
+            | "usize"
+            | "bool"
+            | "char"
+            | "str"
+    )
 }
 
 /// The key that `word` is, or was probably meant to be.

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::{InertiaTensor, exponent, scaled};
 use crate::principal::diagonalized;
@@ -118,7 +118,12 @@ pub(super) fn check_mass(value: f64) -> Result<(), InvalidInertia> {
 
 /// What rounding may add to a moment, relative to the largest.
 pub(super) fn slack(matrix: &Matrix3<f64>) -> f64 {
-    InertiaTensor::SLACK * if is_diagonal(matrix) { 1.0 } else { 4.0 }
+    slack_of(matrix, f64::EPSILON)
+}
+
+/// The same of entries that were computed with this distance from one to the next number.
+fn slack_of(matrix: &Matrix3<f64>, epsilon: f64) -> f64 {
+    InertiaTensor::SLACK / f64::EPSILON * epsilon * if is_diagonal(matrix) { 1.0 } else { 4.0 }
 }
 
 /// Without products.
@@ -144,6 +149,21 @@ pub(super) fn check_symmetry(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia
 
 /// All conditions on a symmetric matrix.
 pub(super) fn check(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia> {
+    check_computed(matrix, f64::EPSILON).map(|_| ())
+}
+
+/// All conditions on a symmetric matrix of a body that can turn about every axis, with entries that were computed with
+/// this distance from one to the next number.
+pub(crate) fn check_turning(matrix: &Matrix3<f64>, epsilon: f64) -> Result<(), InvalidInertia> {
+    let moments = check_computed(matrix, epsilon)?;
+    if moments.x <= slack_of(matrix, epsilon) * moments.z {
+        return Err(InvalidInertia::Singular);
+    }
+    Ok(())
+}
+
+/// The principal moments over a power of two, ascending, if all conditions hold.
+fn check_computed(matrix: &Matrix3<f64>, epsilon: f64) -> Result<Vector3<f64>, InvalidInertia> {
     for (row, entries) in ENTRIES.iter().enumerate() {
         for (column, entry) in entries.iter().enumerate() {
             if !matrix[(row, column)].is_finite() {
@@ -153,7 +173,7 @@ pub(super) fn check(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia> {
     }
     let exponent = exponent(matrix);
     let j = scaled(matrix, -exponent);
-    let relative = slack(&j);
+    let relative = slack_of(&j, epsilon);
     let slack = relative * j.diagonal().max();
     let restored = |value| libm::scalbn(value, exponent);
     for (a, axis) in AXES.into_iter().enumerate() {
@@ -193,5 +213,5 @@ pub(super) fn check(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia> {
         let moments = moments.map(restored).into();
         return Err(InvalidInertia::Principal { moments });
     }
-    Ok(())
+    Ok(moments)
 }

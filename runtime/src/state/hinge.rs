@@ -5,6 +5,7 @@ use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use super::State;
+use crate::scalar::Scalar;
 
 /// State of `motion: pivot` and `motion: fixed_axis`, one degree of freedom; its acceleration is a scalar \[rad/s²\].
 ///
@@ -17,26 +18,30 @@ use super::State;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct Hinge {
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
+)]
+pub struct Hinge<T: Scalar> {
     /// Zero with body axes along world axes; right-handed about the axis, in the plane anticlockwise; not wrapped
     /// \[rad\].
-    pub angle: f64,
+    pub angle: T,
     /// Rate of the angle \[rad/s\].
-    pub angular_velocity: f64,
+    pub angular_velocity: T,
 }
 
-impl State for Hinge {
-    type Scalar = f64;
-    type Acceleration = f64;
+impl<T: Scalar> State for Hinge<T> {
+    type Scalar = T;
+    type Acceleration = T;
     /// Angular velocity, angular acceleration.
-    type Rate = Vector2<f64>;
+    type Rate = Vector2<T>;
 
-    #[inline]
-    fn rate(&self, acceleration: &f64) -> Self::Rate {
+    #[inline(always)]
+    fn rate(&self, acceleration: &T) -> Self::Rate {
         Vector2::new(self.angular_velocity, *acceleration)
     }
 
-    #[inline]
+    #[inline(always)]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             angle: self.angle + displacement.x,

@@ -1,0 +1,111 @@
+//! The scalar of a body: `f64`, or the parameter that its description names.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use crate::model::Outline;
+use crate::symbolic::Number;
+
+use super::paths::private;
+
+/// What the numbers of a body are.
+pub struct Scalar {
+    /// Of a generic body.
+    name: Option<Ident>,
+    private: TokenStream,
+}
+
+impl Scalar {
+    pub fn of(outline: &Outline) -> Self {
+        Self {
+            name: outline.scalar.clone(),
+            private: private(outline),
+        }
+    }
+
+    pub fn is_generic(&self) -> bool {
+        self.name.is_some()
+    }
+
+    /// `f64` or `T`
+    pub fn kind(&self) -> TokenStream {
+        match &self.name {
+            Some(name) => quote!(#name),
+            None => quote!(f64),
+        }
+    }
+
+    /// `<T: Scalar>`, behind `impl`
+    pub fn declared(&self) -> TokenStream {
+        let private = &self.private;
+        let name = self.name.iter();
+        quote!(#(<#name: #private::Scalar>)*)
+    }
+
+    /// `<T>`, behind a type
+    pub fn applied(&self) -> TokenStream {
+        let name = self.name.iter();
+        quote!(#(<#name>)*)
+    }
+
+    /// A type of the runtime that holds numbers, in types and in expressions.
+    pub fn holder(&self, name: &Ident) -> TokenStream {
+        let private = &self.private;
+        match &self.name {
+            Some(scalar) => quote!(#private::generic::#name::<#scalar>),
+            None => quote!(#private::#name),
+        }
+    }
+
+    /// A constant: a literal, or made from a value at hand.
+    pub fn constant(&self, number: &Number, at_hand: &TokenStream) -> TokenStream {
+        let double = number_literal(number.to_f64());
+        if !self.is_generic() {
+            return double;
+        }
+        let (private, single) = (&self.private, single_literal(number.to_f32()));
+        quote!(#private::Scalar::constant(#at_hand, #double, #single))
+    }
+}
+
+/// A double, as the shortest literal that reads back as it.
+pub fn number_literal(value: f64) -> TokenStream {
+    let magnitude = value.abs();
+    let plain = magnitude == 0.0 || (1e-5..1e16).contains(&magnitude);
+    let text = if plain {
+        format!("{magnitude}")
+    } else {
+        format!("{magnitude:e}")
+    };
+    literal(value < 0.0, text)
+}
+
+/// The same of single precision; what is out of its range is infinite.
+fn single_literal(value: f32) -> TokenStream {
+    let magnitude = value.abs();
+    let sign = (value < 0.0).then(|| quote!(-));
+    if magnitude.is_infinite() {
+        return quote!(#sign f32::INFINITY);
+    }
+    let plain = magnitude == 0.0 || (1e-5..1e7).contains(&magnitude);
+    let text = if plain {
+        format!("{magnitude}")
+    } else {
+        format!("{magnitude:e}")
+    };
+    literal(value < 0.0, text)
+}
+
+fn literal(is_negative: bool, mut text: String) -> TokenStream {
+    if !text.contains(['.', 'e']) {
+        text.push_str(".0");
+    }
+    let literal: Literal = text
+        .parse()
+        .unwrap_or_else(|_| Literal::f64_unsuffixed(0.0));
+    if is_negative {
+        quote!(-#literal)
+    } else {
+        quote!(#literal)
+    }
+}

@@ -1,0 +1,57 @@
+//! The state of a body that turns, about G or about a point that is held.
+
+use nalgebra::{UnitQuaternion, Vector3, Vector6};
+#[cfg(feature = "serde")]
+use serde::{Deserialize, Serialize};
+
+use super::State;
+use crate::attitude;
+use crate::scalar::Scalar;
+
+/// State of `motion: rotation`, three degrees of freedom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
+)]
+pub struct Rotation<T: Scalar> {
+    /// Takes body components to world components.
+    #[cfg_attr(feature = "serde", serde(with = "attitude::checked"))]
+    pub attitude: UnitQuaternion<T>,
+    /// Angular velocity, body axes \[rad/s\].
+    pub angular_velocity: Vector3<T>,
+}
+
+impl<T: Scalar> Default for Rotation<T> {
+    fn default() -> Self {
+        Self {
+            attitude: attitude::generic::identity(),
+            angular_velocity: Vector3::default(),
+        }
+    }
+}
+
+impl<T: Scalar> State for Rotation<T> {
+    type Scalar = T;
+    type Acceleration = Vector3<T>;
+    /// Angular velocity, angular acceleration: three components each.
+    type Rate = Vector6<T>;
+
+    #[inline(always)]
+    fn rate(&self, acceleration: &Vector3<T>) -> Self::Rate {
+        let [w, b] = [self.angular_velocity, *acceleration];
+        Vector6::new(w.x, w.y, w.z, b.x, b.y, b.z)
+    }
+
+    #[inline(always)]
+    fn moved(&self, displacement: &Self::Rate) -> Self {
+        Self {
+            attitude: attitude::generic::turned(
+                &self.attitude,
+                &displacement.fixed_rows::<3>(0).into(),
+            ),
+            angular_velocity: self.angular_velocity + displacement.fixed_rows::<3>(3),
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! The state of a body that does not turn.
+
+use nalgebra::{Vector3, Vector6};
+#[cfg(feature = "serde")]
+use serde::{Deserialize, Serialize};
+
+use super::State;
+use crate::scalar::Scalar;
+
+/// State of `motion: translation`, three degrees of freedom; body axes stay along world axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
+)]
+pub struct Translation<T: Scalar> {
+    /// Position of G, world axes \[m\].
+    pub position: Vector3<T>,
+    /// Velocity of G, world axes \[m/s\].
+    pub velocity: Vector3<T>,
+}
+
+impl<T: Scalar> State for Translation<T> {
+    type Scalar = T;
+    type Acceleration = Vector3<T>;
+    /// Velocity, acceleration of G: three components each.
+    type Rate = Vector6<T>;
+
+    #[inline(always)]
+    fn rate(&self, acceleration: &Vector3<T>) -> Self::Rate {
+        let [v, a] = [self.velocity, *acceleration];
+        Vector6::new(v.x, v.y, v.z, a.x, a.y, a.z)
+    }
+
+    #[inline(always)]
+    fn moved(&self, displacement: &Self::Rate) -> Self {
+        Self {
+            position: self.position + displacement.fixed_rows::<3>(0),
+            velocity: self.velocity + displacement.fixed_rows::<3>(3),
+        }
+    }
+}

@@ -8,3 +8,9 @@ mod projected;
 
 pub use commutator_free::{cf4, cf4_step};
 pub use projected::cf4_projected;
+
+/// A number of steps: exact below 2⁵³.
+#[expect(clippy::cast_precision_loss, reason = "exact below 2⁵³")]
+pub(crate) fn exact(count: usize) -> f64 {
+    count as f64
+}

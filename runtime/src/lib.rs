@@ -51,13 +51,21 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+#[cfg(feature = "ensemble")]
+extern crate alloc;
+
 pub mod attitude;
 pub mod body;
+pub mod columns;
 pub mod constrained;
+#[cfg(feature = "ensemble")]
+pub mod ensemble;
 pub mod field;
 pub mod gyroscopic;
 pub mod inertia;
 pub mod integrate;
+#[cfg(feature = "ensemble")]
+pub mod lanes;
 pub mod load;
 pub mod operations;
 pub mod precession;

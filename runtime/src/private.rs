@@ -7,6 +7,7 @@ pub use newton_euler_macros::rigid_body;
 pub use crate::body::{
     Balance, Energy, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
 };
+pub use crate::columns::{Columns, Generic, Sink, Source};
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
 use crate::inertia::check_turning;
 pub use crate::load::{Family, Load, PlanarLoad};

@@ -105,12 +105,18 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, function: &Function) -> T
         &shapes.acceleration_type(),
         function,
     );
+    // in lanes, all of it has to be compiled for the register
+    let inline = if shapes.scalar.is_generic() {
+        quote!(#[allow(clippy::inline_always)] #[inline(always)])
+    } else {
+        quote!(#[inline])
+    };
     quote! {
         #header {
             type Scalar = #scalar;
             type State = #state;
             type Input = #input;
-            #[inline]
+            #inline
             #acceleration
         }
     }

@@ -4,6 +4,7 @@
 //! macro passes, so that a renamed dependency or a re-export works.
 
 mod code;
+mod columns;
 mod consistency;
 mod constructor;
 mod docs;
@@ -36,19 +37,18 @@ pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> Tok
     let documentation = docs::Documentation::write(outline, &functions, &constructor, equations);
     let items = items::emit_items(outline, &constructor, &documentation);
     let implementations = implementations::emit_implementations(outline, &functions);
+    let columns = columns::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);
-    quote!(#items #implementations #checks)
+    quote!(#items #implementations #columns #checks)
 }
 
 /// The same items for a description with mistakes, so that nothing else turns red: they compile
 /// and do nothing.
 pub fn emit_stub(outline: &Outline) -> TokenStream {
-    let items = items::emit_items(
-        outline,
-        &Constructor::stub(),
-        &docs::Documentation::stub(outline),
-    );
+    let constructor = Constructor::stub();
+    let items = items::emit_items(outline, &constructor, &docs::Documentation::stub(outline));
     let implementations = implementations::emit_implementations(outline, &Functions::stub());
+    let columns = columns::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);
-    quote!(#items #implementations #checks)
+    quote!(#items #implementations #columns #checks)
 }

@@ -14,7 +14,10 @@
 use core::ops::Range;
 
 use crate::body::RigidBody;
+use crate::scalar::Scalar;
 use crate::state::State;
+
+use super::exact;
 
 /// The state one step \[s\] later; the input is held.
 ///
@@ -40,27 +43,34 @@ use crate::state::State;
 /// assert!((later.position.y + 19.6).abs() < 1e-14); // exact for parabolas
 /// ```
 #[must_use]
-pub fn cf4_step<B: RigidBody<Scalar = f64>>(
+#[inline(always)]
+pub fn cf4_step<B: RigidBody<Scalar: Scalar>>(
     body: &B,
-    time: f64,
+    time: B::Scalar,
     state: &B::State,
     input: &B::Input,
-    step: f64,
+    step: B::Scalar,
 ) -> B::State {
     let rate = |time, state: &B::State| state.rate(&body.acceleration(time, state, input));
-    let middle = time + 0.5 * step;
+    let [half, two, three] = [
+        step.constant(0.5, 0.5),
+        step.constant(2.0, 2.0),
+        step.constant(3.0, 3.0),
+    ];
+    let half_step = half * step;
+    let middle = time + half_step;
 
     let k1 = rate(time, state);
-    let half = state.moved(&(k1 * (0.5 * step)));
-    let k2 = rate(middle, &half);
-    let k3 = rate(middle, &state.moved(&(k2 * (0.5 * step))));
-    let k4 = rate(time + step, &half.moved(&((k3 - k1 * 0.5) * step)));
+    let between = state.moved(&(k1 * half_step));
+    let k2 = rate(middle, &between);
+    let k3 = rate(middle, &state.moved(&(k2 * half_step)));
+    let k4 = rate(time + step, &between.moved(&((k3 - k1 * half) * step)));
 
-    let twelfth = step / 12.0;
-    let inner = (k2 + k3) * 2.0;
+    let twelfth = step / step.constant(12.0, 12.0);
+    let inner = (k2 + k3) * two;
     state
-        .moved(&((k1 * 3.0 + inner - k4) * twelfth))
-        .moved(&((k4 * 3.0 + inner - k1) * twelfth))
+        .moved(&((k1 * three + inner - k4) * twelfth))
+        .moved(&((k4 * three + inner - k1) * twelfth))
 }
 
 /// The state at the end of a span of time \[s\], from the state at its start, in equal steps of [`cf4_step`]; the input is
@@ -100,11 +110,6 @@ pub fn cf4<B: RigidBody<Scalar = f64>>(
     times: Range<f64>,
     steps: usize,
 ) -> B::State {
-    let exact = |count: usize| -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "exact below 2⁵³ steps")]
-        let count = count as f64;
-        count
-    };
     let step = (times.end - times.start) / exact(steps);
     (0..steps).fold(state.clone(), |state, k| {
         cf4_step(body, times.start + exact(k) * step, &state, input, step)

@@ -5,6 +5,7 @@ use core::ops::Range;
 use crate::constrained::{Constrained, Inconsistent};
 
 use super::commutator_free::cf4_step;
+use super::exact;
 
 /// As [`cf4`](super::cf4), with [`Constrained::project`] before the first step and at the end of each: what the constraints
 /// forbid does not grow, and the order is that of CF4.
@@ -21,11 +22,6 @@ pub fn cf4_projected<B: Constrained<Scalar = f64>>(
     times: Range<f64>,
     steps: usize,
 ) -> Result<B::State, Inconsistent> {
-    let exact = |count: usize| -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "exact below 2⁵³ steps")]
-        let count = count as f64;
-        count
-    };
     let step = (times.end - times.start) / exact(steps);
     let mut state = state.clone();
     body.project(times.start, &mut state, input)?;

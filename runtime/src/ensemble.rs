@@ -1,0 +1,178 @@
+//! Many bodies of one kind.
+//!
+//! Their states, inputs and parameters are kept by columns, and they are evaluated and moved several at a time, in the
+//! widest registers that the processor has: that is found at run time, so that no flags are needed for building. A member
+//! moves as it would alone, to the bit, whatever its neighbours are, how wide the registers and how many the threads.
+//!
+//! With the feature `rayon` all processor cores are used, with `progress` long runs show a bar.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use crate::body::InvalidBody;
+use crate::columns::Generic;
+use crate::lanes::Width;
+
+mod blocks;
+mod evaluate;
+
+pub use blocks::Blocks;
+/// Bodies of one kind that move independently of each other.
+///
+/// ```
+/// use newton_euler::{ensemble::Ensemble, prelude::*};
+/// use nalgebra::Vector3;
+///
+/// rigid_body!(Stone::<T> {
+///     motion: spatial,
+///     mass: 2[kg],
+///     inertia: principal(0.1, 0.2, 0.3)[kg * m ^ 2],
+///     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+/// });
+///
+/// let thrown = |i: u32| Spatial {
+///     velocity: Vector3::new(f64::from(i), 0.0, 10.0),
+///     angular_velocity: Vector3::new(0.01, 1.0, 0.1 * f64::from(i)),
+///     ..Spatial::default()
+/// };
+/// let mut stones = Ensemble::new(Stone::<f64>::default(), (0..1000).map(thrown));
+/// stones.cf4(0.0..1.0, 100);
+/// assert!((stones.state(500).position.x - 500.0).abs() < 1e-10);
+///
+/// // as it would be alone
+/// let alone = newton_euler::integrate::cf4(&Stone::<f64>::default(), &thrown(500), &(), 0.0..1.0, 100);
+/// assert_eq!(stones.state(500), alone);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Ensemble<B: Generic> {
+    states: Blocks<B::State>,
+    inputs: Blocks<B::Input>,
+    /// One for each member, or one for all.
+    bodies: Blocks<B>,
+    is_uniform: bool,
+    width: Width,
+}
+
+/// A member that cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InvalidMember {
+    /// Which one, from zero.
+    pub index: usize,
+    /// Why.
+    pub error: InvalidBody,
+}
+
+impl fmt::Display for InvalidMember {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "member {}: {}", self.index, self.error)
+    }
+}
+
+impl core::error::Error for InvalidMember {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        Some(&self.error)
+    }
+}
+
+impl<B: Generic> Ensemble<B> {
+    /// The same body in several states; inputs are zero.
+    #[must_use]
+    pub fn new(body: B, states: impl IntoIterator<Item = B::State>) -> Self {
+        let states: Blocks<B::State> = states.into_iter().collect();
+        Self {
+            inputs: Blocks::repeat(&B::Input::default(), states.len()),
+            states,
+            bodies: Blocks::repeat(&body, 1),
+            is_uniform: true,
+            width: Width::widest(),
+        }
+    }
+
+    /// Bodies with parameters of their own, each in a state; inputs are zero.
+    ///
+    /// # Errors
+    /// [`InvalidMember`] with the first that cannot be built.
+    pub fn with_params(
+        members: impl IntoIterator<Item = (B::Params, B::State)>,
+    ) -> Result<Self, InvalidMember> {
+        let (mut bodies, mut states) = (Vec::new(), Vec::new());
+        for (index, (params, state)) in members.into_iter().enumerate() {
+            let body = B::build(params).map_err(|error| InvalidMember { index, error })?;
+            bodies.push(body);
+            states.push(state);
+        }
+        Ok(Self {
+            inputs: Blocks::repeat(&B::Input::default(), states.len()),
+            states: states.into_iter().collect(),
+            bodies: bodies.into_iter().collect(),
+            is_uniform: false,
+            width: Width::widest(),
+        })
+    }
+
+    /// The number of members.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.states.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.states.is_empty()
+    }
+
+    /// The states of all members.
+    #[must_use]
+    pub fn states(&self) -> &Blocks<B::State> {
+        &self.states
+    }
+
+    /// The same, to be changed.
+    #[must_use]
+    pub fn states_mut(&mut self) -> &mut Blocks<B::State> {
+        &mut self.states
+    }
+
+    /// The state of a member.
+    ///
+    /// # Panics
+    /// If there is no such member.
+    #[must_use]
+    pub fn state(&self, index: usize) -> B::State {
+        self.states.get(index)
+    }
+
+    /// The inputs of all members.
+    #[must_use]
+    pub fn inputs(&self) -> &Blocks<B::Input> {
+        &self.inputs
+    }
+
+    /// The same, to be changed.
+    #[must_use]
+    pub fn inputs_mut(&mut self) -> &mut Blocks<B::Input> {
+        &mut self.inputs
+    }
+
+    /// A member without its state.
+    ///
+    /// # Panics
+    /// If there is no such member.
+    #[must_use]
+    pub fn body(&self, index: usize) -> B {
+        assert!(index < self.len(), "there is no member {index}");
+        self.bodies.get(if self.is_uniform { 0 } else { index })
+    }
+
+    /// How wide the registers are in which members are computed.
+    #[must_use]
+    pub fn width(&self) -> Width {
+        self.width
+    }
+
+    /// Computes in registers of another width; the results are the same. Without lanes if the processor has none such.
+    pub fn set_width(&mut self, width: Width) {
+        self.width = if width.is_there() { width } else { Width::One };
+    }
+}

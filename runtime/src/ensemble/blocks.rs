@@ -1,0 +1,212 @@
+//! Columns of numbers, in blocks of eight members.
+
+use alloc::vec::Vec;
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use crate::columns::{Columns, Sink, Source};
+use crate::lanes::{Lanes, Register};
+
+/// Members of one block: a cache line for each number, which is one register, or two, or eight.
+pub(super) const BLOCK: usize = 8;
+
+/// One number of each member of a block.
+pub(super) type Row = [f64; BLOCK];
+
+/// A list of values, kept as columns of their scalars.
+///
+/// The columns are cut into blocks of eight values and the blocks stand one after another, so that a block is read from one
+/// place in memory however many columns there are.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use newton_euler::ensemble::Blocks;
+///
+/// let mut list: Blocks<Vector3<f64>> = (0..20_u8).map(|i| Vector3::x() * f64::from(i)).collect();
+/// list.set(7, &Vector3::z());
+/// assert_eq!((list.len(), list.get(7), list.get(19).x), (20, Vector3::z(), 19.0));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Blocks<C> {
+    /// As many rows as there are columns, of the first block, then of the second, and so on. What fills the last block are
+    /// copies of its first member.
+    rows: Vec<Row>,
+    len: usize,
+    kind: PhantomData<C>,
+}
+
+impl<C: Columns<f64>> Blocks<C> {
+    /// The same value many times.
+    #[must_use]
+    pub fn repeat(value: &C, len: usize) -> Self {
+        let mut rows = alloc::vec![[0.0; BLOCK]; C::COUNT * len.div_ceil(BLOCK)];
+        for block in 0..len.div_ceil(BLOCK) {
+            for lane in 0..BLOCK {
+                write(&mut rows, block, lane, value);
+            }
+        }
+        Self {
+            rows,
+            len,
+            kind: PhantomData,
+        }
+    }
+
+    /// The number of values.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// The value at an index.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    #[must_use]
+    pub fn get(&self, index: usize) -> C {
+        self.check(index);
+        C::read(&mut Column {
+            rows: &self.rows[range::<C>(index / BLOCK)],
+            lane: index % BLOCK,
+        })
+    }
+
+    /// Puts another value in the place of one.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    pub fn set(&mut self, index: usize, value: &C) {
+        self.check(index);
+        write(&mut self.rows, index / BLOCK, index % BLOCK, value);
+    }
+
+    /// All values in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = C> {
+        (0..self.len).map(|index| self.get(index))
+    }
+
+    /// Values for as many members as there are here.
+    pub(super) fn zeros_like<D: Columns<f64>>(&self) -> Blocks<D> {
+        Blocks {
+            rows: alloc::vec![[0.0; BLOCK]; D::COUNT * self.len.div_ceil(BLOCK)],
+            len: self.len,
+            kind: PhantomData,
+        }
+    }
+
+    pub(super) fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    pub(super) fn rows_mut(&mut self) -> &mut [Row] {
+        &mut self.rows
+    }
+
+    fn check(&self, index: usize) {
+        assert!(
+            index < self.len,
+            "there are {} members, and no member {index}",
+            self.len
+        );
+    }
+}
+
+impl<C: Columns<f64>> FromIterator<C> for Blocks<C> {
+    fn from_iter<I: IntoIterator<Item = C>>(values: I) -> Self {
+        let mut blocks = Self {
+            rows: Vec::new(),
+            len: 0,
+            kind: PhantomData,
+        };
+        for value in values {
+            let (block, lane) = (blocks.len / BLOCK, blocks.len % BLOCK);
+            if lane == 0 {
+                blocks.rows.resize(C::COUNT * (block + 1), [0.0; BLOCK]);
+                for rest in 1..BLOCK {
+                    write(&mut blocks.rows, block, rest, &value);
+                }
+            }
+            write(&mut blocks.rows, block, lane, &value);
+            blocks.len += 1;
+        }
+        blocks
+    }
+}
+
+/// The rows of a block.
+#[inline(always)]
+pub(super) fn range<C: Columns<f64>>(block: usize) -> Range<usize> {
+    C::COUNT * block..C::COUNT * (block + 1)
+}
+
+fn write<C: Columns<f64>>(rows: &mut [Row], block: usize, lane: usize, value: &C) {
+    value.write(&mut ColumnMut {
+        rows: rows[range::<C>(block)].iter_mut(),
+        lane,
+    });
+}
+
+/// One member of a block.
+struct Column<'a> {
+    rows: &'a [Row],
+    lane: usize,
+}
+
+impl Source<f64> for Column<'_> {
+    fn take(&mut self) -> f64 {
+        let (row, rest) = self.rows.split_first().expect("a row for each scalar");
+        self.rows = rest;
+        row[self.lane]
+    }
+}
+
+/// One member of a block, to be written.
+struct ColumnMut<'a> {
+    rows: core::slice::IterMut<'a, Row>,
+    lane: usize,
+}
+
+impl Sink<f64> for ColumnMut<'_> {
+    fn put(&mut self, scalar: f64) {
+        let row = self.rows.next().expect("a row for each scalar");
+        row[self.lane] = scalar;
+    }
+}
+
+/// As many members of a block as a register holds.
+pub(super) struct Group<'a, S> {
+    pub(super) simd: S,
+    pub(super) rows: &'a [Row],
+    pub(super) group: usize,
+}
+
+impl<S: Register> Source<Lanes<S>> for Group<'_, S> {
+    #[inline(always)]
+    fn take(&mut self) -> Lanes<S> {
+        let (row, rest) = self.rows.split_first().expect("a row for each scalar");
+        self.rows = rest;
+        let (registers, _) = S::as_simd_f64s(row);
+        Lanes::new(self.simd, registers[self.group])
+    }
+}
+
+/// As many members of a block as a register holds, to be written.
+pub(super) struct GroupMut<'a> {
+    pub(super) rows: core::slice::IterMut<'a, Row>,
+    pub(super) group: usize,
+}
+
+impl<S: Register> Sink<Lanes<S>> for GroupMut<'_> {
+    #[inline(always)]
+    fn put(&mut self, scalar: Lanes<S>) {
+        let row = self.rows.next().expect("a row for each scalar");
+        let (registers, _) = S::as_mut_simd_f64s(row);
+        registers[self.group] = scalar.numbers();
+    }
+}

@@ -1,0 +1,227 @@
+//! Evaluating and moving all members, in lanes and in threads.
+
+use core::ops::Range;
+
+use super::blocks::{BLOCK, Group, GroupMut, Row, range};
+use super::{Blocks, Ensemble};
+use crate::body::RigidBody;
+use crate::columns::{Columns, Generic};
+use crate::integrate::{cf4_step, exact};
+use crate::lanes::{Lanes, Register, Work};
+use crate::state::State;
+
+/// The acceleration of a body of this kind.
+type Acceleration<B> = <<B as RigidBody>::State as State>::Acceleration;
+
+/// How often an observer hears of a run.
+const ROUNDS: usize = 100;
+
+impl<B: Generic> Ensemble<B> {
+    /// The accelerations of all members.
+    #[must_use]
+    pub fn accelerations(&self, time: f64) -> Blocks<Acceleration<B>> {
+        let mut accelerations = self.states.zeros_like();
+        self.accelerate(time, &mut accelerations);
+        accelerations
+    }
+
+    /// The same, in the place of others.
+    ///
+    /// # Panics
+    /// If there are not as many accelerations as members.
+    pub fn accelerate(&self, time: f64, accelerations: &mut Blocks<Acceleration<B>>) {
+        assert_eq!(
+            accelerations.len(),
+            self.len(),
+            "one acceleration for each member"
+        );
+        let columns = <Acceleration<B> as Columns<f64>>::COUNT;
+        in_chunks(accelerations.rows_mut(), columns, |first, rows| {
+            self.width.run(Accelerate {
+                members: self.members(),
+                states: self.states.rows(),
+                first,
+                time,
+                accelerations: rows,
+            });
+        });
+    }
+
+    /// Moves all members by steps of [`integrate::cf4`](crate::integrate::cf4); inputs are held.
+    pub fn cf4(&mut self, times: Range<f64>, steps: usize) {
+        self.cf4_observed(times, steps, |_| {});
+    }
+
+    /// The same, telling an observer about a hundred times how many steps are done.
+    pub fn cf4_observed(
+        &mut self,
+        times: Range<f64>,
+        steps: usize,
+        mut observer: impl FnMut(usize),
+    ) {
+        let step = (times.end - times.start) / exact(steps);
+        let round = steps.div_ceil(ROUNDS).max(1);
+        for done in (0..steps).step_by(round) {
+            let last = steps.min(done + round);
+            self.advance(times.start, step, done..last);
+            observer(last);
+        }
+    }
+
+    fn advance(&mut self, start: f64, step: f64, steps: Range<usize>) {
+        let width = self.width;
+        let members = Members {
+            bodies: &self.bodies,
+            is_uniform: self.is_uniform,
+            inputs: &self.inputs,
+        };
+        let columns = <B::State as Columns<f64>>::COUNT;
+        in_chunks(self.states.rows_mut(), columns, |first, rows| {
+            width.run(Advance {
+                members,
+                first,
+                start,
+                step,
+                steps: steps.clone(),
+                states: rows,
+            });
+        });
+    }
+
+    fn members(&self) -> Members<'_, B> {
+        Members {
+            bodies: &self.bodies,
+            is_uniform: self.is_uniform,
+            inputs: &self.inputs,
+        }
+    }
+}
+
+/// Blocks that one thread takes at a time.
+#[cfg(feature = "rayon")]
+const CHUNK: usize = 32;
+
+/// Does some work on all blocks; it is told which block is the first of its rows.
+#[cfg(feature = "rayon")]
+fn in_chunks(rows: &mut [Row], columns: usize, work: impl Fn(usize, &mut [Row]) + Sync) {
+    use rayon::prelude::*;
+    rows.par_chunks_mut(columns * CHUNK)
+        .enumerate()
+        .for_each(|(chunk, rows)| work(chunk * CHUNK, rows));
+}
+
+/// Does some work on all blocks; it is told which block is the first of its rows.
+#[cfg(not(feature = "rayon"))]
+fn in_chunks(rows: &mut [Row], _columns: usize, work: impl Fn(usize, &mut [Row])) {
+    work(0, rows);
+}
+
+/// The members without their states.
+struct Members<'e, B: Generic> {
+    bodies: &'e Blocks<B>,
+    is_uniform: bool,
+    inputs: &'e Blocks<B::Input>,
+}
+
+impl<B: Generic> Clone for Members<'_, B> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<B: Generic> Copy for Members<'_, B> {}
+
+/// A body over lanes.
+type Laned<B, S> = <B as Generic>::With<Lanes<S>>;
+
+impl<B: Generic> Members<'_, B> {
+    #[inline(always)]
+    fn body<S: Register>(&self, simd: S, block: usize, group: usize) -> Laned<B, S> {
+        let block = if self.is_uniform { 0 } else { block };
+        read::<B, _, S>(simd, self.bodies.rows(), block, group)
+    }
+
+    #[inline(always)]
+    fn input<S: Register>(
+        &self,
+        simd: S,
+        block: usize,
+        group: usize,
+    ) -> <Laned<B, S> as RigidBody>::Input {
+        read::<B::Input, _, S>(simd, self.inputs.rows(), block, group)
+    }
+}
+
+/// What a group of a block has in these rows, over lanes.
+#[inline(always)]
+fn read<C: Columns<f64>, D: Columns<Lanes<S>>, S: Register>(
+    simd: S,
+    rows: &[Row],
+    block: usize,
+    group: usize,
+) -> D {
+    let rows = &rows[range::<C>(block)];
+    D::read(&mut Group { simd, rows, group })
+}
+
+struct Accelerate<'e, B: Generic> {
+    members: Members<'e, B>,
+    states: &'e [Row],
+    first: usize,
+    time: f64,
+    accelerations: &'e mut [Row],
+}
+
+impl<B: Generic> Work for Accelerate<'_, B> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Register>(self, simd: S) {
+        let time = Lanes::splat(simd, self.time);
+        let columns = <Acceleration<B> as Columns<f64>>::COUNT;
+        for (index, rows) in self.accelerations.chunks_exact_mut(columns).enumerate() {
+            let block = self.first + index;
+            for group in 0..BLOCK / Lanes::<S>::COUNT {
+                let body = self.members.body(simd, block, group);
+                let input = self.members.input(simd, block, group);
+                let state = read::<B::State, _, S>(simd, self.states, block, group);
+                let acceleration = body.acceleration(time, &state, &input);
+                let rows = rows.iter_mut();
+                acceleration.write(&mut GroupMut { rows, group });
+            }
+        }
+    }
+}
+
+struct Advance<'e, B: Generic> {
+    members: Members<'e, B>,
+    first: usize,
+    start: f64,
+    step: f64,
+    steps: Range<usize>,
+    states: &'e mut [Row],
+}
+
+impl<B: Generic> Work for Advance<'_, B> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Register>(self, simd: S) {
+        let step = Lanes::splat(simd, self.step);
+        let columns = <B::State as Columns<f64>>::COUNT;
+        for (index, rows) in self.states.chunks_exact_mut(columns).enumerate() {
+            let block = self.first + index;
+            for group in 0..BLOCK / Lanes::<S>::COUNT {
+                let body = self.members.body(simd, block, group);
+                let input = self.members.input(simd, block, group);
+                let mut state = read::<B::State, _, S>(simd, rows, 0, group);
+                for k in self.steps.clone() {
+                    let time = Lanes::splat(simd, self.start + exact(k) * self.step);
+                    state = cf4_step(&body, time, &state, &input, step);
+                }
+                let rows = rows.iter_mut();
+                Columns::<Lanes<S>>::write(&state, &mut GroupMut { rows, group });
+            }
+        }
+    }
+}

@@ -3,6 +3,8 @@
 //! What many bodies have is kept by columns, and a body with its state is made of one number of each; or of several at
 //! once, which is a body over lanes. `rigid_body!` implements these traits for bodies that are generic over their scalar.
 
+use core::fmt::Debug;
+
 use nalgebra::{Unit, Vector2, Vector3, Vector4};
 
 use crate::body::{InvalidBody, RigidBody};
@@ -10,7 +12,7 @@ use crate::scalar::Scalar;
 use crate::state::{State, generic};
 
 /// A type that is nothing but scalars.
-pub trait Columns<T: Scalar>: Clone + Send + Sync {
+pub trait Columns<T: Scalar>: Clone + Debug + Send + Sync {
     /// How many scalars it holds.
     const COUNT: usize;
 

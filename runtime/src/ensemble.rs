@@ -15,6 +15,10 @@ use crate::lanes::Width;
 
 mod blocks;
 mod evaluate;
+#[cfg(feature = "progress")]
+mod progress;
+#[cfg(feature = "serde")]
+mod written;
 
 pub use blocks::Blocks;
 /// Bodies of one kind that move independently of each other.
@@ -35,22 +39,28 @@ pub use blocks::Blocks;
 ///     angular_velocity: Vector3::new(0.01, 1.0, 0.1 * f64::from(i)),
 ///     ..Spatial::default()
 /// };
-/// let mut stones = Ensemble::new(Stone::<f64>::default(), (0..1000).map(thrown));
+/// let mut stones = Ensemble::new(&Stone::default(), (0..1000).map(thrown));
 /// stones.cf4(0.0..1.0, 100);
 /// assert!((stones.state(500).position.x - 500.0).abs() < 1e-10);
 ///
 /// // as it would be alone
-/// let alone = newton_euler::integrate::cf4(&Stone::<f64>::default(), &thrown(500), &(), 0.0..1.0, 100);
+/// let alone = newton_euler::integrate::cf4(&Stone::default(), &thrown(500), &(), 0.0..1.0, 100);
 /// assert_eq!(stones.state(500), alone);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Ensemble<B: Generic> {
     states: Blocks<B::State>,
-    inputs: Blocks<B::Input>,
+    members: Members<B>,
+    width: Width,
+}
+
+/// The members without their states.
+#[derive(Clone, Debug)]
+struct Members<B: Generic> {
     /// One for each member, or one for all.
     bodies: Blocks<B>,
     is_uniform: bool,
-    width: Width,
+    inputs: Blocks<B::Input>,
 }
 
 /// A member that cannot be built.
@@ -77,15 +87,14 @@ impl core::error::Error for InvalidMember {
 impl<B: Generic> Ensemble<B> {
     /// The same body in several states; inputs are zero.
     #[must_use]
-    pub fn new(body: B, states: impl IntoIterator<Item = B::State>) -> Self {
+    pub fn new(body: &B, states: impl IntoIterator<Item = B::State>) -> Self {
         let states: Blocks<B::State> = states.into_iter().collect();
-        Self {
-            inputs: Blocks::repeat(&B::Input::default(), states.len()),
-            states,
-            bodies: Blocks::repeat(&body, 1),
+        let members = Members {
+            bodies: Blocks::repeat(body, 1),
             is_uniform: true,
-            width: Width::widest(),
-        }
+            inputs: Blocks::repeat(&B::Input::default(), states.len()),
+        };
+        Self::made(states, members)
     }
 
     /// Bodies with parameters of their own, each in a state; inputs are zero.
@@ -101,13 +110,20 @@ impl<B: Generic> Ensemble<B> {
             bodies.push(body);
             states.push(state);
         }
-        Ok(Self {
-            inputs: Blocks::repeat(&B::Input::default(), states.len()),
-            states: states.into_iter().collect(),
+        let members = Members {
             bodies: bodies.into_iter().collect(),
             is_uniform: false,
+            inputs: Blocks::repeat(&B::Input::default(), states.len()),
+        };
+        Ok(Self::made(states.into_iter().collect(), members))
+    }
+
+    fn made(states: Blocks<B::State>, members: Members<B>) -> Self {
+        Self {
+            states,
+            members,
             width: Width::widest(),
-        })
+        }
     }
 
     /// The number of members.
@@ -146,13 +162,13 @@ impl<B: Generic> Ensemble<B> {
     /// The inputs of all members.
     #[must_use]
     pub fn inputs(&self) -> &Blocks<B::Input> {
-        &self.inputs
+        &self.members.inputs
     }
 
     /// The same, to be changed.
     #[must_use]
     pub fn inputs_mut(&mut self) -> &mut Blocks<B::Input> {
-        &mut self.inputs
+        &mut self.members.inputs
     }
 
     /// A member without its state.
@@ -162,7 +178,7 @@ impl<B: Generic> Ensemble<B> {
     #[must_use]
     pub fn body(&self, index: usize) -> B {
         assert!(index < self.len(), "there is no member {index}");
-        self.bodies.get(if self.is_uniform { 0 } else { index })
+        self.members.body(index)
     }
 
     /// How wide the registers are in which members are computed.
@@ -174,5 +190,11 @@ impl<B: Generic> Ensemble<B> {
     /// Computes in registers of another width; the results are the same. Without lanes if the processor has none such.
     pub fn set_width(&mut self, width: Width) {
         self.width = if width.is_there() { width } else { Width::One };
+    }
+}
+
+impl<B: Generic> Members<B> {
+    fn body(&self, index: usize) -> B {
+        self.bodies.get(if self.is_uniform { 0 } else { index })
     }
 }

@@ -9,125 +9,14 @@ use core::ops::{
 };
 
 use pulp::bytemuck::{cast_slice, cast_slice_mut};
-use pulp::{Simd, WithSimd};
 
 use crate::scalar::Scalar;
 
-/// A kind of register, which a value of this type proves to be there.
-pub trait Register: Simd {
-    /// The proof, if the processor has it.
-    fn detected() -> Option<Self>;
-}
+mod register;
+mod width;
 
-impl Register for pulp::Scalar {
-    fn detected() -> Option<Self> {
-        Some(Self)
-    }
-}
-
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-mod x86 {
-    use pulp::x86::{V3, V4};
-
-    impl super::Register for V3 {
-        fn detected() -> Option<Self> {
-            Self::try_new()
-        }
-    }
-
-    impl super::Register for V4 {
-        fn detected() -> Option<Self> {
-            Self::try_new()
-        }
-    }
-}
-
-/// Work that is done in lanes. Its function, and all that it calls, is to be inlined, so that it is compiled for the
-/// register.
-pub trait Work {
-    /// What comes out.
-    type Output;
-
-    /// Does it.
-    fn run<S: Register>(self, simd: S) -> Self::Output;
-}
-
-struct Vectorized<S, W>(S, W);
-
-impl<S: Register, W: Work> WithSimd for Vectorized<S, W> {
-    type Output = W::Output;
-
-    #[inline(always)]
-    fn with_simd<Same: Simd>(self, _: Same) -> W::Output {
-        self.1.run(self.0)
-    }
-}
-
-/// Widths of registers, by the number of doubles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Width {
-    /// No lanes.
-    One,
-    /// AVX2.
-    Four,
-    /// AVX-512.
-    Eight,
-}
-
-impl Width {
-    /// From the narrowest to the widest.
-    pub const ALL: [Self; 3] = [Self::One, Self::Four, Self::Eight];
-
-    /// The widest that the processor has.
-    #[must_use]
-    pub fn widest() -> Self {
-        let mut widths = Self::ALL.into_iter().rev();
-        widths.find(|width| width.is_there()).unwrap_or(Self::One)
-    }
-
-    /// Whether the processor has it.
-    #[must_use]
-    pub fn is_there(self) -> bool {
-        match self {
-            Self::One => true,
-            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-            Self::Four => pulp::x86::V3::detected().is_some(),
-            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-            Self::Eight => pulp::x86::V4::detected().is_some(),
-            #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-            _ => false,
-        }
-    }
-
-    /// The number of doubles.
-    #[must_use]
-    pub fn lanes(self) -> usize {
-        match self {
-            Self::One => 1,
-            Self::Four => 4,
-            Self::Eight => 8,
-        }
-    }
-
-    /// Does some work in registers of this width; without lanes where the processor has none such.
-    pub fn run<W: Work>(self, work: W) -> W::Output {
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        match self {
-            Self::Eight => {
-                if let Some(simd) = pulp::x86::V4::detected() {
-                    return Simd::vectorize(simd, Vectorized(simd, work));
-                }
-            }
-            Self::Four => {
-                if let Some(simd) = pulp::x86::V3::detected() {
-                    return Simd::vectorize(simd, Vectorized(simd, work));
-                }
-            }
-            Self::One => {}
-        }
-        work.run(pulp::Scalar)
-    }
-}
+pub use register::{Register, Work};
+pub use width::Width;
 
 /// As many doubles as a register holds, as one [`Scalar`].
 ///

@@ -61,6 +61,9 @@ impl Body<'_> {
                 (quote!(#a #operator #b), precedence)
             };
         let graph = &self.writer.model.frames.graph;
+        if let Some(choice) = self.choice_of_any_scalar(id) {
+            return choice;
+        }
         match *graph.node(id) {
             Node::Number(ref number) => {
                 self.numbers.borrow_mut().insert(id);
@@ -102,18 +105,6 @@ impl Body<'_> {
             Node::Divide(a, b) => infix(a, quote!(/), b, Precedence::Product, Precedence::Sign),
             Node::Unary(function, a) => (self.call(function, &[a]), Precedence::Atom),
             Node::Binary(function, a, b) => (self.call(function, &[a, b]), Precedence::Atom),
-            Node::Compare(comparison, a, b) if self.is_generic => {
-                let compared = |name: &str| self.method(name, &[a, b]);
-                match comparison {
-                    Comparison::Less => (compared("less"), Precedence::Atom),
-                    Comparison::LessOrEqual => (compared("less_or_equal"), Precedence::Atom),
-                    Comparison::Equal => (compared("equal"), Precedence::Atom),
-                    Comparison::NotEqual => {
-                        let equal = compared("equal");
-                        (quote!(!#equal), Precedence::Sign)
-                    }
-                }
-            }
             Node::Compare(comparison, a, b) => {
                 let operator = match comparison {
                     Comparison::Less => quote!(<),
@@ -122,12 +113,6 @@ impl Body<'_> {
                     Comparison::NotEqual => quote!(!=),
                 };
                 infix(a, operator, b, Precedence::Comparison, Precedence::Sum)
-            }
-            Node::And(a, b) if self.is_generic => {
-                infix(a, quote!(&), b, Precedence::And, Precedence::Sum)
-            }
-            Node::Or(a, b) if self.is_generic => {
-                infix(a, quote!(|), b, Precedence::Or, Precedence::And)
             }
             Node::And(a, b) => infix(a, quote!(&&), b, Precedence::And, Precedence::Comparison),
             Node::Or(a, b) => infix(a, quote!(||), b, Precedence::Or, Precedence::And),
@@ -149,9 +134,6 @@ impl Body<'_> {
                 };
                 (tokens, Precedence::Atom)
             }
-            Node::Select(condition, a, b) if self.is_generic => {
-                (self.method("select", &[condition, a, b]), Precedence::Atom)
-            }
             Node::Select(condition, a, b) => {
                 let condition = self.expression(condition, Precedence::Lowest);
                 let (a, b) = (
@@ -161,6 +143,34 @@ impl Body<'_> {
                 // alone on the right of a statement, or in parentheses
                 (quote!(if #condition { #a } else { #b }), Precedence::Lowest)
             }
+        }
+    }
+
+    /// Comparisons and choices of a generic body, which may be of several numbers at once.
+    fn choice_of_any_scalar(&self, id: Id) -> Option<(TokenStream, Precedence)> {
+        let atom = |tokens: TokenStream| Some((tokens, Precedence::Atom));
+        let infix = |a: Id, operator: TokenStream, b: Id| {
+            let [a, b] = [a, b].map(|id| self.expression(id, Precedence::Sign));
+            Some((quote!(#a #operator #b), Precedence::Or))
+        };
+        match *self.writer.model.frames.graph.node(id) {
+            _ if !self.is_generic => None,
+            Node::Compare(comparison, a, b) => {
+                let compared = |name: &str| self.method(name, &[a, b]);
+                match comparison {
+                    Comparison::Less => atom(compared("less")),
+                    Comparison::LessOrEqual => atom(compared("less_or_equal")),
+                    Comparison::Equal => atom(compared("equal")),
+                    Comparison::NotEqual => {
+                        let equal = compared("equal");
+                        Some((quote!(!#equal), Precedence::Sign))
+                    }
+                }
+            }
+            Node::And(a, b) => infix(a, quote!(&), b),
+            Node::Or(a, b) => infix(a, quote!(|), b),
+            Node::Select(condition, a, b) => atom(self.method("select", &[condition, a, b])),
+            _ => None,
         }
     }
 

@@ -312,8 +312,6 @@ impl Body<'_> {
 /// The first component of a parameter.
 fn parameter_at_hand(declared: &Declared) -> TokenStream {
     let name = &declared.name;
-    match declared.frame {
-        None => quote!(params.#name),
-        Some(_) => quote!(params.#name.x),
-    }
+    let component = declared.frame.map(|_| quote!(.x));
+    quote!(params.#name #component)
 }

@@ -29,10 +29,9 @@ impl Scalar {
 
     /// `f64` or `T`
     pub fn kind(&self) -> TokenStream {
-        match &self.name {
-            Some(name) => quote!(#name),
-            None => quote!(f64),
-        }
+        self.name
+            .as_ref()
+            .map_or_else(|| quote!(f64), |name| quote!(#name))
     }
 
     /// `<T: Scalar>`, behind `impl`
@@ -51,10 +50,10 @@ impl Scalar {
     /// A type of the runtime that holds numbers, in types and in expressions.
     pub fn holder(&self, name: &Ident) -> TokenStream {
         let private = &self.private;
-        match &self.name {
-            Some(scalar) => quote!(#private::generic::#name::<#scalar>),
-            None => quote!(#private::#name),
-        }
+        self.name.as_ref().map_or_else(
+            || quote!(#private::#name),
+            |scalar| quote!(#private::generic::#name::<#scalar>),
+        )
     }
 
     /// A constant: a literal, or made from a value at hand.

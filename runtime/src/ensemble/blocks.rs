@@ -87,6 +87,7 @@ impl<C: Columns<f64>> Blocks<C> {
     }
 
     /// All values in order.
+    #[must_use]
     pub fn iter(&self) -> impl ExactSizeIterator<Item = C> {
         (0..self.len).map(|index| self.get(index))
     }
@@ -179,11 +180,11 @@ impl Sink<f64> for ColumnMut<'_> {
     }
 }
 
-/// As many members of a block as a register holds.
+/// As many members of a block as a register holds, the first ones, or the next ones, by an index.
 pub(super) struct Group<'a, S> {
     pub(super) simd: S,
     pub(super) rows: &'a [Row],
-    pub(super) group: usize,
+    pub(super) index: usize,
 }
 
 impl<S: Register> Source<Lanes<S>> for Group<'_, S> {
@@ -192,14 +193,14 @@ impl<S: Register> Source<Lanes<S>> for Group<'_, S> {
         let (row, rest) = self.rows.split_first().expect("a row for each scalar");
         self.rows = rest;
         let (registers, _) = S::as_simd_f64s(row);
-        Lanes::new(self.simd, registers[self.group])
+        Lanes::new(self.simd, registers[self.index])
     }
 }
 
 /// As many members of a block as a register holds, to be written.
 pub(super) struct GroupMut<'a> {
     pub(super) rows: core::slice::IterMut<'a, Row>,
-    pub(super) group: usize,
+    pub(super) index: usize,
 }
 
 impl<S: Register> Sink<Lanes<S>> for GroupMut<'_> {
@@ -207,6 +208,6 @@ impl<S: Register> Sink<Lanes<S>> for GroupMut<'_> {
     fn put(&mut self, scalar: Lanes<S>) {
         let row = self.rows.next().expect("a row for each scalar");
         let (registers, _) = S::as_mut_simd_f64s(row);
-        registers[self.group] = scalar.numbers();
+        registers[self.index] = scalar.numbers();
     }
 }

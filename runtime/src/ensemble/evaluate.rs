@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::blocks::{BLOCK, Group, GroupMut, Row, range};
-use super::{Blocks, Ensemble};
+use super::{Blocks, Ensemble, Members};
 use crate::body::RigidBody;
 use crate::columns::{Columns, Generic};
 use crate::integrate::{cf4_step, exact};
@@ -38,7 +38,7 @@ impl<B: Generic> Ensemble<B> {
         let columns = <Acceleration<B> as Columns<f64>>::COUNT;
         in_chunks(accelerations.rows_mut(), columns, |first, rows| {
             self.width.run(Accelerate {
-                members: self.members(),
+                members: &self.members,
                 states: self.states.rows(),
                 first,
                 time,
@@ -69,12 +69,7 @@ impl<B: Generic> Ensemble<B> {
     }
 
     fn advance(&mut self, start: f64, step: f64, steps: Range<usize>) {
-        let width = self.width;
-        let members = Members {
-            bodies: &self.bodies,
-            is_uniform: self.is_uniform,
-            inputs: &self.inputs,
-        };
+        let (width, members) = (self.width, &self.members);
         let columns = <B::State as Columns<f64>>::COUNT;
         in_chunks(self.states.rows_mut(), columns, |first, rows| {
             width.run(Advance {
@@ -86,14 +81,6 @@ impl<B: Generic> Ensemble<B> {
                 states: rows,
             });
         });
-    }
-
-    fn members(&self) -> Members<'_, B> {
-        Members {
-            bodies: &self.bodies,
-            is_uniform: self.is_uniform,
-            inputs: &self.inputs,
-        }
     }
 }
 
@@ -116,33 +103,18 @@ fn in_chunks(rows: &mut [Row], _columns: usize, work: impl Fn(usize, &mut [Row])
     work(0, rows);
 }
 
-/// The members without their states.
-struct Members<'e, B: Generic> {
-    bodies: &'e Blocks<B>,
-    is_uniform: bool,
-    inputs: &'e Blocks<B::Input>,
-}
-
-impl<B: Generic> Clone for Members<'_, B> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<B: Generic> Copy for Members<'_, B> {}
-
 /// A body over lanes.
 type Laned<B, S> = <B as Generic>::With<Lanes<S>>;
 
-impl<B: Generic> Members<'_, B> {
+impl<B: Generic> Members<B> {
     #[inline(always)]
-    fn body<S: Register>(&self, simd: S, block: usize, group: usize) -> Laned<B, S> {
+    fn bodies_of<S: Register>(&self, simd: S, block: usize, group: usize) -> Laned<B, S> {
         let block = if self.is_uniform { 0 } else { block };
         read::<B, _, S>(simd, self.bodies.rows(), block, group)
     }
 
     #[inline(always)]
-    fn input<S: Register>(
+    fn inputs_of<S: Register>(
         &self,
         simd: S,
         block: usize,
@@ -161,11 +133,15 @@ fn read<C: Columns<f64>, D: Columns<Lanes<S>>, S: Register>(
     group: usize,
 ) -> D {
     let rows = &rows[range::<C>(block)];
-    D::read(&mut Group { simd, rows, group })
+    D::read(&mut Group {
+        simd,
+        rows,
+        index: group,
+    })
 }
 
 struct Accelerate<'e, B: Generic> {
-    members: Members<'e, B>,
+    members: &'e Members<B>,
     states: &'e [Row],
     first: usize,
     time: f64,
@@ -182,19 +158,19 @@ impl<B: Generic> Work for Accelerate<'_, B> {
         for (index, rows) in self.accelerations.chunks_exact_mut(columns).enumerate() {
             let block = self.first + index;
             for group in 0..BLOCK / Lanes::<S>::COUNT {
-                let body = self.members.body(simd, block, group);
-                let input = self.members.input(simd, block, group);
+                let body = self.members.bodies_of(simd, block, group);
+                let input = self.members.inputs_of(simd, block, group);
                 let state = read::<B::State, _, S>(simd, self.states, block, group);
                 let acceleration = body.acceleration(time, &state, &input);
                 let rows = rows.iter_mut();
-                acceleration.write(&mut GroupMut { rows, group });
+                acceleration.write(&mut GroupMut { rows, index: group });
             }
         }
     }
 }
 
 struct Advance<'e, B: Generic> {
-    members: Members<'e, B>,
+    members: &'e Members<B>,
     first: usize,
     start: f64,
     step: f64,
@@ -212,15 +188,15 @@ impl<B: Generic> Work for Advance<'_, B> {
         for (index, rows) in self.states.chunks_exact_mut(columns).enumerate() {
             let block = self.first + index;
             for group in 0..BLOCK / Lanes::<S>::COUNT {
-                let body = self.members.body(simd, block, group);
-                let input = self.members.input(simd, block, group);
+                let body = self.members.bodies_of(simd, block, group);
+                let input = self.members.inputs_of(simd, block, group);
                 let mut state = read::<B::State, _, S>(simd, rows, 0, group);
                 for k in self.steps.clone() {
                     let time = Lanes::splat(simd, self.start + exact(k) * self.step);
                     state = cf4_step(&body, time, &state, &input, step);
                 }
                 let rows = rows.iter_mut();
-                Columns::<Lanes<S>>::write(&state, &mut GroupMut { rows, group });
+                Columns::<Lanes<S>>::write(&state, &mut GroupMut { rows, index: group });
             }
         }
     }

@@ -17,7 +17,7 @@ use crate::body::RigidBody;
 use crate::scalar::Scalar;
 use crate::state::State;
 
-use super::exact;
+use super::{exact, single};
 
 /// The state one step \[s\] later; the input is held.
 ///
@@ -103,15 +103,17 @@ pub fn cf4_step<B: RigidBody<Scalar: Scalar>>(
 /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
 /// ```
 #[must_use]
-pub fn cf4<B: RigidBody<Scalar = f64>>(
+pub fn cf4<B: RigidBody<Scalar: Scalar>>(
     body: &B,
     state: &B::State,
     input: &B::Input,
-    times: Range<f64>,
+    times: Range<B::Scalar>,
     steps: usize,
 ) -> B::State {
-    let step = (times.end - times.start) / exact(steps);
+    let start = times.start;
+    let count = |steps: usize| start.constant(exact(steps), single(steps));
+    let step = (times.end - start) / count(steps);
     (0..steps).fold(state.clone(), |state, k| {
-        cf4_step(body, times.start + exact(k) * step, &state, input, step)
+        cf4_step(body, start + count(k) * step, &state, input, step)
     })
 }

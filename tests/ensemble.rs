@@ -1,0 +1,326 @@
+//! Ensembles: each member moves as it would alone, to the bit.
+
+use std::fmt::Debug;
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector2, Vector3};
+use newton_euler::columns::{Generic, Source};
+use newton_euler::ensemble::{Blocks, Ensemble, InvalidMember};
+use newton_euler::lanes::Width;
+use newton_euler::{columns::Columns, integrate, prelude::*};
+
+/// One generic body of each kind of motion, with parameters and inputs.
+mod bodies {
+    use newton_euler::rigid_body;
+
+    rigid_body!(Free::<T> {
+        motion: spatial,
+        params: [mass_factor = 1, arm = body(0.2, 0, 0.1)[m]],
+        inputs: [thrust[N], gust = world(_, _, _)[N]],
+        mass: 1.5 * mass_factor,
+        inertia: tensor {
+            xx: 1.3,
+            yy: 1.7,
+            zz: 2.1,
+            xy: -0.12,
+            yz: -0.05,
+            zx: 0.07
+        }[kg * m ^ 2],
+        points: [nozzle = arm],
+        locals: [speed = velocity.norm()],
+        fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+        forces: [
+            push = body(0, thrust, 0.1 * thrust).at(nozzle),
+            wind = gust,
+            drag = if speed < 1.5 {
+                -0.1 * velocity
+            } else {
+                -0.2 * speed.sqrt() * velocity
+            },
+        ],
+    });
+
+    rigid_body!(Turning::<T> {
+        motion: rotation,
+        params: [moment = 0.9[kg * m ^ 2]],
+        inputs: [torque = body(_, _, _)[N * m]],
+        inertia: principal(moment, 1.2, 1.5)[kg * m ^ 2],
+        moments: [drive = torque],
+    });
+
+    rigid_body!(Thrown::<T> {
+        motion: translation,
+        params: [gravity = 9.80665[m / s ^ 2]],
+        mass: 2[kg],
+        fields: [weight = mass * world(0, 0, -gravity)],
+        forces: [drag = -0.05 * velocity.norm() * velocity],
+    });
+
+    rigid_body!(Plank::<T> {
+        motion: planar,
+        params: [length = 2.4[m]],
+        inputs: [thrust[N]],
+        mass: 6[kg],
+        inertia: mass * length.powi(2) / 12,
+        points: [end = (length / 2, 0)],
+        forces: [push = body(0, thrust).at(end)],
+    });
+
+    rigid_body!(Slider::<T> {
+        motion: planar_translation,
+        mass: 3[kg],
+        forces: [
+            spring = -4[N / m] * position,
+            wave = 1[N] * world((t / 1[s]).sin(), (t / 1[s]).exp().ln())
+        ],
+    });
+
+    rigid_body!(Pendulum::<T> {
+        motion: pivot(tip),
+        params: [length = 0.5[m]],
+        mass: 2[kg],
+        inertia: 0.01[kg * m ^ 2],
+        points: [tip = (0, length)],
+        fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    });
+
+    rigid_body!(Top::<T> {
+        motion: fixed_point(foot),
+        mass: 0.3[kg],
+        inertia: principal(0.002, 0.002, 0.001)[kg * m ^ 2],
+        points: [foot = (0, 0, -0.1[m])],
+        fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    });
+
+    rigid_body!(Rotor::<T> {
+        motion: fixed_axis(G, body(1, 2, 2)),
+        inputs: [brake[N * m]],
+        mass: 3[kg],
+        inertia: tensor {
+            xx: 1.3,
+            yy: 1.7,
+            zz: 2.1,
+            xy: -0.12,
+            yz: -0.05,
+            zx: 0.07
+        }[kg * m ^ 2],
+        moments: [drag = body(
+            brake,
+            -brake.abs(),
+            0.1[N * m * s] * angular_velocity.in_body().x
+        )],
+    });
+}
+
+/// Numbers between -1 and 1, the same at each run.
+struct Numbers(u64);
+
+impl Source<f64> for Numbers {
+    fn take(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        #[expect(clippy::cast_precision_loss, reason = "any number will do")]
+        let number = (self.0 >> 33) as f64 / f64::from(1_u32 << 30);
+        number - 1.0
+    }
+}
+
+/// A state with a unit attitude.
+trait Unit: Sized {
+    fn unit(self) -> Self {
+        self
+    }
+}
+
+fn normalized(q: UnitQuaternion<f64>) -> UnitQuaternion<f64> {
+    UnitQuaternion::new_normalize(Quaternion::from(q.as_ref().coords))
+}
+
+impl Unit for Spatial {
+    fn unit(self) -> Self {
+        Self {
+            attitude: normalized(self.attitude),
+            ..self
+        }
+    }
+}
+
+impl Unit for Rotation {
+    fn unit(self) -> Self {
+        Self {
+            attitude: normalized(self.attitude),
+            ..self
+        }
+    }
+}
+
+impl Unit for Translation {}
+impl Unit for Planar {}
+impl Unit for PlanarTranslation {}
+impl Unit for Hinge {}
+
+/// Compares an ensemble with its members alone, in all widths.
+fn check<B>(params: impl Fn(f64) -> B::Params)
+where
+    B: Generic<State: Unit + PartialEq>,
+    <B::State as State>::Acceleration: PartialEq + Debug + Columns<f64>,
+{
+    let mut numbers = Numbers(7);
+    let count = 21;
+    let states: Vec<B::State> = (0..count)
+        .map(|_| B::State::read(&mut numbers).unit())
+        .collect();
+    let inputs: Vec<B::Input> = (0..count).map(|_| B::Input::read(&mut numbers)).collect();
+    let params: Vec<B::Params> = (0..count)
+        .map(|i| params(1.0 + 0.01 * f64::from(i)))
+        .collect();
+    let members = params.into_iter().zip(states.iter().cloned());
+    let mut start = Ensemble::<B>::with_params(members).expect("possible bodies");
+    for (index, input) in inputs.iter().enumerate() {
+        start.inputs_mut().set(index, input);
+    }
+    let there = Width::ALL.into_iter().filter(|width| width.is_there());
+    for width in there {
+        let mut ensemble = start.clone();
+        ensemble.set_width(width);
+        assert_eq!(ensemble.width(), width);
+        let accelerations = ensemble.accelerations(0.3);
+        ensemble.cf4(0.3..0.7, 7);
+        for (index, (state, input)) in states.iter().zip(&inputs).enumerate() {
+            let body = ensemble.body(index);
+            assert_eq!(
+                accelerations.get(index),
+                body.acceleration(0.3, state, input),
+                "{width:?}"
+            );
+            let alone = integrate::cf4(&body, state, input, 0.3..0.7, 7);
+            assert!(
+                ensemble.state(index) == alone,
+                "member {index}, {width:?}: {alone:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn members_move_as_if_alone() {
+    check::<bodies::Free<f64>>(|factor| bodies::FreeParams {
+        mass_factor: factor,
+        arm: Vector3::new(0.2 * factor, 0.0, 0.1),
+    });
+    check::<bodies::Turning<f64>>(|moment| bodies::TurningParams { moment });
+    check::<bodies::Thrown<f64>>(|factor| bodies::ThrownParams {
+        gravity: 9.8 * factor,
+    });
+    check::<bodies::Plank<f64>>(|length| bodies::PlankParams { length });
+    check::<bodies::Slider<f64>>(|_| ());
+    check::<bodies::Pendulum<f64>>(|length| bodies::PendulumParams { length });
+    check::<bodies::Top<f64>>(|_| ());
+    check::<bodies::Rotor<f64>>(|_| ());
+}
+
+#[test]
+fn one_body_for_all() {
+    let body = bodies::Turning::default();
+    let states = (0..3_u8).map(|i| Rotation {
+        angular_velocity: Vector3::new(0.1, f64::from(i), 0.0),
+        ..Rotation::default()
+    });
+    let mut ensemble = Ensemble::new(&body, states);
+    assert_eq!((ensemble.len(), ensemble.is_empty()), (3, false));
+    let torque = Vector3::new(0.0, 0.0, 1.0);
+    *ensemble.inputs_mut() = Blocks::repeat(&bodies::TurningInput { torque }, 3);
+    let turned = Rotation {
+        angular_velocity: torque,
+        ..Rotation::default()
+    };
+    ensemble.states_mut().set(1, &turned);
+    let accelerations = ensemble.accelerations(0.0);
+    assert_eq!(accelerations.get(1), Vector3::new(0.0, 0.0, 1.0 / 1.5));
+    assert_eq!(accelerations.len(), 3);
+}
+
+#[test]
+fn none_at_all() {
+    let mut ensemble = Ensemble::new(&bodies::Slider::default(), []);
+    ensemble.cf4(0.0..1.0, 10);
+    assert!(ensemble.is_empty() && ensemble.accelerations(0.0).is_empty());
+}
+
+#[test]
+fn observers_count_steps() {
+    let mut ensemble = Ensemble::new(&bodies::Slider::default(), [PlanarTranslation::default()]);
+    let mut seen = Vec::new();
+    ensemble.cf4_observed(0.0..1.0, 250, |done| seen.push(done));
+    assert_eq!(seen.last(), Some(&250));
+    assert!(seen.windows(2).all(|pair| pair[0] < pair[1]));
+}
+
+#[test]
+fn impossible_members_are_named() {
+    let params = |moment| bodies::TurningParams { moment };
+    let members = [params(1.0), params(5.0)].map(|params| (params, Rotation::default()));
+    let InvalidMember { index, error } =
+        Ensemble::<bodies::Turning<f64>>::with_params(members).unwrap_err();
+    assert_eq!(index, 1);
+    assert!(error.to_string().contains("triangle inequality"), "{error}");
+}
+
+#[test]
+#[should_panic(expected = "there are 1 members, and no member 1")]
+fn there_is_no_such_member() {
+    let ensemble = Ensemble::new(&bodies::Slider::default(), [PlanarTranslation::default()]);
+    let _ = ensemble.state(1);
+}
+
+#[test]
+fn ensembles_are_read_as_they_were_written() {
+    let state = |angle: f64| Planar {
+        position: Vector2::new(angle, 0.1),
+        angle,
+        ..Planar::default()
+    };
+    let params = |length| bodies::PlankParams { length };
+    let members = (0..11_u8).map(|i| (params(1.0 + 0.1 * f64::from(i)), state(f64::from(i))));
+    let mut ensemble = Ensemble::<bodies::Plank<f64>>::with_params(members).unwrap();
+    ensemble
+        .inputs_mut()
+        .set(10, &bodies::PlankInput { thrust: 0.1 });
+    let written = serde_json::to_string(&ensemble).unwrap();
+    let mut read: Ensemble<bodies::Plank<f64>> = serde_json::from_str(&written).unwrap();
+    assert_eq!(serde_json::to_string(&read).unwrap(), written);
+    for ensemble in [&mut ensemble, &mut read] {
+        ensemble.cf4(0.0..1.0, 10);
+    }
+    assert!(ensemble.states() == read.states());
+
+    let wrong = [
+        (
+            written.replace("[1.1]", "[0.0]"),
+            "member 1: inertia must be positive",
+        ),
+        (
+            written.replace("[1.1]", "[1.1,2.0]"),
+            "expected 1 parameters, and there are 2",
+        ),
+        (
+            written.replace("[1.1],", ""),
+            "as many parameters or one for all",
+        ),
+        (
+            written.replacen("[0.1]]", "[]]", 1),
+            "expected 1 inputs, and there are 0",
+        ),
+    ];
+    for (text, reason) in wrong {
+        let error = serde_json::from_str::<Ensemble<bodies::Plank<f64>>>(&text).unwrap_err();
+        assert!(error.to_string().contains(reason), "{error}");
+    }
+    let turning = Ensemble::new(&bodies::Turning::default(), [Rotation::default()]);
+    let written = serde_json::to_string(&turning)
+        .unwrap()
+        .replace("\"w\":1.0", "\"w\":0.9");
+    let error = serde_json::from_str::<Ensemble<bodies::Turning<f64>>>(&written).unwrap_err();
+    assert!(error.to_string().contains("unit quaternion"), "{error}");
+}

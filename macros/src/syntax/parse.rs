@@ -129,41 +129,48 @@ fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, 
     Some((description, body.stream()))
 }
 
-/// `::<T>` between the name and its brace: the scalar that the body is generic over.
+/// `::<T>` between the name and its brace: the scalar that the body is generic over, by some name if
+/// it is meant to be.
 fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
     let first = between.first()?;
-    match between {
+    if !is_punct(first, '<') && !is_punct(first, ':') {
+        errors.push(first.span(), format!("expected a brace: `{name} {{ .. }}`"));
+        return None;
+    }
+    let scalar = match between {
         [a, b, open, TokenTree::Ident(scalar), close]
             if is_punct(a, ':')
                 && is_punct(b, ':')
                 && is_punct(open, '<')
                 && is_punct(close, '>') =>
         {
-            if is_number_type(&scalar.to_string()) {
-                errors.push(
-                    scalar.span(),
-                    format!(
-                        "a parameter stands here, and no type: write `{name}::<T> {{ .. }}`, \
-                         and `{name}::<{scalar}>` where the body is used"
-                    ),
-                );
-                return None;
-            }
-            check_name(scalar, "a scalar", errors)?;
-            Some(scalar.clone())
+            check_scalar(name, scalar, errors).map(|()| scalar.clone())
         }
-        _ if is_punct(first, '<') || is_punct(first, ':') => {
+        _ => {
             errors.push(
                 Extent::of(stream(between)),
                 format!("a body that is generic over its scalar is `{name}::<T> {{ .. }}`"),
             );
             None
         }
-        _ => {
-            errors.push(first.span(), format!("expected a brace: `{name} {{ .. }}`"));
-            None
-        }
-    }
+    };
+    Some(scalar.unwrap_or_else(|| Ident::new("AnyScalar", Span::call_site())))
+}
+
+fn check_scalar(name: &Ident, scalar: &Ident, errors: &mut Errors) -> Option<()> {
+    check_name(scalar, "a scalar", errors)?;
+    let message = if is_number_type(&scalar.to_string()) {
+        format!(
+            "a parameter stands here, and no type: write `{name}::<T> {{ .. }}`, and \
+             `{name}::<{scalar}>` where the body is used"
+        )
+    } else if scalar == name {
+        format!("`{name}` is the body: give its scalar another name")
+    } else {
+        return Some(());
+    };
+    errors.push(scalar.span(), message);
+    None
 }
 
 /// Types of numbers, which are no names of parameters.

@@ -5,4 +5,6 @@ rigid_body!(Stone::<f32> {
     mass: 1[kg],
 });
 
-fn main() {}
+fn main() {
+    let _ = Stone::<f32>::default();
+}

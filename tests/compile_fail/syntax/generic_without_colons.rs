@@ -1,0 +1,10 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Stone<T> {
+    motion: translation,
+    mass: 1[kg],
+});
+
+fn main() {
+    let _ = Stone::<f32>::default();
+}

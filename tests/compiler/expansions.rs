@@ -39,6 +39,18 @@ fn satellite() -> TokenStream {
     })
 }
 
+fn top() -> TokenStream {
+    quote!(Top::<T> {
+        doc: "A heavy symmetric top, for any scalar.",
+        motion: fixed_point(foot),
+        params: [length = 0.1[m]],
+        mass: 0.3[kg],
+        inertia: principal(0.002, 0.002, 0.001)[kg * m ^ 2],
+        points: [foot = (0, 0, -length)],
+        fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    })
+}
+
 /// Compares with the file of that name; `BLESS=1` writes it.
 fn check(name: &str, description: TokenStream) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -60,11 +72,12 @@ fn snapshots() {
     check("quadrotor", quadrotor());
     check("plank", plank());
     check("satellite", satellite());
+    check("top", top());
 }
 
 #[test]
 fn the_same_description_gives_the_same_expansion() {
-    for description in [quadrotor(), plank(), satellite()] {
+    for description in [quadrotor(), plank(), satellite(), top()] {
         let first = pretty(description.clone());
         // every hash map has a seed of its own
         for _ in 0..8 {

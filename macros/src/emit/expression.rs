@@ -6,7 +6,7 @@ use quote::{ToTokens, quote};
 use crate::symbolic::{Comparison, Function, Id, Node, Number};
 
 use super::code::Body;
-use super::scalar::number_literal;
+use super::scalar::{Scalar, number_literal};
 
 /// How tightly an expression binds, from the loosest to the tightest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -169,7 +169,11 @@ impl Body<'_> {
             }
             Node::And(a, b) => infix(a, quote!(&), b),
             Node::Or(a, b) => infix(a, quote!(|), b),
-            Node::Select(condition, a, b) => atom(self.method("select", &[condition, a, b])),
+            Node::Select(condition, a, b) => {
+                let kind = Scalar::of(self.writer.outline).kind();
+                let arguments = self.arguments(&[condition, a, b]);
+                atom(quote!(#kind::select(#(#arguments),*)))
+            }
             _ => None,
         }
     }
@@ -204,11 +208,14 @@ impl Body<'_> {
         quote!(#private::math::#name(#(#arguments),*))
     }
 
-    /// A method of the scalar.
+    /// A method of the scalar, `x.sin()`.
     pub fn method(&self, name: &str, arguments: &[Id]) -> TokenStream {
-        let (private, arguments) = (&self.writer.private, self.arguments(arguments));
-        let name = Ident::new(name, Span::call_site());
-        quote!(#private::Scalar::#name(#(#arguments),*))
+        let (receiver, rest) = arguments.split_at(1);
+        let receiver = receiver
+            .iter()
+            .map(|receiver| self.expression(*receiver, Precedence::Atom));
+        let (name, rest) = (Ident::new(name, Span::call_site()), self.arguments(rest));
+        quote!(#(#receiver)*.#name(#(#rest),*))
     }
 
     fn arguments(&self, arguments: &[Id]) -> Vec<TokenStream> {

@@ -26,10 +26,11 @@ pub fn local_name(name: &str) -> String {
     }
 }
 
-/// What a constant of a generic body is called that has no other name.
-fn number_name(number: &Number) -> &'static str {
+/// What a plain number is called as a constant of a generic body.
+fn number_name(number: &Number) -> Option<&'static str> {
     let names = [
         (Number::ratio(-1, 1), "minus_one"),
+        (Number::zero(), "zero"),
         (Number::ratio(1, 2), "half"),
         (Number::ratio(1, 1), "one"),
         (Number::ratio(2, 1), "two"),
@@ -37,7 +38,7 @@ fn number_name(number: &Number) -> &'static str {
         (Number::ratio(4, 1), "four"),
     ];
     let found = names.iter().find(|(known, _)| known == number);
-    found.map_or("constant", |(_, name)| name)
+    found.map(|(_, name)| *name)
 }
 
 impl Body<'_> {
@@ -67,6 +68,7 @@ impl Body<'_> {
         {
             return target.clone();
         }
+        let plain = frames.graph.as_number(id).and_then(number_name);
         let label = |id: Id| frames.labels.get(id).map(str::to_owned);
         let opposite = || {
             let mut negations = [id, inner]
@@ -75,7 +77,11 @@ impl Body<'_> {
             let name = negations.find_map(|negation| label(negation?))?;
             Some(format!("minus_{name}"))
         };
-        let wanted = label(id).or_else(|| label(inner)).or_else(opposite);
+        let wanted = plain
+            .map(str::to_owned)
+            .or_else(|| label(id))
+            .or_else(|| label(inner))
+            .or_else(opposite);
         let wanted = wanted.unwrap_or_else(|| self.describe(inner));
         self.unique(&wanted)
     }
@@ -105,7 +111,7 @@ impl Body<'_> {
             Node::Divide(..) => (None, "ratio"),
             Node::Pivot(..) => (None, "reciprocal"),
             Node::Select(..) => (None, "choice"),
-            Node::Number(ref number) => (None, number_name(number)),
+            Node::Number(_) => (None, "constant"),
             _ => (None, "condition"),
         };
         name.filter(|name| name.len() <= LENGTH)

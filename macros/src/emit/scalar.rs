@@ -62,8 +62,8 @@ impl Scalar {
         if !self.is_generic() {
             return double;
         }
-        let (private, single) = (&self.private, single_literal(number.to_f32()));
-        quote!(#private::Scalar::constant(#at_hand, #double, #single))
+        let single = single_literal(number.to_f32());
+        quote!(#at_hand.constant(#double, #single))
     }
 }
 

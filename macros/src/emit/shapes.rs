@@ -37,6 +37,7 @@ impl Shapes {
             Motion::Translation => format_ident!("Translation"),
             Motion::Rotation | Motion::FixedPoint => format_ident!("Rotation"),
             Motion::Pivot | Motion::FixedAxis => format_ident!("Hinge"),
+            Motion::Rod => format_ident!("Rod"),
         };
         quote!(#private::#name)
     }
@@ -64,6 +65,7 @@ impl Shapes {
         match self.motion {
             Motion::Planar => quote!(#private::PlanarAcceleration),
             Motion::Spatial => quote!(#private::SpatialAcceleration),
+            Motion::Rod => quote!(#private::RodAcceleration),
             Motion::Pivot | Motion::FixedAxis => quote!(f64),
             Motion::PlanarTranslation
             | Motion::Translation
@@ -139,6 +141,7 @@ impl Shapes {
         };
         let angular = match (self.motion.has_attitude(), self.angular_axes().len()) {
             (true, 1) => vec!["angular".to_owned()],
+            (true, _) if self.motion == Motion::Rod => named("axis"),
             (true, _) => named("angular"),
             (false, _) => Vec::new(),
         };
@@ -176,6 +179,11 @@ impl Shapes {
                 let (linear, angular) = (self.vector(values), self.moment(values));
                 quote!(#kind { linear: #linear, angular: #angular })
             }
+            Motion::Rod => {
+                let kind = self.acceleration_type();
+                let (linear, axis) = (self.vector(values), self.vector(values));
+                quote!(#kind { linear: #linear, axis: #axis })
+            }
             Motion::Pivot | Motion::FixedAxis => {
                 let value = values.next();
                 quote!(#value)
@@ -187,7 +195,7 @@ impl Shapes {
         }
     }
 
-    /// `State { velocity: .., angular_velocity: .., ..*state }`, with these velocities or at rest.
+    /// `State { velocity: .., angular_velocity: .., ..*state }`, of a rod `axis_rate`, with these velocities or at rest.
     pub fn moving_state(&self, values: &mut Values<'_>, moves: bool) -> TokenStream {
         let (kind, state) = (self.state_type(), local("state"));
         let field = |name: &str, value: TokenStream| {
@@ -204,7 +212,12 @@ impl Shapes {
             fields.extend(field("velocity", self.vector(values)));
         }
         if self.motion.has_attitude() {
-            fields.extend(field("angular_velocity", self.moment(values)));
+            let name = if self.motion == Motion::Rod {
+                "axis_rate"
+            } else {
+                "angular_velocity"
+            };
+            fields.extend(field(name, self.moment(values)));
         }
         quote!(#kind { #fields ..*#state })
     }

@@ -36,6 +36,12 @@ pub enum Attitude {
     Axis { angle: Id, direction: Components },
     /// A unit quaternion.
     Quaternion { scalar: Id, vector: Components },
+    /// That of a rod: one direction of the body, a unit vector in body axes, is along `axis`, in
+    /// world axes. No other axes turn with it: all components are written in those of the world.
+    Line {
+        direction: Components,
+        axis: Components,
+    },
 }
 
 /// A physical vector: the sum of its two parts.
@@ -59,16 +65,14 @@ pub struct Frames {
 impl Frames {
     pub fn vector(&mut self, frame: Frame, components: Components) -> Vector {
         let zeros = self.graph.zeros();
-        match frame {
-            Frame::Body => Vector {
-                body: components,
-                world: zeros,
-            },
-            Frame::World => Vector {
-                body: zeros,
-                world: components,
-            },
-        }
+        // no axes turn with a rod
+        let turns = !matches!(self.attitude, Attitude::Line { .. });
+        let (body, world) = if frame == Frame::Body && turns {
+            (components, zeros)
+        } else {
+            (zeros, components)
+        };
+        Vector { body, world }
     }
 
     pub fn zero_vector(&mut self) -> Vector {
@@ -224,7 +228,7 @@ impl Frames {
             return turns.turn(&mut self.graph, v, to);
         }
         let turned = match self.attitude {
-            Attitude::Fixed => return v,
+            Attitude::Fixed | Attitude::Line { .. } => return v,
             Attitude::Axis { angle, direction } => self.turn_by_angle(angle, direction, v, to),
             Attitude::Quaternion { scalar, vector } => {
                 let axis = match to {

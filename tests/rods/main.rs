@@ -359,6 +359,33 @@ fn ladder() {
     assert!((reactions.floor.z - 9.0 * (9.80665 - 2.0 * faster * sin)).abs() < 1e-12);
 }
 
+/// What has no moment on one branch has one on another.
+#[test]
+fn branches() {
+    let body = scenes::Branched::default();
+    for (time, speed) in [(1.0, 2.0), (4.0, 2.0), (1.0, 9.0), (4.0, 9.0)] {
+        let moving = Rod {
+            velocity: Vector3::y() * speed,
+            ..state([0.6, 0.0, 0.8], [0.4, 1.5, -0.3])
+        };
+        let (u, rate) = (moving.axis.into_inner(), moving.axis_rate);
+        let fast = Vector3::new(1.0, 0.0, 3.0) * f64::max(speed - 5.0, 0.0);
+        let (late, couple) = if time > 3.0 {
+            (Vector3::new(0.0, 1.0, 2.0), u.cross(&rate) * -0.2)
+        } else {
+            (u * 2.0, u.cross(&Vector3::new(0.0, 2.0, 0.0)))
+        };
+        let moment = (u * 0.5).cross(&(late + fast)) + couple;
+        let expected = moment.cross(&u) / 0.1 - u * rate.norm_squared();
+        let computed = body.acceleration(time, &moving, &());
+        assert!(
+            (computed.axis - expected).amax() < 1e-13,
+            "{computed:?} {expected}"
+        );
+        assert!((computed.linear - late - fast).amax() < 1e-14);
+    }
+}
+
 /// L = J u × u̇ of the same rod, whichever way its inertia is written; the axis across which it turns is x or y.
 #[test]
 fn forms_of_inertia() {

@@ -212,3 +212,24 @@ mod other_motions {
     });
 }
 pub use other_motions::*;
+
+newton_euler::rigid_body!(Branched {
+    motion: rod(body(1, 0, 0)),
+    mass: 1[kg],
+    inertia: 0.1[kg * m ^ 2],
+    points: [tip = (0.5, 0, 0)],
+    forces: [
+        late = (if t > 3[s] {
+            world(0, 1, 2)[N]
+        } else {
+            2[N] * axis
+        })
+        .at(tip),
+        fast = (1[kg / s] * (velocity.norm() - 5[m / s]).max(0) * world(1, 0, 3)).at(tip),
+    ],
+    moments: [damped = if t > 3[s] {
+        -0.2[N * m * s] * angular_velocity
+    } else {
+        1[N * m] * axis.cross(world(0, 2, 0))
+    },],
+});

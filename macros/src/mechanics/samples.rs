@@ -24,6 +24,13 @@ pub fn sample(model: &mut Model, roots: &[Id]) -> Vec<Number> {
         .collect()
 }
 
+/// Which of `roots` are zero in all states, and on all branches.
+pub fn vanish(model: &mut Model, roots: &[Id]) -> Vec<bool> {
+    let mixed = model.frames.graph.unbranched(roots);
+    let values = sample(model, &mixed);
+    values.iter().map(Number::is_zero).collect()
+}
+
 fn at_state(model: &mut Model, roots: &[Id], seed: i64) -> Vec<Option<Number>> {
     let graph = &mut model.frames.graph;
     let quaternion = unit_quaternion(seed);

@@ -97,7 +97,7 @@ fn skip_moments(model: &mut Model, skipped: &mut Vec<String>) {
         }
         let reason = if model.frames.graph.is_zero_vector(&offset) {
             "it acts at G"
-        } else if is_along_axis(model, force) {
+        } else if is_along_axis(model, force.world) {
             "it acts along the axis"
         } else {
             continue;

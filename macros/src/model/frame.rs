@@ -60,6 +60,8 @@ pub struct Frames {
     pub turns: Option<Turns>,
     /// All vectors that were turned otherwise: their rates are known as vectors.
     pub turned: Vec<Turn>,
+    /// Of a rod, products `u x b`, and b; world axes.
+    pub swept: Vec<(Components, Components)>,
 }
 
 impl Frames {
@@ -162,6 +164,7 @@ impl Frames {
     /// `a x b`; what is not written in the same axes is multiplied in body axes.
     pub fn cross(&mut self, a: Vector, b: Vector) -> Vector {
         let world = self.graph.cross(a.world, b.world);
+        self.note_swept(a, b, world);
         let (turned_a, turned_b) = (self.turned_if_needed(a, b), self.turned_if_needed(b, a));
         let products = [
             self.graph.cross(a.body, b.body),

@@ -141,6 +141,7 @@ pub fn lower_description(
         attitude,
         turns: None,
         turned: Vec::new(),
+        swept: Vec::new(),
     };
     let mut scope = Scope::new(description, repeated);
     let mut lowering = Lowering {

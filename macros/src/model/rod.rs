@@ -28,6 +28,19 @@ impl Frames {
         let world = self.graph.scale_vector(along, axis);
         self.vector(Frame::World, world)
     }
+
+    /// Remembers a product with the axis of a rod.
+    pub fn note_swept(&mut self, a: Vector, b: Vector, product: Components) {
+        let Attitude::Line { axis, .. } = self.attitude else {
+            return;
+        };
+        if a.world == axis {
+            self.swept.push((product, b.world));
+        } else if b.world == axis {
+            let opposite = self.graph.negate_vector(a.world);
+            self.swept.push((product, opposite));
+        }
+    }
 }
 
 impl Lowering<'_> {
@@ -55,8 +68,13 @@ impl Lowering<'_> {
             );
         };
         let direction = self.direction(direction.as_ref()?, defaults)?;
-        let axis = self.state.axis?.unit;
-        self.frames.attitude = Attitude::Line { direction, axis };
+        let axis = self.state.axis?;
+        self.frames.attitude = Attitude::Line {
+            direction,
+            axis: axis.unit,
+        };
+        let swept = (self.state.angular_velocity, axis.rate);
+        self.frames.swept.push(swept);
         Some(())
     }
 

@@ -359,6 +359,30 @@ fn ladder() {
     assert!((reactions.floor.z - 9.0 * (9.80665 - 2.0 * faster * sin)).abs() < 1e-12);
 }
 
+/// A local that the direction is made of is a vector along the axis afterwards: 6 N of a vector of length 5/4, on 2 kg.
+#[test]
+fn direction_by_a_local() {
+    let state = state([0.6, 0.0, 0.8], [0.0; 3]);
+    let computed = scenes::Named::default().acceleration(0.0, &state, &());
+    assert!((computed.linear - state.axis.into_inner() * 3.75).amax() < 1e-15);
+    assert_eq!(computed.axis, Vector3::zeros());
+}
+
+/// Kept level by a couple, a rod turns like a planar body.
+#[test]
+fn kept_level() {
+    let body = scenes::Level::default();
+    let level = state([0.6, 0.8, 0.0], [-0.8, 0.6, 0.0]);
+    let (u, push) = (level.axis.into_inner(), Vector3::new(1.0, 2.0, 3.0));
+    let computed = body.acceleration(0.0, &level, &());
+    let about_z = 0.5 * (0.6 * 2.0 - 0.8 * 1.0) / 0.1;
+    let expected = Vector3::new(-0.8, 0.6, 0.0) * about_z - u;
+    assert!((computed.axis - expected).amax() < 1e-14, "{computed:?}");
+    let guide = body.reactions(0.0, &level, &()).unwrap().guide;
+    let given = (u * 0.5).cross(&push);
+    assert!((guide + given - Vector3::z() * given.z).amax() < 1e-14);
+}
+
 /// What has no moment on one branch has one on another.
 #[test]
 fn branches() {

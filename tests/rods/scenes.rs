@@ -233,3 +233,23 @@ newton_euler::rigid_body!(Branched {
         1[N * m] * axis.cross(world(0, 2, 0))
     },],
 });
+
+newton_euler::rigid_body!(Level {
+    motion: rod(body(1, 0, 0)),
+    mass: 1[kg],
+    inertia: 0.1[kg * m ^ 2],
+    points: [tip = (0.5, 0, 0)],
+    forces: [push = world(1, 2, 3)[N].at(tip)],
+    reactions: [guide = moment(_ * axis.cross(world(0, 0, 1)))],
+    constraints: [level = axis.dot(world(0, 0, 1))],
+    outputs: [reactions, balance],
+});
+
+newton_euler::rigid_body!(Named {
+    motion: rod(along),
+    params: [slope = 0.75, m = 2[kg]],
+    locals: [along = body(1, slope, 0), twice = 2[N] * along],
+    mass: m,
+    inertia: 0.1[kg * m ^ 2],
+    forces: [first = twice, second = (4[N] * along).at((1, slope, 0))],
+});

@@ -14,6 +14,7 @@ use super::motion::Motion;
 use super::outline::written_motion;
 use super::parallel_axis::displaced;
 use super::parameters::Defaults;
+use super::rod;
 use super::solid::{self, is_of_solid, is_solid};
 use super::unit::lower_unit;
 
@@ -197,11 +198,16 @@ impl Lowering<'_> {
 
     fn no_form(&mut self, word: &Ident, parts: &[Expression]) -> Option<Draft> {
         self.visit(parts);
+        let forms = if self.motion == Motion::Rod {
+            rod::FORMS
+        } else {
+            FORMS
+        };
         self.report(
             word.span(),
             match similar(&word.to_string(), solid::words()) {
                 Some(meant) => format!("`{word}` is no form of inertia; did you mean `{meant}`?"),
-                None => format!("`{word}` is no form of inertia: {FORMS}"),
+                None => format!("`{word}` is no form of inertia: {forms}"),
             },
         )
     }

@@ -100,7 +100,7 @@ impl Lowering<'_> {
                 let axis = if self.motion.is_planar() {
                     "the normal of the plane"
                 } else {
-                    "the axes across it"
+                    "every axis across the rod"
                 };
                 format!("about {axis} it is {}", shown(moment))
             }

@@ -15,6 +15,10 @@ use super::lower::Lowering;
 use super::parameters::Defaults;
 use super::value::Point;
 
+/// How the inertia of a rod is written.
+pub const FORMS: &str =
+    "write the one moment across its axis, `rod(l)`, or `compose([..])` of rods and points";
+
 /// Why something is not known of a rod.
 pub const UNTURNED: &str = "how a rod is turned about its axis is not known";
 
@@ -147,8 +151,10 @@ impl Lowering<'_> {
         if !rest.into_iter().all(|entry| graph.vanishes(entry)) {
             return self.report(
                 draft.extent,
-                "a rod has no moment of inertia about its axis, and the same one about every axis \
-                 across it: write this one number, `rod(l)`, or `compose([..])` of rods and points",
+                format!(
+                    "a rod has no moment of inertia about its axis, and the same one about every axis \
+                     across it: {FORMS}"
+                ),
             );
         }
         Some(Draft {

@@ -91,6 +91,20 @@ mod bodies {
         fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
     });
 
+    rigid_body!(Stick::<T> {
+        motion: rod(body(0, 0, 1)),
+        params: [length = 1.2[m]],
+        inputs: [pull = world(_, _, _)[N]],
+        mass: 0.5[kg],
+        inertia: mass * length.powi(2) / 12,
+        points: [tip = (0, 0, length / 2)],
+        fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+        forces: [
+            string = pull.at(tip),
+            drag = -0.1 * velocity.norm() * velocity
+        ],
+    });
+
     rigid_body!(Rotor::<T> {
         motion: fixed_axis(G, body(1, 2, 2)),
         inputs: [brake[N * m]],
@@ -150,6 +164,17 @@ impl Unit for Rotation {
     fn unit(self) -> Self {
         Self {
             attitude: normalized(self.attitude),
+            ..self
+        }
+    }
+}
+
+impl Unit for Rod {
+    fn unit(self) -> Self {
+        let axis = nalgebra::Unit::new_normalize(self.axis.into_inner());
+        Self {
+            axis,
+            axis_rate: self.axis_rate - axis.into_inner() * axis.dot(&self.axis_rate),
             ..self
         }
     }
@@ -217,6 +242,7 @@ fn members_move_as_if_alone() {
     check::<bodies::Slider<f64>>(|_| ());
     check::<bodies::Pendulum<f64>>(|length| bodies::PendulumParams { length });
     check::<bodies::Top<f64>>(|_| ());
+    check::<bodies::Stick<f64>>(|length| bodies::StickParams { length });
     check::<bodies::Rotor<f64>>(|_| ());
 }
 

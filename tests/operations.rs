@@ -214,6 +214,47 @@ mod cases {
             pulled = -(2[N / m] * position + world(3, 0))
         ],
     });
+    rigid_body!(FreeRod {
+        motion: rod(body(1, 0, 0)),
+        mass: 2,
+        inertia: 0.3,
+        fields: [weight = mass * world(0, 0, -9.8)],
+    });
+    rigid_body!(PushedRod {
+        motion: rod(body(1, 0, 0)),
+        inputs: [push = world(_, _, _), thrust],
+        mass: 2,
+        inertia: 0.3,
+        points: [tip = (0.5, 0, 0), tail = (-0.5, 0, 0)],
+        forces: [pushed = push.at(tip), driven = body(thrust, 0, 0).at(tail)],
+    });
+    rigid_body!(HangingRod {
+        motion: rod(body(0, 3, 4)),
+        mass: 2,
+        inertia: 0.3,
+        points: [end = (0, 0.3, 0.4)],
+        forces: [lift = world(0, 0, 19.6).at(end)],
+        fields: [weight = mass * world(0, 0, -9.8)],
+    });
+    rigid_body!(DampedRod {
+        motion: rod(body(1, 0, 0)),
+        params: [c = 0.1],
+        mass: 2,
+        inertia: 0.3,
+        moments: [damped = -c * angular_velocity],
+    });
+    rigid_body!(CompassRod {
+        motion: rod(body(1, 0, 0)),
+        mass: 2,
+        inertia: 0.3,
+        moments: [magnetic = axis.cross(world(0.2, 0, 0.1))],
+    });
+    rigid_body!(LeaningRod {
+        motion: rod(body(1, 0, 0)),
+        mass: 2,
+        inertia: 0.3,
+        potentials: [magnetic = -axis.dot(world(0.2, 0, 0.1))],
+    });
 }
 
 /// Multiplications, additions and trigonometric functions of the acceleration.
@@ -275,4 +316,18 @@ fn a_parameter_is_finite() {
         let error = cases::Dart::new(cases::DartParams { k: value }).err();
         assert_eq!(error, Some(InvalidBody::NotFinite { name: "k", value }));
     }
+}
+
+/// `-u'^2 u` is 6 + 2. Damping is 3 + 3 more; of a first moment over J, the projection is 3 + 2 and the sums 4, less the
+/// components that it does not have.
+#[test]
+fn rods() {
+    assert_eq!(counts(cases::FreeRod::OPERATIONS), [6, 2, 0]);
+    assert_eq!(counts(cases::DampedRod::OPERATIONS), [9, 5, 0]);
+    // B / J and the acceleration of G in 9 + 3; the thrust along the axis has no moment
+    assert_eq!(counts(cases::PushedRod::OPERATIONS), [18, 11, 0]);
+    assert_eq!(counts(cases::HangingRod::OPERATIONS), [7, 4, 0]);
+    // the same, as a couple and by its potential
+    assert_eq!(counts(cases::CompassRod::OPERATIONS), [8, 6, 0]);
+    assert_eq!(counts(cases::LeaningRod::OPERATIONS), [8, 6, 0]);
 }

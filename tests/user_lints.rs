@@ -334,6 +334,33 @@ pub mod motions {
         });
     }
 
+    /// A rod.
+    pub mod rod {
+        newton_euler::rigid_body!(Javelin {
+            motion: rod(body(1, slope, 0)),
+            params: [slope = 0.5, l = 2[m], stiffness],
+            inputs: [thrust[N], wind = world(_, _, _)[m / s]],
+            mass: 0.8[kg],
+            inertia: rod(l),
+            points: [
+                tail = (-0.4 * l, -0.4 * slope * l, 0),
+                hook = world(1, 2, 3)
+            ],
+            pole: tail,
+            locals: [air = tail.velocity() - wind],
+            fields: [weight = mass * world(0, 0, -9.80665)],
+            forces: [
+                drag = (-0.2 * air).at(tail),
+                engine = body(thrust, slope * thrust, 0)
+            ],
+            moments: [damped = -0.1[N * m * s] * angular_velocity],
+            potentials: [spring = stiffness * (tail.position() - hook.position()).norm()],
+            constraints: [on_floor = tail.position().in_world().z],
+            reactions: [floor = world(0, 0, _).at(tail)],
+            outputs: [energy, momentum, balance, reactions],
+        });
+    }
+
     /// In the plane, without turning.
     pub mod planar_translation {
         newton_euler::rigid_body!(Puck {

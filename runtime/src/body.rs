@@ -258,7 +258,7 @@ pub enum InvalidBody {
         /// What was given \[kg\].
         value: f64,
     },
-    /// The moment of inertia `J_G` of a planar body is not a positive finite number.
+    /// The moment of inertia `J_G` of a planar body or of a rod is not a positive finite number.
     PlanarInertia {
         /// What was given \[kg m²\].
         value: f64,

@@ -139,6 +139,7 @@ macro_rules! structs {
 /// A scalar, where a name with a parameter is asked for.
 type Real<T> = T;
 type Attitude<T> = nalgebra::UnitQuaternion<T>;
+type Axis<T> = nalgebra::UnitVector3<T>;
 
 structs! {
     Spatial { position: Vector3, attitude: Attitude, velocity: Vector3, angular_velocity: Vector3 }
@@ -149,6 +150,8 @@ structs! {
     PlanarAcceleration { linear: Vector2, angular: Real }
     PlanarTranslation { position: Vector2, velocity: Vector2 }
     Hinge { angle: Real, angular_velocity: Real }
+    Rod { position: Vector3, velocity: Vector3, axis: Axis, axis_rate: Vector3 }
+    RodAcceleration { linear: Vector3, axis: Vector3 }
 }
 
 /// It is taken as it is, unit or not.
@@ -164,5 +167,20 @@ impl<T: Scalar> Columns<T> for Attitude<T> {
     #[inline(always)]
     fn write(&self, sink: &mut impl Sink<T>) {
         self.as_ref().coords.write(sink);
+    }
+}
+
+/// It is taken as it is, unit or not.
+impl<T: Scalar> Columns<T> for Axis<T> {
+    const COUNT: usize = 3;
+
+    #[inline(always)]
+    fn read(source: &mut impl Source<T>) -> Self {
+        Unit::new_unchecked(Vector3::read(source))
+    }
+
+    #[inline(always)]
+    fn write(&self, sink: &mut impl Sink<T>) {
+        self.as_ref().write(sink);
     }
 }

@@ -56,7 +56,7 @@ pub fn check_mass<T: Scalar>(value: T) -> Result<(), InvalidBody> {
     }
 }
 
-/// The moment of inertia of a planar body \[kg m²\]: finite and positive.
+/// The moment of inertia of a planar body, or of a rod \[kg m²\]: finite and positive.
 ///
 /// # Errors
 /// [`InvalidBody::PlanarInertia`].

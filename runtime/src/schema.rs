@@ -8,13 +8,12 @@ pub struct Body {
     /// The documentation of the generated type, a string: `doc: "A thrown plank."`.
     pub doc: (),
     /// The coordinates that exist: `planar`, `planar_translation`, `spatial`, `translation` or `rotation`; of a body that
-    /// is held, `pivot(P)`, `fixed_point(P)` or `fixed_axis(P, direction)`, at the world's origin or `.at(world(..))`.
-    ///
-    /// Later: `rod(axis)`.
+    /// is held, `pivot(P)`, `fixed_point(P)` or `fixed_axis(P, direction)`, at the world's origin or `.at(world(..))`; of a
+    /// slender rod, `rod(direction)` with the direction of its axis in the body, such as `rod(body(1, 0, 0))`.
     pub motion: (),
     /// The mass: `1.2[kg]`, or an expression of params. The parts of `inertia: compose([..])` have it already.
     pub mass: (),
-    /// The moments of inertia, about G in body axes unless `.about(P)` follows. In the plane a scalar. In space
+    /// The moments of inertia, about G in body axes unless `.about(P)` follows. In the plane and of a rod a scalar. In space
     /// `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }` (entries of the tensor, `xy = -∫xy dm`) or
     /// `products { .. }` (positive products of inertia, `xy = +∫xy dm`).
     ///

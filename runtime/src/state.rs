@@ -18,12 +18,11 @@ mod translation;
 pub mod generic {
     pub use super::hinge::Hinge;
     pub use super::planar::{Planar, PlanarAcceleration, PlanarTranslation};
+    pub use super::rod::{Rod, RodAcceleration};
     pub use super::rotation::Rotation;
     pub use super::spatial::{Spatial, SpatialAcceleration};
     pub use super::translation::Translation;
 }
-
-pub use rod::{Rod, RodAcceleration};
 
 /// A point of the space of states: what an integrator needs to know of it.
 ///
@@ -75,3 +74,7 @@ pub type PlanarAcceleration = generic::PlanarAcceleration<f64>;
 pub type PlanarTranslation = generic::PlanarTranslation<f64>;
 /// State of `motion: pivot` and `motion: fixed_axis`, one degree of freedom; its acceleration is a scalar \[rad/s²\].
 pub type Hinge = generic::Hinge<f64>;
+/// State of `motion: rod(axis)`, five degrees of freedom.
+pub type Rod = generic::Rod<f64>;
+/// Acceleration of a [`Rod`].
+pub type RodAcceleration = generic::RodAcceleration<f64>;

@@ -184,3 +184,40 @@ fn an_inverse_times_its_matrix_is_one() {
         }
     }
 }
+
+/// An identity of both sides of a condition is one of their mixture, and one of a single side is not.
+#[test]
+fn branches_are_mixed() {
+    let mut g = Graph::default();
+    let [a, b, k] = [0; 3].map(|_| g.symbol(Stage::State));
+    let condition = g.compare(Comparison::Less, a, b);
+    let (ka, kb) = (g.multiply(k, a), g.multiply(k, b));
+    let (inner, outer) = (g.select(condition, a, b), g.select(condition, ka, kb));
+    let scaled = g.multiply(k, inner);
+    let identity = g.subtract(scaled, outer);
+    let one_sided = g.subtract(ka, outer);
+    let zero = g.zero();
+    let clipped = g.apply(Function::Max, &[a, zero]);
+    let mixed = g.unbranched(&[identity, one_sided, clipped]);
+    assert!(!g.reachable(&mixed, |_| true).iter().any(|id| matches!(
+        g.node(*id),
+        Node::Select(..) | Node::Binary(Function::Max, ..)
+    )));
+    let mut seed = 1;
+    let symbols = g.reachable(&mixed, |_| true);
+    let values: Vec<_> = symbols
+        .iter()
+        .map(|id| {
+            seed = seed * 31 % 101;
+            (*id, g.number(Number::integer(seed - 50)))
+        })
+        .collect();
+    let value = |id| {
+        values
+            .iter()
+            .find(|(known, _)| *known == id)
+            .map(|(_, v)| *v)
+    };
+    let images = g.substitute(&mixed, value);
+    assert!(g.is_zero(images[0]) && !g.is_zero(images[1]) && !g.is_zero(images[2]));
+}

@@ -101,3 +101,31 @@ plate!(
     [hold = body(_, _).at(_foot)],
     [reactions]
 );
+
+newton_euler::rigid_body!(Stick {
+    motion: rod(body(2, -1, 2)),
+    inputs: [
+        push = world(_, _, _)[N],
+        thrust[N],
+        twist = world(_, _, _)[N * m]
+    ],
+    inertia: compose([
+        point(0.5[kg]).at((0.6, -0.3, 0.6)),
+        point(0.3[kg]).at((-0.4, 0.2, -0.4)),
+        point(1.1[kg]).at((0.2, -0.1, 0.2)),
+    ]),
+    points: [
+        hook = (1, -0.5, 1),
+        tip = (-0.8, 0.4, -0.8),
+        wall = world(1.5, 2, -1),
+    ],
+    fields: [
+        weight = mass * world(0, -9.80665, 0),
+        electric = world(3, -2, 4).at(tip)
+    ],
+    forces: [
+        pushed = (push + thrust * axis).at(tip),
+        spring = (30 * (wall.position() - hook.position())).at(hook),
+    ],
+    moments: [twisted = axis.cross(twist).cross(axis)],
+});

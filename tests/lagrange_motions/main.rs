@@ -21,6 +21,7 @@ mod bodies;
 mod dual;
 #[path = "../oracle/mod.rs"]
 mod oracle;
+mod rod;
 mod scene;
 
 use oracle::vectors;

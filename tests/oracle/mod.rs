@@ -55,6 +55,17 @@ pub fn planar_translation() -> impl Strategy<Value = PlanarTranslation> {
         .prop_map(|(position, velocity)| PlanarTranslation { position, velocity })
 }
 
+pub fn rod() -> impl Strategy<Value = Rod> {
+    (vectors(5.0), attitudes(), vectors(4.0), plane_vectors(3.0)).prop_map(
+        |(position, attitude, velocity, rate)| Rod {
+            position,
+            velocity,
+            axis: attitude * Vector3::x_axis(),
+            axis_rate: attitude * Vector3::new(0.0, rate.x, rate.y),
+        },
+    )
+}
+
 /// A sum and the size of its largest term.
 ///
 /// Sizes are products of the norms of the factors: what cancels within a term, such as a component of a turned vector,

@@ -115,7 +115,7 @@ impl Constructor {
             .map(|mass| quote!(#private::check_mass(#mass)?;));
         let inertia_check = match (model.inertia, inertia_values) {
             (_, []) => TokenStream::new(),
-            (Inertia::Planar(_), [moment, ..]) => quote!(#private::check_planar_inertia(#moment)?;),
+            (Inertia::Scalar(_), [moment, ..]) => quote!(#private::check_planar_inertia(#moment)?;),
             (_, entries) => quote!(#private::check_inertia([#(#entries),*])?;),
         };
         let stored: Vec<Ident> = fields.0.iter().map(|(_, name)| name.clone()).collect();

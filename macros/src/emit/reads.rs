@@ -13,13 +13,26 @@ use super::code::{Body, Source};
 use super::naming::local;
 use super::scalar::Scalar;
 
+/// The component that a meaning stands for, if it is one of those of a place.
+type Component = fn(Meaning) -> Option<usize>;
+
 /// Components that are read together.
 struct Place {
     source: Source,
     path: TokenStream,
     /// The name of each component; a scalar has one.
     names: Vec<String>,
-    component: fn(Meaning) -> Option<usize>,
+    component: Component,
+}
+
+/// The component that a meaning of this kind has.
+macro_rules! component_of {
+    ($kind:ident) => {
+        |meaning| match meaning {
+            Meaning::$kind(component) => Some(component),
+            _ => None,
+        }
+    };
 }
 
 /// Where the parts of a state and of an acceleration are.
@@ -47,76 +60,48 @@ fn places(motion: Motion) -> Vec<Place> {
             quote!((*#acceleration))
         }
     };
-    let place = |source: Source,
-                 path: TokenStream,
-                 names: Vec<String>,
-                 component: fn(Meaning) -> Option<usize>| Place {
-        source,
-        path,
-        names,
-        component,
+    let place =
+        |source: Source, path: TokenStream, names: Vec<String>, component: Component| Place {
+            source,
+            path,
+            names,
+            component,
+        };
+    let of_state = |path: TokenStream, names: Vec<String>, component: Component| {
+        place(Source::State, quote!(#state.#path), names, component)
     };
+    let of_acceleration = |name: &str, names: Vec<String>, component: Component| {
+        place(Source::Acceleration, part(name), names, component)
+    };
+    let quaternion = ["qx", "qy", "qz", "qw"].map(str::to_owned).to_vec();
     vec![
-        place(
-            Source::State,
-            quote!(#state.position),
-            vector(""),
-            |meaning| match meaning {
-                Meaning::Position(axis) => Some(axis),
-                _ => None,
-            },
-        ),
-        place(
-            Source::State,
-            quote!(#state.angle),
-            vec!["angle".to_owned()],
-            |meaning| (meaning == Meaning::Angle).then_some(0),
-        ),
-        place(
-            Source::State,
-            quote!(#state.attitude.coords),
-            ["qx", "qy", "qz", "qw"].map(str::to_owned).to_vec(),
+        of_state(quote!(position), vector(""), component_of!(Position)),
+        of_state(quote!(angle), vec!["angle".to_owned()], |meaning| {
+            (meaning == Meaning::Angle).then_some(0)
+        }),
+        of_state(
+            quote!(attitude.coords),
+            quaternion,
             |meaning| match meaning {
                 Meaning::Quaternion(part) => Some((part + 3) % 4),
                 _ => None,
             },
         ),
-        place(
-            Source::State,
-            quote!(#state.velocity),
-            vector("v"),
-            |meaning| match meaning {
-                Meaning::Velocity(axis) => Some(axis),
-                _ => None,
-            },
-        ),
-        place(
-            Source::State,
-            quote!(#state.angular_velocity),
+        of_state(quote!(axis.into_inner()), vector("u"), component_of!(Axis)),
+        of_state(quote!(velocity), vector("v"), component_of!(Velocity)),
+        of_state(
+            quote!(angular_velocity),
             angular("w", "w"),
-            |meaning| match meaning {
-                Meaning::AngularVelocity(axis) => Some(axis),
-                _ => None,
-            },
+            component_of!(AngularVelocity),
         ),
-        place(
-            Source::Acceleration,
-            part("linear"),
-            vector("a"),
-            |meaning| match meaning {
-                Meaning::LinearAcceleration(axis) => Some(axis),
-                _ => None,
-            },
-        ),
-        place(
-            Source::Acceleration,
-            part("angular"),
+        of_state(quote!(axis_rate), vector("rate_"), component_of!(AxisRate)),
+        of_acceleration("linear", vector("a"), component_of!(LinearAcceleration)),
+        of_acceleration(
+            "angular",
             angular("alpha", "alpha_"),
-            |meaning| match meaning {
-                Meaning::AngularAcceleration(axis) => Some(axis),
-                _ => None,
-            },
+            component_of!(AngularAcceleration),
         ),
+        of_acceleration("axis", vector("axis_"), component_of!(AxisAcceleration)),
     ]
 }
 

@@ -39,6 +39,7 @@ impl Shapes {
             Motion::Translation => format_ident!("Translation"),
             Motion::Rotation | Motion::FixedPoint => format_ident!("Rotation"),
             Motion::Pivot | Motion::FixedAxis => format_ident!("Hinge"),
+            Motion::Rod => format_ident!("Rod"),
         };
         self.scalar.holder(&name)
     }
@@ -66,6 +67,7 @@ impl Shapes {
         match self.motion {
             Motion::Planar => holder("PlanarAcceleration"),
             Motion::Spatial => holder("SpatialAcceleration"),
+            Motion::Rod => holder("RodAcceleration"),
             Motion::Pivot | Motion::FixedAxis => self.scalar.kind(),
             Motion::PlanarTranslation
             | Motion::Translation
@@ -141,6 +143,7 @@ impl Shapes {
         };
         let angular = match (self.motion.has_attitude(), self.angular_axes().len()) {
             (true, 1) => vec!["angular".to_owned()],
+            (true, _) if self.motion == Motion::Rod => named("axis"),
             (true, _) => named("angular"),
             (false, _) => Vec::new(),
         };
@@ -178,6 +181,11 @@ impl Shapes {
                 let (linear, angular) = (self.vector(values), self.moment(values));
                 quote!(#kind { linear: #linear, angular: #angular })
             }
+            Motion::Rod => {
+                let kind = self.acceleration_type();
+                let (linear, axis) = (self.vector(values), self.vector(values));
+                quote!(#kind { linear: #linear, axis: #axis })
+            }
             Motion::Pivot | Motion::FixedAxis => {
                 let value = values.next();
                 quote!(#value)
@@ -189,7 +197,7 @@ impl Shapes {
         }
     }
 
-    /// `State { velocity: .., angular_velocity: .., ..*state }`, with these velocities or at rest.
+    /// `State { velocity: .., angular_velocity: .., ..*state }`, of a rod `axis_rate`, with these velocities or at rest.
     pub fn moving_state(&self, values: &mut Values<'_>, moves: bool) -> TokenStream {
         let (kind, state) = (self.state_type(), local("state"));
         let field = |name: &str, value: TokenStream| {
@@ -206,7 +214,12 @@ impl Shapes {
             fields.extend(field("velocity", self.vector(values)));
         }
         if self.motion.has_attitude() {
-            fields.extend(field("angular_velocity", self.moment(values)));
+            let name = if self.motion == Motion::Rod {
+                "axis_rate"
+            } else {
+                "angular_velocity"
+            };
+            fields.extend(field(name, self.moment(values)));
         }
         quote!(#kind { #fields ..*#state })
     }

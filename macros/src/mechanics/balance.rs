@@ -146,7 +146,7 @@ fn inertial_moment(model: &mut Model) -> Vector {
     let graph = &mut model.frames.graph;
     let change = match model.inertia {
         Inertia::Absent => graph.zeros(),
-        Inertia::Planar(inertia) => graph.scale_vector(inertia, rate),
+        Inertia::Scalar(inertia) => graph.scale_vector(inertia, rate),
         Inertia::Spatial(rows) => {
             let momentum = graph.transform(&rows, w);
             let momentum = graph.quantities(momentum);

@@ -8,6 +8,7 @@ use crate::symbolic::{Components, Function, Graph, Id};
 
 use super::constraints::Constrained;
 use super::response::response;
+use super::rod::turned_by;
 
 /// One constraint, as the runtime is told of it.
 pub struct Consistency {
@@ -16,7 +17,7 @@ pub struct Consistency {
     pub position: Option<(Id, Id)>,
     /// `h`, and the size of what it is summed from.
     pub velocity: (Id, Id),
-    /// `M^-1 A^T`: world axes, body axes.
+    /// `M^-1 A^T`: world axes, body axes; of a rod, the change of its axis.
     pub linear: Components,
     pub angular: Components,
     /// The row of `S`.
@@ -68,7 +69,10 @@ pub fn derive_consistency(model: &mut Model, constraints: &[Constrained]) -> Vec
             position,
             velocity,
             linear: directions[row].0,
-            angular: directions[row].1,
+            angular: match model.state.axis {
+                Some(axis) => turned_by(model, axis, directions[row].1),
+                None => directions[row].1,
+            },
             coupling,
         }
     });

@@ -22,6 +22,7 @@ use super::rates::{Rates, rates};
 use super::reactions::ReactionExpressions;
 use super::redundancy::{check_elimination, check_independent};
 use super::response::response;
+use super::rod;
 use super::samples::sample;
 
 /// A constraint with its derivatives.
@@ -49,7 +50,10 @@ pub fn derive_constrained(model: &mut Model, errors: &mut Errors) -> Option<Solv
     let constraints = differentiate(model);
     check_independent(model, &constraints, errors)?;
     let pushes = pushes(model, errors)?;
-    let (free_linear, free_angular, moment) = unconstrained(model);
+    if let Some(axis) = model.state.axis {
+        rod::check_pushes(model, axis, &pushes, errors)?;
+    }
+    let (free_linear, free_angular, moment) = unconstrained(model, errors)?;
     let mut rows = Vec::new();
     for constraint in &constraints {
         rows.push(constraint_row(
@@ -72,6 +76,10 @@ pub fn derive_constrained(model: &mut Model, errors: &mut Errors) -> Option<Solv
     let angular = pushed(model, free_angular, &pushes, &elimination.values, |push| {
         push.angular
     });
+    let angular = match model.state.axis {
+        Some(axis) => rod::of_angular(model, axis, angular),
+        None => angular,
+    };
     name_accelerations(model, linear, angular);
     let reactions = assemble(model, &pushes, &elimination.values);
     Some(Solved {
@@ -113,9 +121,15 @@ fn differentiate(model: &mut Model) -> Vec<Constrained> {
 }
 
 /// The accelerations by the given loads alone, and their moment about G in world axes.
-fn unconstrained(model: &mut Model) -> (Components, Components, Components) {
+fn unconstrained(
+    model: &mut Model,
+    errors: &mut Errors,
+) -> Option<(Components, Components, Components)> {
     let given = given_loads(model);
     let loads = core::mem::replace(&mut model.loads, given);
+    if let Some(axis) = model.state.axis {
+        rod::check_loads(model, axis, errors)?;
+    }
     let (linear, angular) = solve_balances(model, Vec::new(), ["free", "free_angular"]);
     let center = model.state.center(&mut model.frames);
     let moments = moments_about(model, center);
@@ -126,7 +140,7 @@ fn unconstrained(model: &mut Model) -> (Components, Components, Components) {
         model.frames.components(moment, Frame::World)
     };
     model.loads = loads;
-    (linear, angular, moment)
+    Some((linear, angular, moment))
 }
 
 /// An equation for the unknowns, not sampled yet.

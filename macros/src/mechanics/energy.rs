@@ -3,7 +3,7 @@
 use crate::model::{Family, Inertia, Load, Meaning, Model, Point, Vector};
 use crate::symbolic::{Components, Graph, Id, Node, Number};
 
-use super::newton_euler::{inertia_about_center, moment_of_inertia};
+use super::newton_euler::inertia_about_center;
 
 /// The expressions of `outputs: [energy]`, in joules.
 pub struct Energy {
@@ -33,10 +33,10 @@ fn kinetic(model: &mut Model) -> Id {
     let w = model.state.angular_velocity;
     let rotation = match (&inertia, model.hinge()) {
         (Inertia::Absent, _) => model.frames.graph.zero(),
-        (Inertia::Planar(_), _) => {
-            let square = model.frames.graph.square(w[2]);
-            let moment = moment_of_inertia(model, &inertia, w);
-            model.frames.graph.multiply(moment, square)
+        (Inertia::Scalar(moment), _) => {
+            let graph = &mut model.frames.graph;
+            let square = graph.norm_squared(model.state.turning());
+            graph.multiply(*moment, square)
         }
         (Inertia::Spatial(rows), _) => {
             let momentum = model.frames.graph.transform(rows, w);

@@ -16,6 +16,7 @@ mod rates;
 mod reactions;
 mod redundancy;
 mod response;
+mod rod;
 mod samples;
 mod skipped;
 mod solvability;
@@ -34,7 +35,7 @@ pub use reactions::ReactionExpressions;
 pub struct Equations {
     /// Acceleration of G, world axes.
     pub linear: Components,
-    /// Angular acceleration, body axes.
+    /// Angular acceleration, body axes; of a rod that of its axis, world axes.
     pub angular: Components,
     pub energy: Option<Energy>,
     pub momentum: Option<Momentum>,

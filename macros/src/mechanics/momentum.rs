@@ -25,7 +25,7 @@ pub fn derive_momentum(model: &mut Model) -> Momentum {
     let graph = &mut model.frames.graph;
     let spin = match model.inertia {
         Inertia::Absent => graph.zeros(),
-        Inertia::Planar(inertia) => graph.scale_vector(inertia, w),
+        Inertia::Scalar(inertia) => graph.scale_vector(inertia, w),
         Inertia::Spatial(rows) => graph.transform(&rows, w),
     };
     let spin = model.frames.vector(Frame::Body, spin);

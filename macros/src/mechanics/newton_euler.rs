@@ -6,17 +6,27 @@
 //! ```
 
 use crate::errors::Errors;
-use crate::model::{Frame, Inertia, Load, Model, Point, Vector, displaced};
+use crate::model::{Frame, Inertia, Load, Model, Point, Vector};
 use crate::symbolic::{Components, Id};
 
 use super::reactions::given_parts;
+use super::rod;
 
 /// Linear acceleration of G in world axes and angular acceleration in body axes, as far as the motion
-/// has them; that of a hinge stands in the place of z.
+/// has them; that of a hinge stands in the place of z, that of the axis of a rod in the place of all.
 pub fn derive_accelerations(
     model: &mut Model,
     errors: &mut Errors,
 ) -> Option<(Components, Components)> {
+    model
+        .frames
+        .labels
+        .describe("linear", "(1.3), world axes: a = sum of F / m");
+    if let Some(axis) = model.state.axis {
+        rod::check_loads(model, axis, errors)?;
+        let linear = linear_acceleration(model, "linear");
+        return Some((linear, rod::axis_acceleration(model, axis)));
+    }
     let center = model.state.center(&mut model.frames);
     let given = if model.motion.has_attitude() {
         given_parts(model, center)
@@ -28,7 +38,6 @@ pub fn derive_accelerations(
         Vec::new()
     };
     let labels = &mut model.frames.labels;
-    labels.describe("linear", "(1.3), world axes: a = sum of F / m");
     if model.motion.is_planar() || model.motion.is_hinged() {
         labels.describe("angular", "(1.4): w' = M / J");
     }
@@ -115,7 +124,7 @@ pub fn moments_about(model: &mut Model, pole: Point) -> Vec<Vector> {
 /// `P - O`, from the pole O to the point P.
 pub fn arm(model: &mut Model, point: Point, pole: Point) -> Vector {
     let from_center = |model: &mut Model, point: Point| match point {
-        Point::Body(offset) => Some(model.frames.vector(Frame::Body, offset)),
+        Point::Body(offset) => Some(model.frames.fixed_in_body(offset)),
         Point::Moving(offset) => Some(offset),
         Point::World(_) => None,
     };
@@ -137,9 +146,15 @@ fn angular_acceleration(model: &mut Model, moments: Vec<Vector>, name: &str) -> 
     let angular = match (inertia_about_center(model), model.hinge()) {
         (Inertia::Absent, _) => model.frames.graph.zeros(),
         (inertia, Some(axis)) => about_axis(model, &inertia, axis, moment),
-        (Inertia::Planar(inertia), None) => {
+        (Inertia::Scalar(inertia), None) if model.state.axis.is_some() => {
+            let graph = &mut model.frames.graph;
+            let one = graph.one();
+            let inverse = graph.divide(one, inertia);
+            moment.map(|part| graph.distribute(inverse, part))
+        }
+        (Inertia::Scalar(inertia), None) => {
             let axis = [0, 0, 1].map(|component| model.frames.graph.integer(component));
-            about_axis(model, &Inertia::Planar(inertia), axis, moment)
+            about_axis(model, &Inertia::Scalar(inertia), axis, moment)
         }
         (Inertia::Spatial(rows), None) if is_diagonal(model, &rows) => {
             euler(model, [rows[0][0], rows[1][1], rows[2][2]], moment)
@@ -177,7 +192,7 @@ pub fn moment_of_inertia(model: &mut Model, inertia: &Inertia, d: Components) ->
     let graph = &mut model.frames.graph;
     match inertia {
         Inertia::Absent => graph.zero(),
-        Inertia::Planar(moment) => *moment,
+        Inertia::Scalar(moment) => *moment,
         Inertia::Spatial(rows) => {
             let momentum = graph.transform(rows, d);
             graph.dot(d, momentum)
@@ -191,11 +206,9 @@ pub fn inertia_about_center(model: &mut Model) -> Inertia {
         return model.inertia;
     };
     let graph = &mut model.frames.graph;
-    let about_g = model.inertia.rows(graph);
-    let moved = displaced(graph, mass, support.offset, &about_g);
-    let inertia = model.inertia.with_rows(moved);
+    let inertia = model.inertia.displaced(graph, mass, support.offset);
     match inertia {
-        Inertia::Planar(moment) => model.frames.labels.name(moment, "inertia_about_support"),
+        Inertia::Scalar(moment) => model.frames.labels.name(moment, "inertia_about_support"),
         Inertia::Spatial(rows) => model.frames.labels.matrix("inertia_about_support", &rows),
         Inertia::Absent => {}
     }

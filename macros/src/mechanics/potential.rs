@@ -22,6 +22,8 @@ struct Derived {
     force: Vector,
     /// About G, or about the point that is held; body axes.
     moment: Components,
+    /// At the axis of a rod, `-dU/du`; world axes.
+    pull: Components,
 }
 
 /// Slopes of an energy, by symbol.
@@ -69,6 +71,7 @@ fn load(model: &mut Model, index: usize, derived: &Derived) -> Load {
         force: derived.force,
         point: center,
         moment: model.frames.vector(Frame::Body, derived.moment),
+        pull: model.state.axis.map(|_| derived.pull),
         potential: Some(derived.energy),
         mention: None,
     }
@@ -113,6 +116,7 @@ fn derive(model: &mut Model, form: &Form, energy: Id) -> Derived {
         }
     }
     let direct = attitude_moment(model, &slopes);
+    let pull = pull(model, &slopes);
     let force = along(model, &slopes, form.displacement);
     let slope = Vector {
         body: in_body,
@@ -122,6 +126,7 @@ fn derive(model: &mut Model, form: &Form, energy: Id) -> Derived {
         energy,
         force: model.frames.negate(slope),
         moment: model.frames.graph.add_vectors(moment, direct),
+        pull,
     }
 }
 
@@ -188,6 +193,7 @@ fn symbols_of_place(model: &Model, form: &Form) -> HashSet<Id> {
             symbols.extend([scalar]);
             symbols.extend(vector);
         }
+        Attitude::Line { axis, .. } => symbols.extend(axis),
     }
     symbols
 }
@@ -211,13 +217,15 @@ fn along(model: &mut Model, slopes: &Slopes, symbols: Components) -> Components 
 }
 
 /// The moment of an energy that was written in terms of the attitude itself: `-dU/dangle` about the
-/// axis, or `K_i = -1/2 dU/dq . (q e_i)`, body axes.
+/// axis, or `K_i = -1/2 dU/dq . (q e_i)`, body axes; of a rod `-u x dU/du`.
 fn attitude_moment(model: &mut Model, slopes: &Slopes) -> Components {
+    let pull = pull(model, slopes);
     let graph = &mut model.frames.graph;
     let zero = graph.zero();
     let slope = |symbol: Id| slopes.get(&symbol).copied().unwrap_or(zero);
     match model.frames.attitude {
         Attitude::Fixed => graph.zeros(),
+        Attitude::Line { axis, .. } => graph.cross(axis, pull),
         Attitude::Axis { angle, direction } => {
             let moment = graph.negate(slope(angle));
             graph.scale_vector(moment, direction)
@@ -234,6 +242,15 @@ fn attitude_moment(model: &mut Model, slopes: &Slopes) -> Components {
             graph.scale_vector(half, sum)
         }
     }
+}
+
+/// `-dU/du` of the axis of a rod.
+fn pull(model: &mut Model, slopes: &Slopes) -> Components {
+    let Attitude::Line { axis, .. } = model.frames.attitude else {
+        return model.frames.graph.zeros();
+    };
+    let slope = along(model, slopes, axis);
+    model.frames.graph.negate_vector(slope)
 }
 
 /// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where a
@@ -257,13 +274,13 @@ fn expand(model: &mut Model, form: &Form, derived: &[Derived]) -> Vec<Derived> {
             let Vector { body, world } = one.force;
             [one.energy]
                 .into_iter()
-                .chain([body, world, one.moment].concat())
+                .chain([body, world, one.moment, one.pull].concat())
         })
         .collect();
     let images = replace(model, &roots, &values);
     let vector = |parts: &[Id]| [parts[0], parts[1], parts[2]];
     images
-        .chunks(10)
+        .chunks(13)
         .map(|parts| Derived {
             energy: parts[0],
             force: Vector {
@@ -271,6 +288,7 @@ fn expand(model: &mut Model, form: &Form, derived: &[Derived]) -> Vec<Derived> {
                 world: vector(&parts[4..7]),
             },
             moment: vector(&parts[7..10]),
+            pull: vector(&parts[10..13]),
         })
         .collect()
 }

@@ -57,6 +57,7 @@ pub fn given_loads(model: &mut Model) -> Vec<Load> {
             force,
             point: reaction.point,
             moment,
+            pull: None,
             potential: None,
             extent: reaction.name.span().into(),
             mention: None,

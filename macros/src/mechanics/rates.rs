@@ -15,7 +15,7 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Attitude, Frame, Meaning, Model, Turn};
+use crate::model::{Attitude, Axis, Frame, Meaning, Model, Turn};
 use crate::symbolic::{Components, Id, Node, Number};
 
 /// The derivative of an expression in time; inputs are held.
@@ -24,7 +24,7 @@ pub struct Rates {
     pub rate: Id,
     /// Factors of the acceleration of G, world axes.
     pub linear: Components,
-    /// Factors of the angular acceleration, body axes.
+    /// Factors of the angular acceleration, body axes; of a rod, of that without spin, world axes.
     pub angular: Components,
 }
 
@@ -35,6 +35,8 @@ struct Sweep<'m> {
     rates: Vec<Id>,
     linear: Components,
     angular: Components,
+    /// Factors of u'', of a rod.
+    axis: Components,
 }
 
 pub fn rates(model: &mut Model, value: Id) -> Rates {
@@ -47,6 +49,7 @@ pub fn rates(model: &mut Model, value: Id) -> Rates {
         rates: Vec::new(),
         linear: zeros,
         angular: zeros,
+        axis: zeros,
     };
     for &id in order.iter().rev() {
         match turns.get(&id) {
@@ -55,6 +58,7 @@ pub fn rates(model: &mut Model, value: Id) -> Rates {
             None => sweep.step(id),
         }
     }
+    sweep.axis_by_turning();
     let (rates, linear, angular) = (sweep.rates, sweep.linear, sweep.angular);
     Rates {
         rate: model.frames.graph.sum(&rates),
@@ -142,14 +146,35 @@ impl Sweep<'_> {
                 self.angular[axis] = weight;
                 return;
             }
+            Meaning::AxisRate(axis) => {
+                self.axis[axis] = weight;
+                return;
+            }
             Meaning::Time => self.model.frames.graph.one(),
             Meaning::Position(axis) => state.velocity.world[axis],
             Meaning::Angle => state.angular_velocity[2],
+            Meaning::Axis(part) => match state.axis {
+                Some(axis) => axis.rate[part],
+                None => return,
+            },
             Meaning::Quaternion(part) => self.quaternion_rate(part),
             _ => return,
         };
         let rate = self.model.frames.graph.multiply(weight, rate);
         self.rates.push(rate);
+    }
+
+    /// `u'' = w' x u - u'^2 u`: a weight g of u'' is one of w', `u x g`, and a rate, `-u'^2 u . g`.
+    fn axis_by_turning(&mut self) {
+        let Some(Axis { unit, rate }) = self.model.state.axis else {
+            return;
+        };
+        let graph = &mut self.model.frames.graph;
+        self.angular = graph.cross(unit, self.axis);
+        let along = graph.dot(unit, self.axis);
+        let square = graph.norm_squared(rate);
+        let held = graph.multiply(square, along);
+        self.rates.push(graph.negate(held));
     }
 
     /// A part of `q' = q (0, w) / 2`.

@@ -318,7 +318,7 @@ fn inertial(model: &mut Model, linear: &Components, angular: &Components) -> (Ve
     let graph = &mut model.frames.graph;
     let change = match inertia {
         Inertia::Absent => graph.zeros(),
-        Inertia::Planar(moment) => graph.scale_vector(moment, rate),
+        Inertia::Scalar(moment) => graph.scale_vector(moment, rate),
         Inertia::Spatial(rows) => {
             let momentum = graph.transform(&rows, w);
             let gyroscopic = graph.cross(w, momentum);

@@ -27,7 +27,7 @@ pub fn response(
     }
     let angular = match inertia_about_center(model) {
         Inertia::Absent => zeros,
-        Inertia::Planar(inertia) => {
+        Inertia::Scalar(inertia) => {
             let inverse = model.frames.graph.divide(one, inertia);
             model.frames.labels.name(inverse, "inverse_inertia");
             model.frames.graph.scale_vector(inverse, moment)

@@ -24,9 +24,17 @@ pub fn sample(model: &mut Model, roots: &[Id]) -> Vec<Number> {
         .collect()
 }
 
+/// Which of `roots` are zero in all states, and on all branches.
+pub fn vanish(model: &mut Model, roots: &[Id]) -> Vec<bool> {
+    let mixed = model.frames.graph.unbranched(roots);
+    let values = sample(model, &mixed);
+    values.iter().map(Number::is_zero).collect()
+}
+
 fn at_state(model: &mut Model, roots: &[Id], seed: i64) -> Vec<Option<Number>> {
     let graph = &mut model.frames.graph;
     let quaternion = unit_quaternion(seed);
+    let (axis, rate) = axis_and_rate(seed);
     let mut numbers = HashMap::new();
     for id in graph.reachable(roots, |_| true) {
         let Node::Symbol(symbol) = *graph.node(id) else {
@@ -34,6 +42,8 @@ fn at_state(model: &mut Model, roots: &[Id], seed: i64) -> Vec<Option<Number>> {
         };
         let value = match model.meanings.of(symbol) {
             Meaning::Quaternion(part) => quaternion[part].clone(),
+            Meaning::Axis(part) => axis[part].clone(),
+            Meaning::AxisRate(part) => rate[part].clone(),
             _ => fraction(i64::from(symbol.0), seed),
         };
         numbers.insert(id, graph.number(value));
@@ -60,4 +70,21 @@ fn unit_quaternion(seed: i64) -> [Number; 4] {
     let over = |number: Number| number.checked_div(&below).unwrap_or_else(Number::zero);
     let [x, y, z] = s.map(|part| over(Number::integer(2) * part));
     [over(above), x, y, z]
+}
+
+/// A unit vector, `q e_x q*` of a unit quaternion, and a vector perpendicular to it.
+fn axis_and_rate(seed: i64) -> ([Number; 3], [Number; 3]) {
+    let [w, x, y, z] = unit_quaternion(seed);
+    let product = |a: &Number, b: &Number| a.clone() * b.clone();
+    let twice = |number: Number| Number::integer(2) * number;
+    let (yy_zz, xy_wz, xz_wy) = (
+        product(&y, &y) + product(&z, &z),
+        product(&x, &y) + product(&w, &z),
+        product(&x, &z) - product(&w, &y),
+    );
+    let axis = [Number::one() - twice(yy_zz), twice(xy_wz), twice(xz_wy)];
+    let any = [104, 105, 106].map(|index| fraction(index, seed));
+    let crossed = |i: usize, j: usize| product(&axis[i], &any[j]) - product(&axis[j], &any[i]);
+    let rate = [crossed(1, 2), crossed(2, 0), crossed(0, 1)];
+    (axis, rate)
 }

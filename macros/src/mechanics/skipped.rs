@@ -4,8 +4,9 @@ use crate::model::{Family, Inertia, Meaning, Model, Motion, Output, Point};
 use crate::symbolic::{Components, Id, Node};
 
 use super::energy::uniform_field;
+use super::rod::is_along_axis;
 
-pub fn list_skipped(model: &Model, linear: &Components, angular: &Components) -> Vec<String> {
+pub fn list_skipped(model: &mut Model, linear: &Components, angular: &Components) -> Vec<String> {
     let mut skipped = Vec::new();
     skip_equations(model, &mut skipped);
     skip_gyroscopic(model, &mut skipped);
@@ -41,6 +42,7 @@ fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
             "the force balance: the reaction of the support has no moment about it"
         }
         Motion::FixedAxis => "all balances but one: the reactions have no moment about the axis",
+        Motion::Rod => "the moment balance about the axis: a rod has no inertia about it",
         Motion::Spatial => return,
     };
     skipped.push(missing.to_owned());
@@ -80,22 +82,28 @@ fn skip_gyroscopic(model: &Model, skipped: &mut Vec<String>) {
     }
 }
 
-fn skip_moments(model: &Model, skipped: &mut Vec<String>) {
+fn skip_moments(model: &mut Model, skipped: &mut Vec<String>) {
     if !model.motion.has_attitude() {
         return;
     }
-    let forces = model
-        .loads
-        .iter()
-        .filter(|load| load.potential.is_none() && !model.frames.is_zero_vector(load.force));
-    for load in forces {
+    for index in 0..model.loads.len() {
+        let load = &model.loads[index];
         let Point::Body(offset) = load.point else {
             continue;
         };
-        let graph = &model.frames.graph;
-        if graph.is_zero_vector(&offset) {
-            skipped.push(format!("the moment of `{}`: it acts at G", load.name));
+        let force = load.force;
+        if load.potential.is_some() || model.frames.is_zero_vector(force) {
+            continue;
         }
+        let reason = if model.frames.graph.is_zero_vector(&offset) {
+            "it acts at G"
+        } else if is_along_axis(model, force.world) {
+            "it acts along the axis"
+        } else {
+            continue;
+        };
+        let name = &model.loads[index].name;
+        skipped.push(format!("the moment of `{name}`: {reason}"));
     }
 }
 
@@ -114,7 +122,11 @@ fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
                 model.motion.has_attitude(),
                 load.moment,
                 "moment",
-                "attitude",
+                if model.motion == Motion::Rod {
+                    "axis"
+                } else {
+                    "attitude"
+                },
             ),
         ];
         for (there, vector, part, place) in parts {
@@ -139,17 +151,24 @@ fn skip_state(model: &Model, linear: &Components, angular: &Components, skipped:
         graph.depends_on(&roots, |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(model.meanings.of(*symbol))))
     };
     let (moves, turns) = (model.motion.translates(), model.motion.has_attitude());
-    let parts: [Part; 4] = [
+    let is_rod = model.motion == Motion::Rod;
+    let parts: [Part; 6] = [
         (moves, "position", |meaning| {
             matches!(meaning, Meaning::Position(_))
         }),
         (moves, "velocity", |meaning| {
             matches!(meaning, Meaning::Velocity(_))
         }),
-        (turns, "attitude", |meaning| {
+        (is_rod, "axis", |meaning| {
+            matches!(meaning, Meaning::Axis(_))
+        }),
+        (is_rod, "axis rate", |meaning| {
+            matches!(meaning, Meaning::AxisRate(_))
+        }),
+        (turns && !is_rod, "attitude", |meaning| {
             matches!(meaning, Meaning::Angle | Meaning::Quaternion(_))
         }),
-        (turns, "angular velocity", |meaning| {
+        (turns && !is_rod, "angular velocity", |meaning| {
             matches!(meaning, Meaning::AngularVelocity(_))
         }),
     ];

@@ -5,7 +5,7 @@ use crate::symbolic::{Comparison, Id};
 use crate::syntax::{Expression, Operator, Prefix, Step};
 
 use super::dimension::Dimension;
-use super::frame::{Frame, Vector};
+use super::frame::Vector;
 use super::lower::{Lowering, dimension};
 use super::value::{Point, Value};
 
@@ -197,7 +197,7 @@ impl Lowering<'_> {
         };
         let from_center = match point {
             Point::Moving(offset) => offset,
-            Point::Body(offset) | Point::World(offset) => self.frames.vector(Frame::Body, offset),
+            Point::Body(offset) | Point::World(offset) => self.frames.fixed_in_body(offset),
         };
         let offset = self.frames.add(from_center, vector);
         let graph = &self.frames.graph;

@@ -7,6 +7,8 @@ use crate::symbolic::Number;
 use super::dimension::Dimension;
 use super::frame::{Attitude, Frame};
 use super::lower::Lowering;
+use super::motion::Motion;
+use super::rod::UNTURNED;
 use super::value::{Point, Value};
 
 impl Lowering<'_> {
@@ -25,6 +27,20 @@ impl Lowering<'_> {
             )),
             "G" => Some(Value::Point(Point::Body(graph.zeros()))),
             "position" | "velocity" => self.motion_of_center(name),
+            "axis" | "axis_rate" if self.motion == Motion::Rod => {
+                let axis = self.state.axis?;
+                let (components, dimension) = if word == "axis" {
+                    (axis.unit, Dimension::NONE)
+                } else {
+                    (axis.rate, Dimension::FREQUENCY)
+                };
+                let vector = self.frames.vector(Frame::World, components);
+                Some(Value::Vector(vector, dimension))
+            }
+            "attitude" if self.motion == Motion::Rod => self.report(
+                name.span(),
+                format!("{UNTURNED}: write `axis`, the unit vector along it"),
+            ),
             "attitude" if !self.motion.has_attitude() => self.absent(name, "attitude"),
             "attitude" => match self.frames.attitude {
                 Attitude::Axis { angle, .. } => Some(Value::Scalar(angle, Dimension::NONE)),

@@ -12,7 +12,6 @@ use super::dimension::Dimension;
 use super::draft::Given;
 use super::inertia::{Inertia, base};
 use super::lower::Lowering;
-use super::parallel_axis::displaced;
 use super::parameters::Defaults;
 use super::solid::is_of_solid;
 use super::value::{Point, shown};
@@ -38,7 +37,7 @@ struct Member {
     mass: Id,
     is_hole: bool,
     /// About its own center of mass.
-    rows: [Components; 3],
+    inertia: Inertia,
     /// From the drawing origin.
     point: Components,
 }
@@ -81,6 +80,8 @@ impl Lowering<'_> {
             .iter()
             .map(|member| graph.subtract_vectors(member.point, first))
             .collect();
+        self.check_on_one_line(written, &offsets)?;
+        let graph = &mut self.frames.graph;
         let center = [0, 1, 2].map(|axis| {
             let moments = masses.iter().zip(&offsets);
             let moments: Vec<Id> = moments
@@ -93,20 +94,13 @@ impl Lowering<'_> {
         let labels = &mut self.frames.labels;
         labels.describe("center", "G, from where the first part is");
         labels.vector("center", center);
-        let mut rows = [self.frames.graph.zeros(); 3];
+        let mut inertia = self.of_a_point();
         for (member, offset) in members.iter().zip(offsets) {
             let graph = &mut self.frames.graph;
             let from_center = graph.subtract_vectors(offset, center);
-            let about_center = displaced(graph, member.mass, from_center, &member.rows);
-            for (row, added) in rows.iter_mut().zip(about_center) {
-                *row = graph.add_vectors(*row, added);
-            }
+            let about_center = member.inertia.displaced(graph, member.mass, from_center);
+            inertia = inertia.plus(graph, about_center);
         }
-        let inertia = if self.motion.is_planar() {
-            Inertia::Planar(rows[2][2])
-        } else {
-            Inertia::Spatial(rows)
-        };
         if self.motion.has_attitude() {
             let has_holes = members.iter().any(|member| member.is_hole);
             self.check_composed(inertia, has_holes, &written.word, defaults)?;
@@ -119,12 +113,30 @@ impl Lowering<'_> {
         })
     }
 
+    /// The parts of a rod lie along its axis; offsets are from the first part.
+    fn check_on_one_line(&mut self, written: &Composition, offsets: &[Components]) -> Option<()> {
+        let mut is_right = true;
+        for (part, offset) in written.parts.iter().flatten().zip(offsets) {
+            if !self.is_along_axis(*offset) {
+                let place = part.point.iter().flatten().next();
+                let place = place.map_or(part.form.extent, |point| point.extent);
+                self.errors.push(
+                    place,
+                    "the parts of a rod lie on one line, along its axis, and this one is beside the \
+                     line through the first part",
+                );
+                is_right = false;
+            }
+        }
+        is_right.then_some(())
+    }
+
     fn member(&mut self, part: &Part, defaults: &Defaults) -> Option<Member> {
         let point = match &part.point {
             None => Some(self.frames.graph.zeros()),
             Some(point) => point.as_ref().and_then(|point| self.place(point)),
         };
-        let (mass, rows) = match &part.form.kind {
+        let (mass, inertia) = match &part.form.kind {
             Kind::Call(word, arguments) if word == "point" => {
                 if let Some(Some(mass)) = &part.mass {
                     return self.report(
@@ -138,19 +150,18 @@ impl Lowering<'_> {
                         "a point is known by its mass: write `point(1[kg]).at(P)`",
                     );
                 };
-                let zeros = [self.frames.graph.zeros(); 3];
-                (self.part_mass(mass, defaults), Some(zeros))
+                (self.part_mass(mass, defaults), Some(self.of_a_point()))
             }
             _ => {
                 let mass = self.mass_of(part, defaults);
-                (mass, self.rows_of(part, mass, defaults))
+                (mass, self.inertia_of(part, mass, defaults))
             }
         };
         let (mass, is_hole) = mass?;
         Some(Member {
             mass,
             is_hole,
-            rows: rows?,
+            inertia: inertia?,
             point: point?,
         })
     }
@@ -164,19 +175,29 @@ impl Lowering<'_> {
         match &form.kind {
             Kind::Poisoned => None,
             // that nothing can be calculated with a form is all there is to say
-            Kind::Chain(..) | Kind::Prefix(..) if !self.motion.is_planar() => None,
+            Kind::Chain(..) | Kind::Prefix(..) if !self.motion.has_one_moment() => None,
             Kind::Call(word, _) | Kind::Record(word, _) => self.report(word.span(), NO_MASS),
             _ => self.report(form.extent, NO_MASS),
         }
     }
 
-    /// The inertia of such a part about its own center of mass, by rows.
-    fn rows_of(
+    /// The inertia of a point about itself: none.
+    fn of_a_point(&mut self) -> Inertia {
+        let graph = &mut self.frames.graph;
+        if self.motion.has_one_moment() {
+            Inertia::Scalar(graph.zero())
+        } else {
+            Inertia::Spatial([graph.zeros(); 3])
+        }
+    }
+
+    /// The inertia of such a part about its own center of mass.
+    fn inertia_of(
         &mut self,
         part: &Part,
         mass: Option<(Id, bool)>,
         defaults: &Defaults,
-    ) -> Option<[Components; 3]> {
+    ) -> Option<Inertia> {
         let given = Given {
             mass: mass.map_or(Mass::Reported, |(mass, _)| Mass::Known(mass)),
             defaults,
@@ -188,7 +209,7 @@ impl Lowering<'_> {
             }
             self.check_inertia(&draft, defaults)?;
         }
-        Some(draft.inertia.rows(&mut self.frames.graph))
+        Some(draft.inertia)
     }
 
     fn part_mass(&mut self, written: &Expression, defaults: &Defaults) -> Option<(Id, bool)> {

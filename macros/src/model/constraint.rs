@@ -105,14 +105,19 @@ impl Lowering<'_> {
                 |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(meanings.of(*symbol))),
             )
         };
-        if depends(|meaning| matches!(meaning, Meaning::Velocity(_) | Meaning::AngularVelocity(_)))
-        {
+        let is_rate = |meaning| {
+            matches!(
+                meaning,
+                Meaning::Velocity(_) | Meaning::AngularVelocity(_) | Meaning::AxisRate(_)
+            )
+        };
+        if depends(is_rate) {
             return Some(Level::Velocity);
         }
         let is_place = |meaning| {
             matches!(
                 meaning,
-                Meaning::Position(_) | Meaning::Angle | Meaning::Quaternion(_)
+                Meaning::Position(_) | Meaning::Angle | Meaning::Quaternion(_) | Meaning::Axis(_)
             )
         };
         depends(is_place).then_some(Level::Position)

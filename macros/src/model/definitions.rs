@@ -8,8 +8,8 @@ use crate::syntax::{Composition, Description, Expression};
 use super::dimension::Dimension;
 use super::frame::{Frames, Vector};
 use super::lower::Lowering;
-use super::motion::Meanings;
-use super::order::{Definition, definition_order, split_at_support};
+use super::motion::{Meanings, Motion};
+use super::order::{Definition, definition_order, split_at_axis, split_at_support};
 use super::outline::{self, Outline};
 use super::parameters::Defaults;
 use super::value::{Value, shown};
@@ -68,6 +68,11 @@ impl Lowering<'_> {
             None => Mass::Absent,
         };
         self.check_mass_key(description, outline::written_motion(description).is_some());
+        let order = if self.motion == Motion::Rod {
+            self.definitions_at_axis(description, defaults, &order, &mut mass)
+        } else {
+            order
+        };
         let (first, rest) = split_at_support(description, &order);
         for definition in &first {
             self.definition(*definition, description, defaults, &mut mass);
@@ -75,7 +80,7 @@ impl Lowering<'_> {
         if self.composed.is_some() {
             let is_point_or_local = |definition: &&Definition| **definition != Definition::Mass;
             for definition in first.iter().take_while(is_point_or_local) {
-                self.read_from_center(*definition, description);
+                self.read_again(*definition, description);
             }
         }
         if self.motion.is_supported() {
@@ -91,6 +96,27 @@ impl Lowering<'_> {
             }
         }
         mass
+    }
+
+    /// Reads what the direction of a rod needs, and the direction; returns what is left.
+    fn definitions_at_axis(
+        &mut self,
+        description: &Description,
+        defaults: &Defaults,
+        order: &[Definition],
+        mass: &mut Mass,
+    ) -> Vec<Definition> {
+        let (first, rest) = split_at_axis(description, order);
+        for definition in &first {
+            self.definition(*definition, description, defaults, mass);
+        }
+        self.axis(description, defaults);
+        for definition in first {
+            if definition != Definition::Mass {
+                self.read_again(definition, description);
+            }
+        }
+        rest
     }
 
     fn definition(
@@ -124,8 +150,9 @@ impl Lowering<'_> {
         Some(self.named(value, &name))
     }
 
-    /// Reads again, now that G is known, what the parts refer to.
-    fn read_from_center(&mut self, definition: Definition, description: &Description) {
+    /// Reads again, now that G is known, what the parts refer to; and, now that the axis is, what the
+    /// direction of a rod refers to.
+    fn read_again(&mut self, definition: Definition, description: &Description) {
         let (name, _) = definition.of(description);
         if self.scope.peek(&name).is_some() {
             let value = self.read(definition, description);

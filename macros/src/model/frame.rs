@@ -36,6 +36,12 @@ pub enum Attitude {
     Axis { angle: Id, direction: Components },
     /// A unit quaternion.
     Quaternion { scalar: Id, vector: Components },
+    /// That of a rod: one direction of the body, a unit vector in body axes, is along `axis`, in
+    /// world axes. No other axes turn with it: all components are written in those of the world.
+    Line {
+        direction: Components,
+        axis: Components,
+    },
 }
 
 /// A physical vector: the sum of its two parts.
@@ -54,21 +60,21 @@ pub struct Frames {
     pub turns: Option<Turns>,
     /// All vectors that were turned otherwise: their rates are known as vectors.
     pub turned: Vec<Turn>,
+    /// Of a rod, products `u x b`, and b; world axes.
+    pub swept: Vec<(Components, Components)>,
 }
 
 impl Frames {
     pub fn vector(&mut self, frame: Frame, components: Components) -> Vector {
         let zeros = self.graph.zeros();
-        match frame {
-            Frame::Body => Vector {
-                body: components,
-                world: zeros,
-            },
-            Frame::World => Vector {
-                body: zeros,
-                world: components,
-            },
-        }
+        // no axes turn with a rod
+        let turns = !matches!(self.attitude, Attitude::Line { .. });
+        let (body, world) = if frame == Frame::Body && turns {
+            (components, zeros)
+        } else {
+            (zeros, components)
+        };
+        Vector { body, world }
     }
 
     pub fn zero_vector(&mut self) -> Vector {
@@ -158,6 +164,7 @@ impl Frames {
     /// `a x b`; what is not written in the same axes is multiplied in body axes.
     pub fn cross(&mut self, a: Vector, b: Vector) -> Vector {
         let world = self.graph.cross(a.world, b.world);
+        self.note_swept(a, b, world);
         let (turned_a, turned_b) = (self.turned_if_needed(a, b), self.turned_if_needed(b, a));
         let products = [
             self.graph.cross(a.body, b.body),
@@ -224,7 +231,7 @@ impl Frames {
             return turns.turn(&mut self.graph, v, to);
         }
         let turned = match self.attitude {
-            Attitude::Fixed => return v,
+            Attitude::Fixed | Attitude::Line { .. } => return v,
             Attitude::Axis { angle, direction } => self.turn_by_angle(angle, direction, v, to),
             Attitude::Quaternion { scalar, vector } => {
                 let axis = match to {

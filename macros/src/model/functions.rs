@@ -33,16 +33,13 @@ impl Lowering<'_> {
         let word = function.to_string();
         match word.as_str() {
             "body" | "world" => {
-                let frame = if word == "body" {
-                    Frame::Body
-                } else {
-                    Frame::World
-                };
                 let (components, dimension) = self.component_list(arguments, extent)?;
-                Some(Value::Vector(
-                    self.frames.vector(frame, components),
-                    dimension,
-                ))
+                let vector = if word == "body" {
+                    self.body_vector(components, extent)?
+                } else {
+                    self.frames.vector(Frame::World, components)
+                };
+                Some(Value::Vector(vector, dimension))
             }
             "moment" => self.report(
                 function.span(),

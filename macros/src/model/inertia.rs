@@ -1,5 +1,7 @@
 //! Inertia: from what was written to the tensor about G, checked.
 
+use proc_macro2::Ident;
+
 use crate::errors::similar;
 use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Description, Expression, Kind};
@@ -8,8 +10,11 @@ use super::definitions::Mass;
 use super::dimension::Dimension;
 use super::draft::{Draft, Entry, Given};
 use super::lower::Lowering;
+use super::motion::Motion;
 use super::outline::written_motion;
+use super::parallel_axis::displaced;
 use super::parameters::Defaults;
+use super::rod;
 use super::solid::{self, is_of_solid, is_solid};
 use super::unit::lower_unit;
 
@@ -18,8 +23,8 @@ use super::unit::lower_unit;
 pub enum Inertia {
     /// The body does not turn, or nothing was said.
     Absent,
-    /// About the axis through G normal to the plane.
-    Planar(Id),
+    /// About the axis through G normal to the plane, or about every axis through G across a rod.
+    Scalar(Id),
     /// The tensor, by rows.
     Spatial([Components; 3]),
 }
@@ -48,7 +53,7 @@ impl Lowering<'_> {
                 return Some(Inertia::Absent);
             }
             written_motion(description)?;
-            let form = if self.motion.is_planar() {
+            let form = if self.motion.has_one_moment() {
                 "0.1[kg * m ^ 2]"
             } else {
                 "principal(1, 2, 3)[kg * m ^ 2]"
@@ -63,7 +68,7 @@ impl Lowering<'_> {
         let draft = self.form(value, Given { mass, defaults })?;
         let turns = self.motion.has_attitude();
         match &base(value).kind {
-            Kind::Call(word, _) if word == "rod" && !self.motion.is_planar() => {
+            Kind::Call(word, _) if word == "rod" && !self.motion.has_one_moment() => {
                 if turns {
                     let motion = self.motion.word();
                     return self.report(
@@ -89,10 +94,13 @@ impl Lowering<'_> {
     pub fn form(&mut self, written: &Expression, given: Given<'_>) -> Option<Draft> {
         let mut draft = self.draft(written, given)?;
         if let (true, Inertia::Spatial(rows)) = (self.motion.is_planar(), draft.inertia) {
-            draft.inertia = Inertia::Planar(rows[2][2]);
+            draft.inertia = Inertia::Scalar(rows[2][2]);
         }
         let entries = draft.inertia.entries();
         self.check_early(written, &entries, CONSTANT)?;
+        if self.motion == Motion::Rod {
+            return self.across_axis(draft);
+        }
         Some(draft)
     }
 
@@ -158,10 +166,11 @@ impl Lowering<'_> {
                 "a point has no inertia about itself: points are parts of `compose([..])`",
             ),
             Kind::Poisoned => None,
-            _ if self.motion.is_planar() => {
+            Kind::Call(word, parts) if self.motion == Motion::Rod => self.no_form(word, parts),
+            _ if self.motion.has_one_moment() => {
                 let moment = self.scalar(written, Dimension::INERTIA, "the inertia about G")?;
                 Some(Draft {
-                    inertia: Inertia::Planar(moment),
+                    inertia: Inertia::Scalar(moment),
                     entries: Vec::new(),
                     extent: written.extent,
                 })
@@ -170,18 +179,7 @@ impl Lowering<'_> {
                 word.span(),
                 format!("entries have names: write `{word} {{ xx: .., yy: .., zz: .. }}`"),
             ),
-            Kind::Call(word, parts) => {
-                self.visit(parts);
-                self.report(
-                    word.span(),
-                    match similar(&word.to_string(), solid::words()) {
-                        Some(meant) => {
-                            format!("`{word}` is no form of inertia; did you mean `{meant}`?")
-                        }
-                        None => format!("`{word}` is no form of inertia: {FORMS}"),
-                    },
-                )
-            }
+            Kind::Call(word, parts) => self.no_form(word, parts),
             Kind::Chain(..) | Kind::Prefix(..) | Kind::Method(..) | Kind::Unit(..)
                 if has_form(written) =>
             {
@@ -198,11 +196,27 @@ impl Lowering<'_> {
         }
     }
 
+    fn no_form(&mut self, word: &Ident, parts: &[Expression]) -> Option<Draft> {
+        self.visit(parts);
+        let forms = if self.motion == Motion::Rod {
+            rod::FORMS
+        } else {
+            FORMS
+        };
+        self.report(
+            word.span(),
+            match similar(&word.to_string(), solid::words()) {
+                Some(meant) => format!("`{word}` is no form of inertia; did you mean `{meant}`?"),
+                None => format!("`{word}` is no form of inertia: {forms}"),
+            },
+        )
+    }
+
     fn scale_draft(&mut self, factor: Id, draft: Draft) -> Draft {
         let graph = &mut self.frames.graph;
         let inertia = match draft.inertia {
             Inertia::Absent => Inertia::Absent,
-            Inertia::Planar(moment) => Inertia::Planar(graph.multiply(factor, moment)),
+            Inertia::Scalar(moment) => Inertia::Scalar(graph.multiply(factor, moment)),
             Inertia::Spatial(rows) => {
                 Inertia::Spatial(rows.map(|row| graph.scale_vector(factor, row)))
             }
@@ -262,12 +276,37 @@ pub fn base(expression: &Expression) -> &Expression {
 }
 
 impl Inertia {
+    /// `J + m (r^2 1 - r r)`: the inertia about G, taken about a point at the offset `r`, which is in
+    /// the plane, or along a rod.
+    pub fn displaced(self, graph: &mut Graph, mass: Id, r: Components) -> Self {
+        match self {
+            Self::Absent => Self::Absent,
+            Self::Scalar(moment) => {
+                let square = graph.norm_squared(r);
+                let added = graph.multiply(mass, square);
+                Self::Scalar(graph.add(moment, added))
+            }
+            Self::Spatial(rows) => Self::Spatial(displaced(graph, mass, r, &rows)),
+        }
+    }
+
+    /// The sum of two of a kind.
+    pub fn plus(self, graph: &mut Graph, other: Self) -> Self {
+        match (self, other) {
+            (Self::Scalar(a), Self::Scalar(b)) => Self::Scalar(graph.add(a, b)),
+            (Self::Spatial(a), Self::Spatial(b)) => {
+                Self::Spatial([0, 1, 2].map(|i| graph.add_vectors(a[i], b[i])))
+            }
+            _ => self,
+        }
+    }
+
     /// All nine entries; of what is not known, zeros.
     pub fn rows(self, graph: &mut Graph) -> [Components; 3] {
         let mut rows = [graph.zeros(); 3];
         match self {
             Self::Absent => {}
-            Self::Planar(moment) => rows[2][2] = moment,
+            Self::Scalar(moment) => rows[2][2] = moment,
             Self::Spatial(spatial) => rows = spatial,
         }
         rows
@@ -277,7 +316,7 @@ impl Inertia {
     pub fn with_rows(self, rows: [Components; 3]) -> Self {
         match self {
             Self::Absent => Self::Absent,
-            Self::Planar(_) => Self::Planar(rows[2][2]),
+            Self::Scalar(_) => Self::Scalar(rows[2][2]),
             Self::Spatial(_) => Self::Spatial(rows),
         }
     }
@@ -286,7 +325,7 @@ impl Inertia {
     pub fn entries(self) -> Vec<Id> {
         match self {
             Self::Absent => Vec::new(),
-            Self::Planar(moment) => vec![moment],
+            Self::Scalar(moment) => vec![moment],
             Self::Spatial(rows) => rows.into_iter().flatten().collect(),
         }
     }

@@ -32,6 +32,7 @@ impl Lowering<'_> {
             force,
             point: point?,
             moment,
+            pull: None,
             potential: None,
             extent: written.name.span().into(),
             mention: value.and_then(|value| self.mentioned_reaction(value)),

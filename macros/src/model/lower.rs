@@ -32,6 +32,8 @@ pub struct Lowering<'a> {
     pub reactions: Vec<String>,
     /// Of a body that is composed of parts, once they are read.
     pub composed: Option<Composed>,
+    /// Whether it is.
+    pub has_parts: bool,
 }
 
 impl Lowering<'_> {

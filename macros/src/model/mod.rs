@@ -25,6 +25,7 @@ mod points;
 mod possible;
 mod potential;
 mod reaction;
+mod rod;
 mod scope;
 mod solid;
 mod support;
@@ -44,10 +45,9 @@ use crate::syntax::{self, Description};
 pub use constraint::{Constraint, Level};
 pub use frame::{Attitude, Frame, Frames, Vector};
 pub use inertia::Inertia;
-pub use motion::{Meanings, Motion, State};
+pub use motion::{Axis, Meanings, Motion, State};
 pub use names::{AXES, Labels, Meaning};
 pub use outline::{Declared, Outline, Output, outline};
-pub use parallel_axis::displaced;
 pub use potential::{Form, Potentials};
 pub use reaction::Reaction;
 pub use syntax::{Family, LoadKind};
@@ -95,6 +95,9 @@ pub struct Load {
     pub point: Point,
     /// Without that of the force.
     pub moment: Vector,
+    /// Of a potential of a rod: what draws at its axis u, `-dU/du` in world axes; the moment is `u x`
+    /// this.
+    pub pull: Option<Components>,
     /// The potential that it follows from, if it does: it acts all over the body, and `point` was
     /// chosen.
     pub potential: Option<Id>,
@@ -116,7 +119,7 @@ impl Model {
     pub fn inertia_entries(&self) -> Vec<Id> {
         match self.inertia {
             Inertia::Absent => Vec::new(),
-            Inertia::Planar(moment) => vec![moment],
+            Inertia::Scalar(moment) => vec![moment],
             Inertia::Spatial(rows) => entries(&rows).to_vec(),
         }
     }
@@ -138,6 +141,7 @@ pub fn lower_description(
         attitude,
         turns: None,
         turned: Vec::new(),
+        swept: Vec::new(),
     };
     let mut scope = Scope::new(description, repeated);
     let mut lowering = Lowering {
@@ -147,6 +151,7 @@ pub fn lower_description(
         motion: outline.motion,
         state: &mut state,
         composed: None,
+        has_parts: description.composition.is_some(),
         reactions: if outline.is_constrained {
             let names = outline.reactions.iter().map(|(name, _)| name.to_string());
             names.collect()

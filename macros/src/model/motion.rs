@@ -19,10 +19,11 @@ pub enum Motion {
     Pivot,
     FixedPoint,
     FixedAxis,
+    Rod,
 }
 
 impl Motion {
-    pub const ALL: [(&'static str, Self); 8] = [
+    pub const ALL: [(&'static str, Self); 9] = [
         ("planar", Self::Planar),
         ("planar_translation", Self::PlanarTranslation),
         ("spatial", Self::Spatial),
@@ -31,6 +32,7 @@ impl Motion {
         ("pivot", Self::Pivot),
         ("fixed_point", Self::FixedPoint),
         ("fixed_axis", Self::FixedAxis),
+        ("rod", Self::Rod),
     ];
 
     pub fn word(self) -> &'static str {
@@ -54,7 +56,7 @@ impl Motion {
     pub fn translates(self) -> bool {
         matches!(
             self,
-            Self::Planar | Self::PlanarTranslation | Self::Spatial | Self::Translation
+            Self::Planar | Self::PlanarTranslation | Self::Spatial | Self::Translation | Self::Rod
         )
     }
 
@@ -73,6 +75,11 @@ impl Motion {
         !matches!(self, Self::PlanarTranslation | Self::Translation)
     }
 
+    /// The inertia is one moment: about the normal of the plane, or about every axis across a rod.
+    pub fn has_one_moment(self) -> bool {
+        self.is_planar() || self == Self::Rod
+    }
+
     /// Number of components of a vector.
     pub fn axes(self) -> usize {
         if self.is_planar() { 2 } else { 3 }
@@ -86,11 +93,22 @@ pub struct State {
     pub position: Vector,
     pub velocity: Vector,
     pub acceleration: Vector,
-    /// Body axes.
+    /// Body axes; of a rod, `u x u'` and `u x u''` in world axes.
     pub angular_velocity: Components,
     pub angular_acceleration: Components,
+    /// What a rod has instead of an attitude.
+    pub axis: Option<Axis>,
     /// What holds the body, once it is read.
     pub support: Option<Support>,
+}
+
+/// The axis of a rod, world axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Axis {
+    /// The unit vector u.
+    pub unit: Components,
+    /// u', perpendicular to u.
+    pub rate: Components,
 }
 
 /// A point of the body that is held in space.
@@ -111,11 +129,27 @@ impl State {
         match point {
             Point::World(position) => frames.vector(Frame::World, position),
             Point::Body(offset) => {
-                let offset = frames.vector(Frame::Body, offset);
+                let offset = frames.fixed_in_body(offset);
                 frames.add(self.position, offset)
             }
             Point::Moving(offset) => frames.add(self.position, offset),
         }
+    }
+
+    /// The velocity of a point of the body at this offset, less that of G.
+    pub fn swept(&self, frames: &mut Frames, offset: Components) -> Vector {
+        if let (Attitude::Line { direction, .. }, Some(axis)) = (frames.attitude, self.axis) {
+            let along = frames.graph.dot(direction, offset);
+            let swept = frames.graph.scale_vector(along, axis.rate);
+            return frames.vector(Frame::World, swept);
+        }
+        let swept = frames.graph.cross(self.angular_velocity, offset);
+        frames.vector(Frame::Body, swept)
+    }
+
+    /// The angular velocity; of a rod u', which is as long.
+    pub fn turning(&self) -> Components {
+        self.axis.map_or(self.angular_velocity, |axis| axis.rate)
     }
 
     /// The point about which the moments are balanced: that which is held, or G.
@@ -192,7 +226,7 @@ impl Meanings {
 }
 
 /// The symbols of a motion's state and the attitude that they make. What a support adds comes with
-/// [`State::hold`]: until then the axis of a hinge is z.
+/// [`State::hold`]: until then the axis of a hinge is z. That of a rod comes with its direction.
 pub fn state_symbols(
     motion: Motion,
     graph: &mut Graph,
@@ -206,7 +240,7 @@ pub fn state_symbols(
     let angular = match motion {
         Motion::Planar | Motion::Pivot | Motion::FixedAxis => 2..3,
         Motion::Spatial | Motion::Rotation | Motion::FixedPoint => 0..3,
-        Motion::PlanarTranslation | Motion::Translation => 0..0,
+        Motion::PlanarTranslation | Motion::Translation | Motion::Rod => 0..0,
     };
     let time = meanings.symbol(graph, Stage::State, Meaning::Time);
     let attitude = match motion {
@@ -220,18 +254,28 @@ pub fn state_symbols(
                 [1, 2, 3].map(|i| meanings.symbol(graph, Stage::State, Meaning::Quaternion(i)));
             Attitude::Quaternion { scalar, vector }
         }
-        Motion::PlanarTranslation | Motion::Translation => Attitude::Fixed,
+        // that of a rod comes with its direction in the body
+        Motion::PlanarTranslation | Motion::Translation | Motion::Rod => Attitude::Fixed,
     };
     let zeros = graph.zeros();
     let in_world = |world: Components| Vector { body: zeros, world };
-    let state = State {
+    let mut state = State {
         time,
         position: in_world(meanings.vector(graph, linear.clone(), Meaning::Position)),
         velocity: in_world(meanings.vector(graph, linear.clone(), Meaning::Velocity)),
         angular_velocity: meanings.vector(graph, angular.clone(), Meaning::AngularVelocity),
         acceleration: in_world(meanings.vector(graph, linear, Meaning::LinearAcceleration)),
         angular_acceleration: meanings.vector(graph, angular, Meaning::AngularAcceleration),
+        axis: None,
         support: None,
     };
+    if motion == Motion::Rod {
+        let [unit, rate, acceleration] =
+            [Meaning::Axis, Meaning::AxisRate, Meaning::AxisAcceleration]
+                .map(|meaning| meanings.vector(graph, 0..3, meaning));
+        state.axis = Some(Axis { unit, rate });
+        state.angular_velocity = graph.cross(unit, rate);
+        state.angular_acceleration = graph.cross(unit, acceleration);
+    }
     (state, attitude)
 }

@@ -79,6 +79,9 @@ pub enum Meaning {
     /// Components of the attitude quaternion: 0 is the scalar.
     Quaternion(usize),
     AngularVelocity(usize),
+    /// The axis of a rod and its rate, world axes.
+    Axis(usize),
+    AxisRate(usize),
     /// A parameter, and its component if it is a vector.
     Param(usize, Option<usize>),
     Input(usize, Option<usize>),
@@ -88,6 +91,8 @@ pub enum Meaning {
     LinearAcceleration(usize),
     /// Angular acceleration, body axes.
     AngularAcceleration(usize),
+    /// Of the axis of a rod, world axes.
+    AxisAcceleration(usize),
     /// A displacement or a turned vector, as long as it is differentiated by.
     Virtual,
 }

@@ -78,17 +78,40 @@ pub fn split_at_support(
     description: &Description,
     order: &[Definition],
 ) -> (Vec<Definition>, Vec<Definition>) {
-    let support = description.motion.iter().flat_map(|motion| &motion.support);
-    let written = support.flat_map(|support| support.arguments.iter().chain(&support.anchor));
-    let names = |value: &Expression| -> Vec<String> {
-        value.names().into_iter().map(ToString::to_string).collect()
-    };
-    let mut needed: HashSet<String> = written.flatten().flat_map(names).collect();
+    let mut needed = names_in_motion(description);
     if let Some(composition) = &description.composition {
         // no offset from G is known before the parts are
         needed.insert("mass".to_owned());
         needed.extend(composition.expressions().flat_map(names));
     }
+    split(description, order, needed)
+}
+
+/// Splits an order of definitions into those that the direction of a rod needs, and the rest.
+pub fn split_at_axis(
+    description: &Description,
+    order: &[Definition],
+) -> (Vec<Definition>, Vec<Definition>) {
+    split(description, order, names_in_motion(description))
+}
+
+fn names(value: &Expression) -> Vec<String> {
+    value.names().into_iter().map(ToString::to_string).collect()
+}
+
+/// The names behind the word of the motion.
+fn names_in_motion(description: &Description) -> HashSet<String> {
+    let support = description.motion.iter().flat_map(|motion| &motion.support);
+    let written = support.flat_map(|support| support.arguments.iter().chain(&support.anchor));
+    written.flatten().flat_map(names).collect()
+}
+
+/// Splits off what is needed, and what that needs in turn.
+fn split(
+    description: &Description,
+    order: &[Definition],
+    mut needed: HashSet<String>,
+) -> (Vec<Definition>, Vec<Definition>) {
     for definition in order.iter().rev() {
         let (name, value) = definition.of(description);
         if needed.contains(&name) {

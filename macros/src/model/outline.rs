@@ -7,9 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use crate::errors::{Errors, hint, similar};
 use crate::symbolic::Number;
-use crate::syntax::{
-    self, Declaration, Description, Expression, Kind, LATER_MOTIONS, LoadKind, SUPPORTS,
-};
+use crate::syntax::{self, Declaration, Description, Expression, Kind, LoadKind, ROD, SUPPORTS};
 
 use super::dimension::Dimension;
 use super::frame::Frame;
@@ -206,12 +204,10 @@ fn check_motion(description: &Description, errors: &mut Errors) {
         return;
     };
     let written = word.to_string();
-    if LATER_MOTIONS.contains(&written.as_str()) {
+    if written == ROD && support.is_none() {
         errors.push(
             word.span(),
-            format!(
-                "`{written}(..)` is part of the language, but this version does not have it yet"
-            ),
+            "`rod` along which axis? write `rod(body(1, 0, 0))` with its direction in the body",
         );
     } else if SUPPORTS.contains(&written.as_str()) && support.is_none() {
         errors.push(
@@ -294,6 +290,12 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
                 errors.push(
                     word.span(),
                     "inverse dynamics under constraints is not there yet: use a motion with a support",
+                );
+            }
+            Some((_, Output::Inverse)) if written_motion(description) == Some(Motion::Rod) => {
+                errors.push(
+                    word.span(),
+                    "inverse dynamics of a rod is not there yet: make the drive an input",
                 );
             }
             Some((_, output)) => outputs.push(*output),

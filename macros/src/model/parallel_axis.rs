@@ -39,10 +39,7 @@ impl Lowering<'_> {
         };
         let graph = &mut self.frames.graph;
         let minus_mass = graph.negate(mass);
-        let about_point = draft.inertia.rows(graph);
-        let inertia = draft
-            .inertia
-            .with_rows(displaced(graph, minus_mass, r, &about_point));
+        let inertia = draft.inertia.displaced(graph, minus_mass, r);
         Some(Draft { inertia, ..draft })
     }
 }

@@ -8,9 +8,10 @@ use crate::syntax::{Declaration, Expression, Kind};
 use super::dimension::Dimension;
 use super::frame::Frame;
 use super::lower::{Lowering, dimension};
-use super::motion::Meanings;
+use super::motion::{Meanings, Motion};
 use super::names::Meaning;
 use super::outline::Declared;
+use super::rod::UNTURNED;
 use super::unit::lower_unit;
 use super::value::{Point, Value};
 
@@ -37,6 +38,7 @@ impl Lowering<'_> {
             return Some(Value::Scalar(symbol, declared.dimension));
         };
         let value = value.as_ref()?;
+        self.check_not_in_rod(declared.frame, value)?;
         if has_placeholder(value) {
             return self.open_vector(value, declared, meanings, Stage::Parameter, |axis| {
                 Meaning::Param(index, Some(axis))
@@ -140,6 +142,7 @@ impl Lowering<'_> {
             return Some(Value::Scalar(symbol, declared.dimension));
         };
         let value = value.as_ref()?;
+        self.check_not_in_rod(declared.frame, value)?;
         if !has_placeholder(value) {
             let name = &written.name;
             return self.report(
@@ -153,6 +156,20 @@ impl Lowering<'_> {
         self.open_vector(value, declared, meanings, Stage::State, |axis| {
             Meaning::Input(index, Some(axis))
         })
+    }
+
+    /// A vector in body axes that is given from outside may have any direction, and one of a rod not.
+    fn check_not_in_rod(&mut self, frame: Option<Frame>, value: &Expression) -> Option<()> {
+        if frame == Some(Frame::Body) && self.motion == Motion::Rod {
+            return self.report(
+                value.extent,
+                format!(
+                    "{UNTURNED}: what is given from outside is a scalar, for a multiple of `axis`, or a \
+                     vector in world axes"
+                ),
+            );
+        }
+        Some(())
     }
 
     fn declared_unit(&mut self, written: &Declaration) -> Option<Dimension> {

@@ -7,6 +7,7 @@ use crate::syntax::{Expression, Kind};
 use super::dimension::Dimension;
 use super::frame::Frame;
 use super::lower::{Lowering, UNKNOWN};
+use super::motion::Motion;
 use super::outline::written_frame;
 use super::unit::lower_unit;
 use super::value::{Point, Value};
@@ -45,6 +46,13 @@ impl Lowering<'_> {
                              write `G` or `world(..)`",
                         ),
                     },
+                    (true, _) if self.motion == Motion::Rod && !graph.is_early(vector.world[0]) => {
+                        self.report(
+                            expression.extent,
+                            "a point of a rod is written with its coordinates in the body, `(x, y, \
+                             z)`, or from another point, as `G + s * axis`",
+                        )
+                    }
                     (true, _) => self.fixed_point(Point::World(vector.world), found, expression),
                     (_, true) => self.fixed_point(Point::Body(vector.body), found, expression),
                     _ => self.report(
@@ -76,21 +84,25 @@ impl Lowering<'_> {
             Point::Moving(_) => return Some(point),
         };
         self.check_early(written, &components, "a point is fixed")?;
-        Some(match (point, self.composed) {
-            (Point::Body(written), Some(composed)) => {
-                Point::Body(composed.offset(&mut self.frames.graph, written))
-            }
-            _ => point,
-        })
+        let (Point::Body(from_origin), Some(composed)) = (point, self.composed) else {
+            return self.on_axis(point, written.extent);
+        };
+        let offset = composed.offset(&mut self.frames.graph, from_origin);
+        self.on_axis(Point::Body(offset), written.extent)
     }
 
-    /// `(x, y, z)` and `(x, y, z)[unit]`; the inner `None` is anything else.
+    /// `(x, y, z)`, `body(x, y, z)` and both with a unit; the inner `None` is anything else.
     #[allow(clippy::option_option, reason = "outer: reported; inner: not a tuple")]
     fn tuple(&mut self, expression: &Expression) -> Option<Option<(Components, Dimension)>> {
         match &expression.kind {
             Kind::Tuple(parts) => self.component_list(parts, expression.extent).map(Some),
-            Kind::Unit(inner, unit) if matches!(inner.kind, Kind::Tuple(_)) => {
-                let (components, found) = self.tuple(inner)??;
+            Kind::Call(word, parts) if word == "body" => {
+                self.component_list(parts, expression.extent).map(Some)
+            }
+            Kind::Unit(inner, unit) if written_frame(inner) == Some(Frame::Body) => {
+                let Some((components, found)) = self.tuple(inner)? else {
+                    return Some(None);
+                };
                 let (factor, dimension) = lower_unit(unit, self.errors)?;
                 self.check_unitless(found, unit.extent)?;
                 let factor = self.frames.graph.number(factor);

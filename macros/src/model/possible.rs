@@ -11,6 +11,7 @@ use crate::symbolic::{Id, Number};
 use super::draft::Draft;
 use super::inertia::Inertia;
 use super::lower::Lowering;
+use super::motion::Motion;
 use super::parameters::Defaults;
 use super::value::shown;
 
@@ -27,10 +28,10 @@ impl Lowering<'_> {
         };
         match draft.inertia {
             Inertia::Absent => Some(()),
-            Inertia::Planar(_) if numbers[0].is_positive() => Some(()),
+            Inertia::Scalar(_) if numbers[0].is_positive() => Some(()),
             // a point swings about a pin away from it
-            Inertia::Planar(_) if numbers[0].is_zero() && self.is_held_off_center() => Some(()),
-            Inertia::Planar(_) => self.report(
+            Inertia::Scalar(_) if numbers[0].is_zero() && self.is_held_off_center() => Some(()),
+            Inertia::Scalar(_) => self.report(
                 draft.extent,
                 format!(
                     "the inertia of a body that turns is positive, and J_G = {}",
@@ -64,7 +65,8 @@ impl Lowering<'_> {
         {
             let known = self.frames.graph.as_number(entry.value);
             let is_point = |moment: &Number| {
-                moment.is_zero() && self.motion.is_planar() && self.is_held_off_center()
+                let is_held = self.motion.is_planar() && self.is_held_off_center();
+                moment.is_zero() && (is_held || self.motion == Motion::Rod)
             };
             let wrong = |moment: &&Number| !moment.is_positive() && !is_point(moment);
             if let Some(moment) = known.filter(wrong) {
@@ -94,8 +96,13 @@ impl Lowering<'_> {
             return Some(());
         };
         let violated = match (inertia, numbers.as_slice()) {
-            (Inertia::Planar(_), [moment]) if !moment.is_positive() => {
-                format!("about the normal of the plane it is {}", shown(moment))
+            (Inertia::Scalar(_), [moment]) if !moment.is_positive() => {
+                let axis = if self.motion.is_planar() {
+                    "the normal of the plane"
+                } else {
+                    "every axis across the rod"
+                };
+                format!("about {axis} it is {}", shown(moment))
             }
             (Inertia::Spatial(_), numbers) => match Violation::find(&matrix(numbers)) {
                 Some(violation) => violation.message,
@@ -111,7 +118,7 @@ impl Lowering<'_> {
                     "no body has the inertia of these parts: {violated}; is a hole larger than \
                      what it is in?"
                 )
-            } else if self.motion.is_planar() {
+            } else if self.motion.has_one_moment() {
                 format!(
                     "all mass of this body is at one point, and under `motion: {motion}` it could \
                      turn about it: give a part some extent"

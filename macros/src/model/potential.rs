@@ -150,7 +150,11 @@ impl Lowering<'_> {
         if !self.depends(&[energy], &rates) {
             return Some(energy);
         }
-        let place = self.dependent_name(written, &rates, &["velocity", "angular_velocity"]);
+        let place = self.dependent_name(
+            written,
+            &rates,
+            &["velocity", "angular_velocity", "axis_rate"],
+        );
         self.report(
             place,
             "a potential depends on where the body is, and not on how it moves: what does is a \
@@ -158,10 +162,10 @@ impl Lowering<'_> {
         )
     }
 
-    /// The symbols of velocity and angular velocity.
+    /// The symbols of velocity and angular velocity, or of the rate of an axis.
     fn rates(&self) -> Vec<Id> {
         let velocity = self.state.velocity;
-        let all = [velocity.body, velocity.world, self.state.angular_velocity].concat();
+        let all = [velocity.body, velocity.world, self.state.turning()].concat();
         self.late_symbols(&all)
     }
 

@@ -12,6 +12,7 @@ use super::frame::{Frame, Vector};
 use super::lower::Lowering;
 use super::motion::{Meanings, Motion};
 use super::names::Meaning;
+use super::rod::UNTURNED;
 use super::unit::lower_unit;
 use super::value::{Point, Value};
 
@@ -234,6 +235,12 @@ impl Lowering<'_> {
             };
         };
         let frame = if word == "body" {
+            if self.motion == Motion::Rod {
+                return self.report(
+                    word.span(),
+                    format!("{UNTURNED}: write `world(_, _, _)`, or `_ * axis` along it"),
+                );
+            }
             Frame::Body
         } else {
             Frame::World

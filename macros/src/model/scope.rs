@@ -8,6 +8,8 @@ use proc_macro2::Ident;
 use crate::errors::{Errors, hint};
 use crate::syntax::Description;
 
+use super::motion::Motion;
+use super::outline::written_motion;
 use super::value::Value;
 
 /// Names that mean something in every description.
@@ -25,8 +27,19 @@ const BUILT_IN: [&str; 11] = [
     "TAU",
 ];
 
+/// Names that mean something under `motion: rod(..)` alone.
+const OF_ROD: [&str; 2] = ["axis", "axis_rate"];
+
 /// Built-in names of what changes while the body moves.
-const CHANGING: [&str; 5] = ["t", "position", "velocity", "attitude", "angular_velocity"];
+const CHANGING: [&str; 7] = [
+    "t",
+    "position",
+    "velocity",
+    "attitude",
+    "angular_velocity",
+    "axis",
+    "axis_rate",
+];
 
 /// What the names of a description stand for.
 pub struct Scope {
@@ -116,9 +129,11 @@ impl Scope {
 pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<String> {
     let mut repeated = HashSet::new();
     let mut seen = HashMap::new();
+    let is_rod = written_motion(description) == Some(Motion::Rod);
+    let is_built_in = |word: &str| BUILT_IN.contains(&word) || is_rod && OF_ROD.contains(&word);
     let mut check = |name: &Ident, what: &'static str, errors: &mut Errors| {
         let word = name.to_string();
-        if BUILT_IN.contains(&word.as_str()) {
+        if is_built_in(&word) {
             errors.push(
                 name.span(),
                 format!("`{word}` is built in: choose another name for this {what}"),

@@ -11,6 +11,7 @@ use super::dimension::Dimension;
 use super::draft::{Draft, Given};
 use super::inertia::{Inertia, base};
 use super::lower::Lowering;
+use super::motion::Motion;
 use super::value::shown;
 
 /// A solid about its center of mass, in its principal axes; z is the axis of symmetry.
@@ -152,6 +153,13 @@ impl Lowering<'_> {
             let per_mass = graph.sum(&terms);
             graph.multiply(mass, per_mass)
         });
+        if self.motion == Motion::Rod && word == "rod" {
+            return Some(Draft {
+                inertia: Inertia::Scalar(moments[0]),
+                entries: Vec::new(),
+                extent,
+            });
+        }
         let moments = if self.motion.is_planar() && word == "rod" {
             // in the plane, a rod lies in it
             [moments[2], moments[0], moments[1]]

@@ -87,8 +87,9 @@ impl Lowering<'_> {
         }
     }
 
-    /// A unit vector along `written`; at the angle zero both axes are the same.
-    fn direction(
+    /// A unit vector along `written`; at the angle zero both axes are the same. That of a rod is
+    /// written in the body.
+    pub fn direction(
         &mut self,
         written: &Expression,
         defaults: &Defaults,
@@ -99,6 +100,12 @@ impl Lowering<'_> {
             graph.is_zero_vector(&vector.body),
             graph.is_zero_vector(&vector.world),
         ) {
+            (true, false) if self.motion == Motion::Rod => {
+                return self.report(
+                    written.extent,
+                    "the axis of a rod has a direction in the body: write `body(..)`",
+                );
+            }
             (true, false) => vector.world,
             (false, true) => vector.body,
             (true, true) => {

@@ -13,6 +13,7 @@ use super::dimension::Dimension;
 use super::draft::Draft;
 use super::inertia::{CONSTANT, Inertia};
 use super::lower::Lowering;
+use super::motion::Motion;
 
 /// A symmetric matrix, by rows.
 type Matrix = [Components; 3];
@@ -20,6 +21,7 @@ type Matrix = [Components; 3];
 impl Lowering<'_> {
     /// `.along(direction)`: the axis of symmetry, which is z before, along `direction`.
     pub fn along(&mut self, draft: Draft, place: &Ident, written: &[Expression]) -> Option<Draft> {
+        self.refuse_of_rod(place)?;
         let [written] = written else {
             return self.report(
                 place.span(),
@@ -27,7 +29,7 @@ impl Lowering<'_> {
             );
         };
         let direction = self.body_direction(written)?;
-        if let Inertia::Planar(_) = draft.inertia {
+        if let Inertia::Scalar(_) = draft.inertia {
             return self.report(
                 place.span(),
                 "one number has no axis: only a solid can lie along a direction",
@@ -65,6 +67,7 @@ impl Lowering<'_> {
                  `.turned(..)` out",
             );
         }
+        self.refuse_of_rod(place)?;
         let [axis, angle] = written else {
             return self.report(
                 place.span(),
@@ -81,6 +84,16 @@ impl Lowering<'_> {
         let turned = rotate(graph, &rotation, &rows);
         let inertia = draft.inertia.with_rows(turned);
         Some(Draft { inertia, ..draft })
+    }
+
+    fn refuse_of_rod(&mut self, place: &Ident) -> Option<()> {
+        if self.motion == Motion::Rod {
+            return self.report(
+                place.span(),
+                format!("a rod lies along its axis: leave `.{place}(..)` out"),
+            );
+        }
+        Some(())
     }
 
     /// A constant vector in body axes that is not zero.

@@ -8,12 +8,19 @@ use crate::symbolic::{Components, Id};
 use crate::syntax::{Charge, Expression, Load};
 
 use super::dimension::Dimension;
-use super::frame::{Attitude, Frame, Vector};
+use super::frame::{Attitude, Vector};
 use super::lower::{Lowering, dimension};
 use super::value::{Point, Value};
 
 /// Names of what changes with the state.
-const STATE: [&str; 4] = ["position", "velocity", "attitude", "angular_velocity"];
+const STATE: [&str; 6] = [
+    "position",
+    "velocity",
+    "attitude",
+    "angular_velocity",
+    "axis",
+    "axis_rate",
+];
 
 impl Lowering<'_> {
     /// The energy of the charges in the field.
@@ -44,7 +51,7 @@ impl Lowering<'_> {
         // where the motion of G is not modelled, positions count from G
         let position = self.state.position;
         let moved = self.frames.scale(net, position);
-        let dipole = self.frames.vector(Frame::Body, dipole);
+        let dipole = self.frames.fixed_in_body(dipole);
         let whole = self.frames.add(moved, dipole);
         let work = self.frames.dot(field, whole);
         Some(self.frames.graph.negate(work))
@@ -152,6 +159,7 @@ impl Lowering<'_> {
                 roots.push(scalar);
                 roots.extend(vector);
             }
+            Attitude::Line { axis, .. } => roots.extend(axis),
         }
         let turns = self.frames.turns.iter().flat_map(|turns| &turns.list);
         roots.extend(turns.flat_map(|turn| turn.turned));

@@ -10,6 +10,8 @@ use super::dimension::Dimension;
 use super::frame::{Attitude, Frame, Vector};
 use super::functions::VECTOR_METHODS;
 use super::lower::{Lowering, dimension};
+use super::motion::Motion;
+use super::rod::UNTURNED;
 use super::value::{Point, Value};
 
 impl Lowering<'_> {
@@ -88,6 +90,10 @@ impl Lowering<'_> {
                 let reciprocal = self.frames.graph.quantity(reciprocal);
                 self.scaled(reciprocal, value, Dimension::NONE)
             }
+            "in_body" if self.motion == Motion::Rod => self.report(
+                method.span(),
+                format!("{UNTURNED}: write `.in_world()`, or what is along it, `.dot(axis)`"),
+            ),
             frame => {
                 let frame = if frame == "in_body" {
                     Frame::Body
@@ -144,8 +150,7 @@ impl Lowering<'_> {
         let vector = match (point, word.as_str()) {
             (point, "position") => self.state.place(self.frames, point),
             (Point::Body(offset), _) => {
-                let swept = self.frames.graph.cross(self.state.angular_velocity, offset);
-                let swept = self.frames.vector(Frame::Body, swept);
+                let swept = self.state.swept(self.frames, offset);
                 self.frames.add(self.state.velocity, swept)
             }
             (Point::Moving(offset), _) => {

@@ -4,6 +4,7 @@
 //! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
 //! vectors, derivatives, linear equations, a schedule, a cost and an interpreter.
 
+mod branches;
 mod build;
 mod cost;
 mod derivative;

@@ -102,6 +102,14 @@ impl Function {
             .map_or("", |(name, _)| name)
     }
 
+    /// Whether it is one expression here and another one there.
+    pub fn is_piecewise(self) -> bool {
+        matches!(
+            self,
+            Self::Abs | Self::Signum | Self::Floor | Self::Ceil | Self::Min | Self::Max
+        )
+    }
+
     /// Number of arguments, the receiver included.
     pub fn arity(self) -> usize {
         match self {

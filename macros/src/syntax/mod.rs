@@ -22,7 +22,7 @@ use crate::errors::Extent;
 
 pub use composition::{Composition, Part};
 pub use expression::{Expression, Kind, Operator, Prefix, Step};
-pub use motion::{LATER_MOTIONS, SUPPORTS};
+pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
 pub use unit::UnitExpression;
 
@@ -90,14 +90,14 @@ pub struct Written {
     pub value: Value,
 }
 
-/// `motion: word`, or `motion: word(arguments)` of a body with a support.
+/// `motion: word`, or `motion: word(arguments)` of a body with a support, or of a rod.
 pub struct Motion {
     pub word: Ident,
     /// What stands in the parentheses behind the word, and in those of `.at(..)` behind them.
     pub support: Option<Support>,
 }
 
-/// `(point)` or `(point, direction)`, and `.at(anchor)`.
+/// `(point)`, `(point, direction)` or `(direction)`, and `.at(anchor)`.
 pub struct Support {
     pub arguments: Vec<Value>,
     pub anchor: Option<Value>,

@@ -1,4 +1,4 @@
-//! The value of `motion:`: a word, and for a support what stands in parentheses behind it.
+//! The value of `motion:`: a word, and for a support or a rod what stands in parentheses behind it.
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
@@ -10,8 +10,8 @@ use super::{Motion, Support};
 
 /// Kinds of motion about a support.
 pub const SUPPORTS: [&str; 3] = ["pivot", "fixed_point", "fixed_axis"];
-/// Kinds of motion that are not there yet.
-pub const LATER_MOTIONS: [&str; 1] = ["rod"];
+/// The kind of motion that has an axis, and no support.
+pub const ROD: &str = "rod";
 
 pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> {
     match value {
@@ -24,13 +24,9 @@ pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> 
             word: word.clone(),
             support: None,
         }),
-        [TokenTree::Ident(word), ..] if LATER_MOTIONS.contains(&word.to_string().as_str()) => {
-            Some(Motion {
-                word: word.clone(),
-                support: None,
-            })
-        }
-        [TokenTree::Ident(word), TokenTree::Group(_), ..] if is_support(&word.to_string()) => {
+        [TokenTree::Ident(word), TokenTree::Group(_), ..]
+            if word == ROD || is_support(&word.to_string()) =>
+        {
             let written = Expression::parse(stream(value), errors);
             Some(Motion {
                 word: word.clone(),
@@ -86,9 +82,12 @@ fn read_support(word: &Ident, written: Option<Expression>, errors: &mut Errors) 
                     Kind::Method(_, method, _) => method.span().into(),
                     _ => expression.extent,
                 },
-                format!(
-                    "a support is `{word}(P)`, or `{word}(P).at(world(..))` away from the origin"
-                ),
+                if word == ROD {
+                    "the motion of a rod is `rod(direction)`, such as `rod(body(1, 0, 0))`"
+                        .to_owned()
+                } else {
+                    format!("a support is `{word}(P)`, or `{word}(P).at(world(..))` away from the origin")
+                },
             ),
         }
     }

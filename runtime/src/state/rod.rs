@@ -3,13 +3,13 @@
 //! A rod has no moment of inertia about its axis, and turning about it is no motion. What is left of the attitude is the
 //! axis u, a point of the unit sphere, and its rate u̇, tangent there.
 
-use nalgebra::{SVector, Unit, UnitVector3, Vector3};
+use nalgebra::{SVector, Unit, UnitQuaternion, UnitVector3, Vector3};
 #[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
 
 use super::State;
 use crate::attitude;
-use crate::private::math;
+use crate::scalar::Scalar;
 
 /// State of `motion: rod(axis)`, five degrees of freedom: |u| = 1 and u·u̇ = 0.
 ///
@@ -40,43 +40,52 @@ use crate::private::math;
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
 #[cfg_attr(
     feature = "serde",
-    serde(try_from = "written::Rod", into = "written::Rod")
+    serde(
+        try_from = "written::Rod<T>",
+        into = "written::Rod<T>",
+        bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>")
+    )
 )]
-pub struct Rod {
+pub struct Rod<T: Scalar> {
     /// Position of G, world axes \[m\].
-    pub position: Vector3<f64>,
+    pub position: Vector3<T>,
     /// Velocity of G, world axes \[m/s\].
-    pub velocity: Vector3<f64>,
+    pub velocity: Vector3<T>,
     /// Unit vector u along the rod, world axes.
-    pub axis: UnitVector3<f64>,
+    pub axis: UnitVector3<T>,
     /// u̇, perpendicular to the axis, world axes \[1/s\]; a component along it has no meaning and is dropped when the
     /// state is moved.
-    pub axis_rate: Vector3<f64>,
+    pub axis_rate: Vector3<T>,
 }
 
 /// Acceleration of a [`Rod`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub struct RodAcceleration {
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
+)]
+pub struct RodAcceleration<T: Scalar> {
     /// Acceleration of G, world axes \[m/s²\].
-    pub linear: Vector3<f64>,
+    pub linear: Vector3<T>,
     /// ü, world axes \[1/s²\]: `(K × u)/J - |u̇|² u`, with K the moment about G and J the moment of inertia about every
     /// axis through G perpendicular to the rod. Its component along u follows from |u| = 1 and is not read.
-    pub axis: Vector3<f64>,
+    pub axis: Vector3<T>,
 }
 
-impl Default for Rod {
+impl<T: Scalar> Default for Rod<T> {
     fn default() -> Self {
+        let [zero, one] = [T::default(), T::default().constant(1.0, 1.0)];
         Self {
-            position: Vector3::zeros(),
-            velocity: Vector3::zeros(),
-            axis: Vector3::x_axis(),
-            axis_rate: Vector3::zeros(),
+            position: Vector3::default(),
+            velocity: Vector3::default(),
+            axis: Unit::new_unchecked(Vector3::new(one, zero, zero)),
+            axis_rate: Vector3::default(),
         }
     }
 }
 
-impl Rod {
+impl<T: Scalar> Rod<T> {
     /// w = u × u̇, the angular velocity in world axes, of a rod that does not spin \[rad/s\].
     ///
     /// ```
@@ -86,37 +95,38 @@ impl Rod {
     /// let rod = Rod { axis_rate: Vector3::new(0.0, 2.0, 0.0), ..Rod::default() };
     /// assert_eq!(rod.angular_velocity(), Vector3::new(0.0, 0.0, 2.0));
     /// ```
-    #[inline]
+    #[inline(always)]
     #[must_use]
-    pub fn angular_velocity(&self) -> Vector3<f64> {
-        self.axis.cross(&self.axis_rate)
+    pub fn angular_velocity(&self) -> Vector3<T> {
+        cross(self.axis.as_ref(), &self.axis_rate)
     }
 }
 
-impl State for Rod {
-    type Scalar = f64;
-    type Acceleration = RodAcceleration;
+impl<T: Scalar> State for Rod<T> {
+    type Scalar = T;
+    type Acceleration = RodAcceleration<T>;
     /// Velocity, angular velocity u × u̇, acceleration of G, ü without its component along u: three components each.
-    type Rate = SVector<f64, 12>;
+    type Rate = SVector<T, 12>;
 
-    #[inline]
-    fn rate(&self, acceleration: &RodAcceleration) -> Self::Rate {
+    #[inline(always)]
+    fn rate(&self, acceleration: &RodAcceleration<T>) -> Self::Rate {
         let [v, w] = [self.velocity, self.angular_velocity()];
         let [a, b] = [
             acceleration.linear,
-            perpendicular(&acceleration.axis, &self.axis),
+            perpendicular(&acceleration.axis, self.axis.as_ref()),
         ];
         SVector::from([v.x, v.y, v.z, w.x, w.y, w.z, a.x, a.y, a.z, b.x, b.y, b.z])
     }
 
-    #[inline]
+    #[inline(always)]
     fn moved(&self, displacement: &Self::Rate) -> Self {
-        let turn: Vector3<f64> = displacement.fixed_rows::<3>(3).into();
-        let change: Vector3<f64> = displacement.fixed_rows::<3>(9).into();
-        let rotation = attitude::exp(&turn);
-        let axis = rotation * self.axis.into_inner();
-        let axis = axis * (0.5 * (3.0 - axis.norm_squared()));
-        let rate = rotation * self.axis_rate + averaged(&change, &turn);
+        let turn: Vector3<T> = displacement.fixed_rows::<3>(3).into();
+        let change: Vector3<T> = displacement.fixed_rows::<3>(9).into();
+        let rotation = attitude::generic::exp(&turn);
+        let axis = turned(&rotation, self.axis.as_ref());
+        let [half, three] = [axis.x.constant(0.5, 0.5), axis.x.constant(3.0, 3.0)];
+        let axis = axis * (half * (three - dot(&axis, &axis)));
+        let rate = turned(&rotation, &self.axis_rate) + averaged(&change, &turn);
         Self {
             position: self.position + displacement.fixed_rows::<3>(0),
             velocity: self.velocity + displacement.fixed_rows::<3>(6),
@@ -127,34 +137,77 @@ impl State for Rod {
 }
 
 /// What of a vector is perpendicular to a unit vector.
-#[inline]
-fn perpendicular(vector: &Vector3<f64>, unit: &Vector3<f64>) -> Vector3<f64> {
-    vector - unit * unit.dot(vector)
+#[inline(always)]
+fn perpendicular<T: Scalar>(vector: &Vector3<T>, unit: &Vector3<T>) -> Vector3<T> {
+    vector - unit * dot(unit, vector)
+}
+
+#[inline(always)]
+fn dot<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> T {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+#[inline(always)]
+fn cross<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
+    Vector3::new(
+        a.y * b.z - a.z * b.y,
+        a.z * b.x - a.x * b.z,
+        a.x * b.y - a.y * b.x,
+    )
+}
+
+/// `v + (w s + q × s)`, `s = q × 2 v`: of a small turn, v is rounded once.
+#[inline(always)]
+fn turned<T: Scalar>(attitude: &UnitQuaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
+    let [x, y, z, w]: [T; 4] = attitude.as_ref().coords.into();
+    let q = Vector3::new(x, y, z);
+    let swing = cross(&q, &(vector + vector));
+    vector + (swing * w + cross(&q, &swing))
 }
 
 /// V of [`Rod`]: the mean of a vector over a turn, begun at the vector.
-#[inline]
-fn averaged(vector: &Vector3<f64>, turn: &Vector3<f64>) -> Vector3<f64> {
-    let square = turn.norm_squared();
-    // (1 - cos ξ)/ξ² and (ξ - sin ξ)/ξ³; of each series, the first term left out is below 2⁻⁵³ of the sum
-    let (first, second) = if square < 1e-2 {
-        let x = square;
-        (
-            1.0 / 2.0
-                - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x * (1.0 / 40320.0 - x / 3_628_800.0))),
-            1.0 / 6.0
-                - x * (1.0 / 120.0 - x * (1.0 / 5040.0 - x * (1.0 / 362_880.0 - x / 39_916_800.0))),
-        )
-    } else {
-        let angle = math::sqrt(square);
-        let half = math::sin(0.5 * angle) / angle;
-        (
-            2.0 * half * half,
-            (angle - math::sin(angle)) / (square * angle),
-        )
+#[inline(always)]
+fn averaged<T: Scalar>(vector: &Vector3<T>, turn: &Vector3<T>) -> Vector3<T> {
+    let square = dot(turn, turn);
+    // (1 - cos ξ)/ξ² and (ξ - sin ξ)/ξ³
+    let small = square.less(square.constant(1e-2, 1e-2));
+    let (first, second) = match T::agreed(small) {
+        Some(true) => series(square),
+        Some(false) => closed(square),
+        None => {
+            let (near, far) = (series(square), closed(square));
+            (
+                T::select(small, near.0, far.0),
+                T::select(small, near.1, far.1),
+            )
+        }
     };
-    let turned = turn.cross(vector);
-    vector + turned * first + turn.cross(&turned) * second
+    let turned = cross(turn, vector);
+    vector + turned * first + cross(turn, &turned) * second
+}
+
+/// Of each sum, the first term left out is below 2⁻⁵³ of it.
+#[inline(always)]
+fn series<T: Scalar>(x: T) -> (T, T) {
+    let over = |divisor: u32| {
+        #[expect(clippy::cast_precision_loss, reason = "to be rounded once")]
+        x.constant(1.0 / f64::from(divisor), 1.0 / divisor as f32)
+    };
+    (
+        over(2) - x * (over(24) - x * (over(720) - x * (over(40320) - x * over(3_628_800)))),
+        over(6) - x * (over(120) - x * (over(5040) - x * (over(362_880) - x * over(39_916_800)))),
+    )
+}
+
+#[inline(always)]
+fn closed<T: Scalar>(square: T) -> (T, T) {
+    let [half, two] = [square.constant(0.5, 0.5), square.constant(2.0, 2.0)];
+    let angle = square.sqrt();
+    let ratio = (half * angle).sin() / angle;
+    (
+        two * ratio * ratio,
+        (angle - angle.sin()) / (square * angle),
+    )
 }
 
 /// A rod as it is serialised, with the axis as a plain vector, checked on reading.
@@ -163,20 +216,25 @@ mod written {
     use nalgebra::{Unit, Vector3};
     use serde::{Deserialize, Serialize};
 
+    use crate::scalar::Scalar;
+
     /// How far |u|² may be from 1, and u·u̇ from 0 relative to |u̇|: as for attitudes, nine printed digits pass, single
     /// precision does not, and what passes is right to rounding after the first step. It is kept as it was read.
-    const TOLERANCE: f64 = 1e-9;
-
-    #[derive(Serialize, Deserialize)]
-    pub(super) struct Rod {
-        position: Vector3<f64>,
-        velocity: Vector3<f64>,
-        axis: Vector3<f64>,
-        axis_rate: Vector3<f64>,
+    fn tolerance<T: Scalar>() -> f64 {
+        f64::max(1e-9, 8.0 * T::EPSILON)
     }
 
-    impl From<super::Rod> for Rod {
-        fn from(rod: super::Rod) -> Self {
+    #[derive(Serialize, Deserialize)]
+    #[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
+    pub(super) struct Rod<T: Scalar> {
+        position: Vector3<T>,
+        velocity: Vector3<T>,
+        axis: Vector3<T>,
+        axis_rate: Vector3<T>,
+    }
+
+    impl<T: Scalar> From<super::Rod<T>> for Rod<T> {
+        fn from(rod: super::Rod<T>) -> Self {
             Self {
                 position: rod.position,
                 velocity: rod.velocity,
@@ -189,52 +247,56 @@ mod written {
     /// Why it is refused.
     #[derive(Clone, Copy)]
     pub(super) enum Invalid {
-        Axis { square: f64 },
-        Rate { cosine: f64 },
+        Axis { square: f64, tolerance: f64 },
+        Rate { cosine: f64, tolerance: f64 },
     }
 
     impl core::fmt::Display for Invalid {
         fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
             match self {
-                Self::Axis { square } => write!(
+                Self::Axis { square, tolerance } => write!(
                     f,
-                    "axis must be a unit vector: |u|² is {square}, further than {TOLERANCE:e} from 1"
+                    "axis must be a unit vector: |u|² is {square}, further than {tolerance:e} from 1"
                 ),
-                Self::Rate { cosine } => write!(
+                Self::Rate { cosine, tolerance } => write!(
                     f,
-                    "axis_rate must be perpendicular to axis: the cosine between them is {cosine}, further than {TOLERANCE:e} from 0"
+                    "axis_rate must be perpendicular to axis: the cosine between them is {cosine}, further than {tolerance:e} from 0"
                 ),
             }
         }
     }
 
-    impl TryFrom<Rod> for super::Rod {
+    impl<T: Scalar> TryFrom<Rod<T>> for super::Rod<T> {
         type Error = Invalid;
 
-        fn try_from(rod: Rod) -> Result<Self, Invalid> {
-            let Rod {
-                position,
-                velocity,
-                axis,
-                axis_rate,
-            } = rod;
-            let square = axis.norm_squared();
-            if (square - 1.0).abs() > TOLERANCE || !square.is_finite() {
-                return Err(Invalid::Axis { square });
-            }
-            let largest = axis_rate.amax();
-            if largest > 0.0 {
-                let cosine = axis.dot(&(axis_rate / largest).normalize());
-                if cosine.abs() > TOLERANCE || !cosine.is_finite() {
-                    return Err(Invalid::Rate { cosine });
-                }
+        fn try_from(rod: Rod<T>) -> Result<Self, Invalid> {
+            let tolerance = tolerance::<T>();
+            for lane in 0..T::LANES {
+                let [axis, rate] = [rod.axis, rod.axis_rate]
+                    .map(|vector| vector.map(|component| component.lane(lane)));
+                check(&axis, &rate, tolerance)?;
             }
             Ok(Self {
-                position,
-                velocity,
-                axis: Unit::new_unchecked(axis),
-                axis_rate,
+                position: rod.position,
+                velocity: rod.velocity,
+                axis: Unit::new_unchecked(rod.axis),
+                axis_rate: rod.axis_rate,
             })
         }
+    }
+
+    fn check(axis: &Vector3<f64>, rate: &Vector3<f64>, tolerance: f64) -> Result<(), Invalid> {
+        let square = axis.norm_squared();
+        if (square - 1.0).abs() > tolerance || !square.is_finite() {
+            return Err(Invalid::Axis { square, tolerance });
+        }
+        let largest = rate.amax();
+        if largest > 0.0 {
+            let cosine = axis.dot(&(rate / largest).normalize());
+            if cosine.abs() > tolerance || !cosine.is_finite() {
+                return Err(Invalid::Rate { cosine, tolerance });
+            }
+        }
+        Ok(())
     }
 }

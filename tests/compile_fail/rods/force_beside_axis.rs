@@ -1,0 +1,11 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Stick {
+    motion: rod(body(1, 0, 0)),
+    mass: 2[kg],
+    inertia: rod(0.5[m]),
+    points: [post = world(0, 0, 1)],
+    forces: [push = world(0, 1, 1)[N].at(post)],
+});
+
+fn main() {}

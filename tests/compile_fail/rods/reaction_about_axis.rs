@@ -1,0 +1,12 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Stick {
+    motion: rod(body(1, 0, 0)),
+    mass: 2[kg],
+    inertia: rod(0.5[m]),
+    points: [tip = (0.25, 0, 0)],
+    reactions: [hold = moment(world(0, 0, _))],
+    constraints: [level = axis.dot(world(0, 0, 1))],
+});
+
+fn main() {}

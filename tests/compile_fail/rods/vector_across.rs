@@ -1,0 +1,10 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Stick {
+    motion: rod(body(1, 0, 0)),
+    mass: 2[kg],
+    inertia: rod(0.5[m]),
+    forces: [push = body(0, 0, 1)[N]],
+});
+
+fn main() {}

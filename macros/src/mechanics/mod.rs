@@ -6,7 +6,10 @@
 mod balance;
 mod consistency;
 mod constraints;
+mod dyadic;
 mod energy;
+mod euler_equations;
+mod inertia_class;
 mod inverse;
 mod momentum;
 mod newton_euler;
@@ -45,6 +48,8 @@ pub struct Equations {
     pub drives: Vec<ReactionExpressions>,
     /// How far a state is from each constraint.
     pub constraints: Vec<Consistency>,
+    /// What kind of body has this inertia, line by line; nothing if it is not constant.
+    pub inertia_class: Vec<String>,
     /// What does not appear in the equations, and why.
     pub skipped: Vec<String>,
 }
@@ -84,6 +89,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         reactions,
         drives,
         constraints,
+        inertia_class: inertia_class::classify(model),
         skipped,
     })
 }

@@ -52,7 +52,7 @@ pub use potential::{Form, Potentials};
 pub use reaction::Reaction;
 pub use syntax::{Family, LoadKind};
 pub use turned_vector::Turn;
-pub use value::Point;
+pub use value::{Point, shown};
 
 use entries::entries;
 use lower::Lowering;

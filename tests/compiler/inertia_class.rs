@@ -87,6 +87,13 @@ fn three_moments() {
     );
 }
 
+/// H1: a little thicker than what is refused as a rod.
+#[test]
+fn a_thin_body_is_a_body() {
+    assert_eq!(class(quote!(principal(1.001e-9, 1, 1))).len(), 2);
+    assert_eq!(class(quote!(principal(0.999e-9, 1, 1))).len(), 0);
+}
+
 /// Of an inertia that is not constant, or of a motion about one direction, nothing is said.
 #[test]
 fn elsewhere_nothing_is_said() {

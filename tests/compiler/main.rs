@@ -22,10 +22,10 @@ mod syntax;
 
 mod calculus;
 mod descriptions;
+mod documentation;
 mod eigen;
 mod equations;
 mod expansions;
-mod inertia_class;
 mod numbers;
 mod operations;
 mod rooms;

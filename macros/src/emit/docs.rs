@@ -86,6 +86,7 @@ fn lines(
         .map(|(name, _, cost)| format!("`{name}`: {}", describe(*cost)))
         .collect();
     let inertia = listed("Inertia about G", &equations.inertia_class);
+    let charges = listed("Charges", &equations.charges);
     let operations = listed("Operations", &costs);
     let skipped = listed("Skipped", &equations.skipped);
     quote! {
@@ -94,6 +95,7 @@ fn lines(
         #(#[cfg_attr(doc, doc = #text)])*
         #[cfg_attr(doc, doc = " ```")]
         #(#[doc = #inertia])*
+        #(#[doc = #charges])*
         #(#[doc = #operations])*
         #(#[doc = #skipped])*
     }

@@ -4,6 +4,7 @@
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
 mod balance;
+mod charges;
 mod consistency;
 mod constraints;
 mod dyadic;
@@ -50,6 +51,8 @@ pub struct Equations {
     pub constraints: Vec<Consistency>,
     /// What kind of body has this inertia, line by line; nothing if it is not constant.
     pub inertia_class: Vec<String>,
+    /// Where uniform fields act on constant charges.
+    pub charges: Vec<String>,
     /// What does not appear in the equations, and why.
     pub skipped: Vec<String>,
 }
@@ -90,6 +93,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         drives,
         constraints,
         inertia_class: inertia_class::classify(model),
+        charges: charges::list_centers(model),
         skipped,
     })
 }

@@ -48,7 +48,7 @@ pub use motion::{Meanings, Motion, State};
 pub use names::{AXES, Labels, Meaning};
 pub use outline::{Declared, Outline, Output, outline};
 pub use parallel_axis::displaced;
-pub use potential::{Form, Potentials};
+pub use potential::{Form, Potential, Potentials};
 pub use reaction::Reaction;
 pub use syntax::{Family, LoadKind};
 pub use turned_vector::Turn;

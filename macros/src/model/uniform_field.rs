@@ -15,9 +15,16 @@ use super::value::{Point, Value};
 /// Names of what changes with the state.
 const STATE: [&str; 4] = ["position", "velocity", "attitude", "angular_velocity"];
 
+/// What a uniform field sees of charges: `sum e` and `p = sum e r` in body axes, about G.
+#[derive(Clone, Copy)]
+pub struct Charges {
+    pub net: Id,
+    pub dipole: Components,
+}
+
 impl Lowering<'_> {
-    /// The energy of the charges in the field.
-    pub fn uniform_field(&mut self, written: &Load) -> Option<Id> {
+    /// The energy of the charges in the field, and the sums it is made of.
+    pub fn uniform_field(&mut self, written: &Load) -> Option<(Id, Charges)> {
         let name = written.name.to_string();
         let field = written
             .vector
@@ -44,10 +51,11 @@ impl Lowering<'_> {
         // where the motion of G is not modelled, positions count from G
         let position = self.state.position;
         let moved = self.frames.scale(net, position);
-        let dipole = self.frames.vector(Frame::Body, dipole);
-        let whole = self.frames.add(moved, dipole);
+        let turned = self.frames.vector(Frame::Body, dipole);
+        let whole = self.frames.add(moved, turned);
         let work = self.frames.dot(field, whole);
-        Some(self.frames.graph.negate(work))
+        let energy = self.frames.graph.negate(work);
+        Some((energy, Charges { net, dipole }))
     }
 
     /// A vector that is the same everywhere, and its dimension.

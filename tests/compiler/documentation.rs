@@ -1,4 +1,4 @@
-//! What the documentation of a body says about its inertia.
+//! What the documentation of a body says about its inertia and its charges.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -7,14 +7,16 @@ use crate::pretty;
 
 /// The lines under "Inertia about G:".
 fn class(inertia: TokenStream) -> Vec<String> {
-    of(quote!(Body { motion: rotation, mass: 3, inertia: #inertia }))
+    of(
+        "Inertia about G:",
+        quote!(Body { motion: rotation, mass: 3, inertia: #inertia }),
+    )
 }
 
-fn of(description: TokenStream) -> Vec<String> {
+/// The list under a heading.
+fn of(heading: &str, description: TokenStream) -> Vec<String> {
     let expansion = pretty(description);
-    let lines = expansion
-        .lines()
-        .skip_while(|line| !line.contains("Inertia about G:"));
+    let lines = expansion.lines().skip_while(|line| !line.contains(heading));
     lines
         .skip(1)
         .map_while(|line| line.strip_prefix("/// - "))
@@ -112,6 +114,46 @@ fn elsewhere_nothing_is_said() {
         inertia: principal(a, 2, 2)
     });
     for description in [planar, hinged, param] {
-        assert_eq!(of(description), [""; 0]);
+        assert_eq!(of("Inertia about G:", description), [""; 0]);
     }
+}
+
+#[test]
+fn where_a_field_acts_on_charges() {
+    let lines = of(
+        "Charges:",
+        quote!(Needle {
+            motion: spatial,
+            params: [e = 1[C]],
+            mass: 1[kg],
+            inertia: principal(1, 2, 2)[kg * m ^ 2],
+            points: [a = (1, 0, 0)[m], b = (-0.5, 0.25, 0)[m]],
+            fields: [
+                pull = world(0, 0, 2)[V / m].on([3[C].at(a), 1[C].at(b)]),
+                turn = world(0, 0, 1)[V / m].on([1[C].at(a), -1[C].at(b)]),
+                open = world(0, 0, 1)[V / m].on([e.at(a), 1[C].at(b)]),
+            ],
+        }),
+    );
+    assert_eq!(
+        lines,
+        [
+            "`pull`: acts at r_0 = (0.625, 0.0625, 0) m from G, in body axes",
+            "`turn`: net charge zero: a couple p x E, p = (1.5, -0.25, 0) in body axes"
+        ]
+    );
+    let planar = of(
+        "Charges:",
+        quote!(Plate {
+            motion: planar,
+            mass: 1[kg],
+            inertia: 1[kg * m ^ 2],
+            points: [a = (1, 0)[m]],
+            fields: [pull = world(0, 1)[V / m].on([3[C].at(a)])],
+        }),
+    );
+    assert_eq!(
+        planar,
+        ["`pull`: acts at r_0 = (1, 0) m from G, in body axes"]
+    );
 }

@@ -112,12 +112,12 @@ rigid_body!(PrincipalParams {
     forces: [push = body(fx, fy, fz).at(p)],
 });
 
-/// EQUATIONS.md has 85 and 87, 72, 52, 38.
+/// EQUATIONS.md has 85 and 87, 72, 52, 38; under a constant force, principal axes save 7 more.
 #[test]
 fn whole_bodies() {
     assert_eq!(count(General::OPERATIONS), 83);
     assert_eq!(count(GeneralParams::OPERATIONS), 83);
-    assert_eq!(count(GeneralConstant::OPERATIONS), 67);
+    assert_eq!(count(GeneralConstant::OPERATIONS), 60);
     assert_eq!(count(Principal::OPERATIONS), 52);
     assert_eq!(count(PrincipalConstant::OPERATIONS), 36);
     assert_eq!(count(PrincipalParams::OPERATIONS), 52);
@@ -266,8 +266,8 @@ fn counts(operations: &[Operations]) -> [u32; 3] {
 
 #[test]
 fn one_product_of_inertia() {
-    // gyroscopic 8 + 3, of which EQUATIONS allows 13; a block and a number of the inverse 5 + 2
-    assert_eq!(counts(cases::OneProduct::OPERATIONS), [13, 5, 0]);
+    // to two principal axes and back, 2 + 2 each, and three products with a coefficient
+    assert_eq!(counts(cases::OneProduct::OPERATIONS), [10, 4, 0]);
 }
 
 #[test]
@@ -330,4 +330,139 @@ fn rods() {
     // the same, as a couple and by its potential
     assert_eq!(counts(cases::CompassRod::OPERATIONS), [8, 6, 0]);
     assert_eq!(counts(cases::LeaningRod::OPERATIONS), [8, 6, 0]);
+}
+
+/// Constant tensors whose principal axes are not those of the body.
+mod principal_axes {
+    use newton_euler::rigid_body;
+
+    rigid_body!(Free {
+        motion: rotation,
+        inertia: tensor {
+            xx: 1.3,
+            yy: 1.7,
+            zz: 2.1,
+            xy: 0.1,
+            yz: -0.2,
+            zx: 0.12
+        },
+        outputs: [energy, momentum],
+    });
+    rigid_body!(FreeParams {
+        motion: rotation,
+        params: [xx, yy, zz, xy, yz, zx],
+        inertia: tensor {
+            xx,
+            yy,
+            zz,
+            xy,
+            yz,
+            zx
+        },
+        outputs: [energy, momentum],
+    });
+    rigid_body!(Thrust {
+        motion: rotation,
+        inputs: [thrust],
+        inertia: tensor {
+            xx: 1.3,
+            yy: 1.7,
+            zz: 2.1,
+            xy: 0.1,
+            yz: -0.2,
+            zx: 0.12
+        },
+        moments: [driven = body(0, 0, thrust)],
+    });
+    rigid_body!(Plane {
+        motion: rotation,
+        inputs: [couple = body(_, _, _)],
+        inertia: tensor {
+            xx: 1.3,
+            yy: 1.7,
+            zz: 2.1,
+            xy: 0.12
+        },
+        moments: [driven = couple],
+    });
+    rigid_body!(Tilted {
+        motion: rotation,
+        mass: 3[kg],
+        inertia: cylinder(0.1[m], 0.7[m]).along(body(1, 2, 3)),
+        outputs: [energy, momentum],
+    });
+    rigid_body!(TiltedDriven {
+        motion: rotation,
+        inputs: [couple = body(_, _, _)],
+        mass: 3[kg],
+        inertia: cylinder(0.1[m], 0.7[m]).along(body(1, 2, 3)),
+        moments: [driven = couple],
+    });
+    rigid_body!(TiltedInPlane {
+        motion: rotation,
+        mass: 3[kg],
+        inertia: cylinder(0.1[m], 0.7[m]).turned(body(0, 1, 0), 30[deg]),
+    });
+    rigid_body!(Diagonal {
+        motion: rotation,
+        mass: 3[kg],
+        inertia: cylinder(0.1[m], 0.7[m]).along(body(1, 2, 2)),
+    });
+    rigid_body!(Cube {
+        motion: rotation,
+        mass: 3[kg],
+        inertia: cuboid(0.1[m], 0.1[m], 0.1[m]).turned(body(1, 2, 3), 1[rad]),
+    });
+}
+
+/// Multiplications and additions of one function.
+fn of(operations: &[Operations], function: &str) -> [u32; 2] {
+    let row = row(operations, function);
+    assert_eq!(
+        (row.div, row.sqrt, row.trig, row.other),
+        (0, 0, 0, 0),
+        "{row}"
+    );
+    [row.mul, row.add]
+}
+
+/// Three moments: there and back through axes scaled to hold a one, 6 + 6 each, and three products
+/// with a coefficient; with a full couple the tensor is kept.
+#[test]
+fn three_principal_moments() {
+    use principal_axes as bodies;
+    assert_eq!(of(bodies::Free::OPERATIONS, "acceleration"), [18, 12]);
+    assert_eq!(of(bodies::FreeParams::OPERATIONS, "acceleration"), [23, 14]);
+    assert_eq!(of(bodies::Thrust::OPERATIONS, "acceleration"), [21, 15]);
+    assert_eq!(of(bodies::Plane::OPERATIONS, "acceleration"), [13, 8]);
+    for operations in [bodies::Free::OPERATIONS, bodies::FreeParams::OPERATIONS] {
+        assert_eq!(of(operations, "kinetic_energy"), [10, 5]);
+        assert_eq!(of(operations, "angular_momentum"), [27, 18]);
+    }
+}
+
+/// Two equal moments about a tilted axis: `n.w`, `w x n` and a rate, 2 + 2, 4 + 3 and 1 + 3.
+#[test]
+fn an_axis_of_symmetry() {
+    use principal_axes as bodies;
+    assert_eq!(of(bodies::Tilted::OPERATIONS, "acceleration"), [10, 5]);
+    // two components of the axis are equal
+    assert_eq!(of(bodies::Diagonal::OPERATIONS, "acceleration"), [7, 5]);
+    // one of them is zero
+    assert_eq!(
+        of(bodies::TiltedInPlane::OPERATIONS, "acceleration"),
+        [6, 2]
+    );
+    assert_eq!(
+        of(bodies::TiltedDriven::OPERATIONS, "acceleration"),
+        [18, 13]
+    );
+    assert_eq!(of(bodies::Tilted::OPERATIONS, "kinetic_energy"), [8, 5]);
+    assert_eq!(of(bodies::Tilted::OPERATIONS, "angular_momentum"), [26, 17]);
+}
+
+/// A cube has the same tensor in all axes.
+#[test]
+fn a_turned_cube_turns_like_a_ball() {
+    assert_eq!(of(principal_axes::Cube::OPERATIONS, "acceleration"), [0, 0]);
 }

@@ -22,6 +22,8 @@ mod syntax;
 
 mod calculus;
 mod descriptions;
+mod documentation;
+mod eigen;
 mod equations;
 mod expansions;
 mod numbers;

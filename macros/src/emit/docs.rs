@@ -1,4 +1,5 @@
-//! The documentation of a body: its equations, what they cost and what was left out.
+//! The documentation of a body: its equations, what kind of body it is, what they cost and what was
+//! left out.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -84,6 +85,8 @@ fn lines(
         .iter()
         .map(|(name, _, cost)| format!("`{name}`: {}", describe(*cost)))
         .collect();
+    let inertia = listed("Inertia about G", &equations.inertia_class);
+    let charges = listed("Charges", &equations.charges);
     let operations = listed("Operations", &costs);
     let skipped = listed("Skipped", &equations.skipped);
     quote! {
@@ -91,6 +94,8 @@ fn lines(
         #[cfg_attr(doc, doc = "", doc = " ```text")]
         #(#[cfg_attr(doc, doc = #text)])*
         #[cfg_attr(doc, doc = " ```")]
+        #(#[doc = #inertia])*
+        #(#[doc = #charges])*
         #(#[doc = #operations])*
         #(#[doc = #skipped])*
     }

@@ -3,6 +3,7 @@
 use crate::model::{Family, Inertia, Load, Meaning, Model, Point, Vector};
 use crate::symbolic::{Components, Graph, Id, Node, Number};
 
+use super::dyadic::quadratic;
 use super::newton_euler::inertia_about_center;
 
 /// The expressions of `outputs: [energy]`, in joules.
@@ -38,10 +39,7 @@ fn kinetic(model: &mut Model) -> Id {
             let square = graph.norm_squared(model.state.turning());
             graph.multiply(*moment, square)
         }
-        (Inertia::Spatial(rows), _) => {
-            let momentum = model.frames.graph.transform(rows, w);
-            model.frames.graph.dot(w, momentum)
-        }
+        (Inertia::Spatial(rows), _) => quadratic(&mut model.frames.graph, rows, w),
     };
     let graph = &mut model.frames.graph;
     let twice = graph.add(translation, rotation);

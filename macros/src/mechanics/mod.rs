@@ -4,9 +4,13 @@
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
 mod balance;
+mod charges;
 mod consistency;
 mod constraints;
+mod dyadic;
 mod energy;
+mod euler_equations;
+mod inertia_class;
 mod inverse;
 mod momentum;
 mod newton_euler;
@@ -46,6 +50,10 @@ pub struct Equations {
     pub drives: Vec<ReactionExpressions>,
     /// How far a state is from each constraint.
     pub constraints: Vec<Consistency>,
+    /// What kind of body has this inertia, line by line; nothing if it is not constant.
+    pub inertia_class: Vec<String>,
+    /// Where uniform fields act on constant charges.
+    pub charges: Vec<String>,
     /// What does not appear in the equations, and why.
     pub skipped: Vec<String>,
 }
@@ -85,6 +93,8 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         reactions,
         drives,
         constraints,
+        inertia_class: inertia_class::classify(model),
+        charges: charges::list_centers(model),
         skipped,
     })
 }

@@ -4,6 +4,7 @@ use crate::model::{Frame, Inertia, Model};
 use crate::symbolic::Components;
 
 use super::balance::from_pole;
+use super::dyadic::transform;
 
 /// The expressions of `outputs: [momentum]`, of absolute velocities, in world axes.
 pub struct Momentum {
@@ -26,7 +27,7 @@ pub fn derive_momentum(model: &mut Model) -> Momentum {
     let spin = match model.inertia {
         Inertia::Absent => graph.zeros(),
         Inertia::Scalar(inertia) => graph.scale_vector(inertia, w),
-        Inertia::Spatial(rows) => graph.transform(&rows, w),
+        Inertia::Spatial(rows) => transform(graph, &rows, w),
     };
     let spin = model.frames.vector(Frame::Body, spin);
     let angular = model.frames.components(spin, Frame::World);

@@ -9,6 +9,7 @@ use crate::errors::Errors;
 use crate::model::{Frame, Inertia, Load, Model, Point, Vector};
 use crate::symbolic::{Components, Id};
 
+use super::euler_equations::solve_euler;
 use super::reactions::given_parts;
 use super::rod;
 
@@ -156,10 +157,7 @@ fn angular_acceleration(model: &mut Model, moments: Vec<Vector>, name: &str) -> 
             let axis = [0, 0, 1].map(|component| model.frames.graph.integer(component));
             about_axis(model, &Inertia::Scalar(inertia), axis, moment)
         }
-        (Inertia::Spatial(rows), None) if is_diagonal(model, &rows) => {
-            euler(model, [rows[0][0], rows[1][1], rows[2][2]], moment)
-        }
-        (Inertia::Spatial(rows), None) => general(model, &rows, moment),
+        (Inertia::Spatial(rows), None) => solve_euler(model, &rows, moment),
     };
     let angular = model.frames.graph.results(angular);
     let labels = &mut model.frames.labels;
@@ -213,146 +211,6 @@ pub fn inertia_about_center(model: &mut Model) -> Inertia {
         Inertia::Absent => {}
     }
     inertia
-}
-
-pub fn is_diagonal(model: &Model, rows: &[Components; 3]) -> bool {
-    [(0, 1), (1, 2), (2, 0)]
-        .iter()
-        .all(|(i, j)| model.frames.graph.is_zero(rows[*i][*j]))
-}
-
-/// Euler's equations in principal axes: `w_1' = M_1 / J_1 + (J_2 - J_3) / J_1 w_2 w_3`, and so on.
-///
-/// Where two moments of inertia are equal, both products hold the rate at which the angular
-/// velocity precesses in the body, which is then computed once.
-fn euler(model: &mut Model, inertia: [Id; 3], moment: Components) -> Components {
-    let w = model.state.angular_velocity;
-    let graph = &mut model.frames.graph;
-    let one = graph.one();
-    let inverse = inertia.map(|moment| graph.divide(one, moment));
-    model.frames.labels.vector("inverse_inertia", inverse);
-    model.frames.labels.describe(
-        "precession",
-        "rate at which w turns in the body: (J_1 - J_3) / J_1 w_3",
-    );
-    let axis = [0, 1, 2]
-        .into_iter()
-        .find(|k| inertia[(k + 1) % 3] == inertia[(k + 2) % 3]);
-    let precession = axis.map(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        let coupling = coupling(model, inertia, inverse, i, j, k);
-        let rate = model.frames.graph.multiply(coupling, w[k]);
-        let rate = model.frames.graph.quantity(rate);
-        model.frames.labels.name(rate, "precession");
-        (i, j, rate)
-    });
-    [0, 1, 2].map(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        let gyroscopic = match precession {
-            Some((first, second, rate)) if i == first => {
-                model.frames.graph.multiply(rate, w[second])
-            }
-            Some((first, second, rate)) if i == second => {
-                let product = model.frames.graph.multiply(rate, w[first]);
-                model.frames.graph.negate(product)
-            }
-            Some(_) => model.frames.graph.zero(),
-            None => {
-                let coupling = coupling(model, inertia, inverse, i, j, k);
-                let product = model.frames.graph.multiply(w[j], w[k]);
-                model.frames.graph.multiply(coupling, product)
-            }
-        };
-        let graph = &mut model.frames.graph;
-        let driven = graph.distribute(inverse[i], moment[i]);
-        graph.add(driven, gyroscopic)
-    })
-}
-
-/// `(J_j - J_k) / J_i`
-fn coupling(
-    model: &mut Model,
-    inertia: [Id; 3],
-    inverse: [Id; 3],
-    i: usize,
-    j: usize,
-    k: usize,
-) -> Id {
-    let graph = &mut model.frames.graph;
-    let difference = graph.subtract(inertia[j], inertia[k]);
-    let coupling = graph.multiply(difference, inverse[i]);
-    model
-        .frames
-        .labels
-        .name(coupling, format!("coupling_{}", crate::model::AXES[i]));
-    coupling
-}
-
-/// The full tensor. A multiple of the unit matrix changes nothing in `w x J w` and is taken off
-/// first: exact where the body is nearly spherical (H7), and cheaper.
-fn general(model: &mut Model, rows: &[Components; 3], moment: Components) -> Components {
-    let w = model.state.angular_velocity;
-    let gauged = |model: &mut Model, axis: usize| {
-        let graph = &mut model.frames.graph;
-        let mut deviatoric = *rows;
-        for (i, row) in deviatoric.iter_mut().enumerate() {
-            row[i] = graph.subtract(row[i], rows[axis][axis]);
-        }
-        let relative = graph.transform(&deviatoric, w);
-        let relative = graph.quantities(relative);
-        let torque = graph.cross(w, relative);
-        (
-            graph.late_cost(&torque).total(),
-            relative,
-            torque,
-            deviatoric,
-        )
-    };
-    let candidates = [2, 1, 0].map(|axis| gauged(model, axis));
-    let [first, second, third] = candidates;
-    let cheapest =
-        [second, third].into_iter().fold(
-            first,
-            |best, next| if next.0 < best.0 { next } else { best },
-        );
-    let (_, relative, gyroscopic, deviatoric) = cheapest;
-
-    let labels = &mut model.frames.labels;
-    labels.matrix("deviator", &deviatoric);
-    labels.describe("relative_momentum", "(J - lambda 1) w, body axes");
-    labels.vector("relative_momentum", relative);
-    let graph = &mut model.frames.graph;
-    let torque = graph.subtract_vectors(moment, gyroscopic);
-    let torque = graph.results(torque);
-    labels.describe("net_moment", "M - w x J w about G, body axes");
-    labels.vector("net_moment", torque);
-    let inverse = inverse_inertia(model, rows);
-    model.frames.graph.transform(&inverse, torque)
-}
-
-/// `J^-1`, computed from `J` over its trace, so that no determinant leaves the range of doubles (H10).
-pub fn inverse_inertia(model: &mut Model, rows: &[Components; 3]) -> [Components; 3] {
-    let graph = &mut model.frames.graph;
-    let trace = graph.sum(&[rows[0][0], rows[1][1], rows[2][2]]);
-    let one = graph.one();
-    let scale = graph.divide(one, trace);
-    let scale = graph.quantity(scale);
-    let relative = rows
-        .map(|row| graph.scale_vector(scale, row))
-        .map(|row| graph.quantities(row));
-    let cofactors = graph.cofactors(&relative);
-    let determinant = graph.dot(relative[0], cofactors[0]);
-    let reciprocal = graph.divide(one, determinant);
-    let inverse = cofactors
-        .map(|row| graph.scale_vector(reciprocal, row))
-        .map(|row| graph.scale_vector(scale, row));
-    let labels = &mut model.frames.labels;
-    labels.name(scale, "inverse_trace");
-    labels.describe("relative_inertia", "J over its trace");
-    labels.matrix("relative_inertia", &relative);
-    labels.name(determinant, "determinant");
-    labels.matrix("inverse_inertia", &inverse);
-    inverse
 }
 
 /// A body that does not turn needs a moment balance of its own: nothing else could hold it.

@@ -3,7 +3,9 @@
 use crate::model::{Inertia, Model};
 use crate::symbolic::Components;
 
-use super::newton_euler::{inertia_about_center, inverse_inertia, is_diagonal};
+use super::dyadic::{Dyadic, cheapest};
+use super::euler_equations::{inverse_inertia, is_diagonal};
+use super::newton_euler::inertia_about_center;
 
 /// Of a force (world axes) and a moment about the center (body axes): `F / m`, `J^-1 M`, as far as
 /// the motion has them.
@@ -32,7 +34,7 @@ pub fn response(
             model.frames.labels.name(inverse, "inverse_inertia");
             model.frames.graph.scale_vector(inverse, moment)
         }
-        Inertia::Spatial(rows) if is_diagonal(model, &rows) => {
+        Inertia::Spatial(rows) if is_diagonal(&model.frames.graph, &rows) => {
             let graph = &mut model.frames.graph;
             [0, 1, 2].map(|i| {
                 let inverse = graph.divide(one, rows[i][i]);
@@ -40,8 +42,12 @@ pub fn response(
             })
         }
         Inertia::Spatial(rows) => {
-            let inverse = inverse_inertia(model, &rows);
-            model.frames.graph.transform(&inverse, moment)
+            let (graph, labels) = (&mut model.frames.graph, &mut model.frames.labels);
+            let inverse = inverse_inertia(graph, labels, &rows);
+            let full = graph.transform(&inverse, moment);
+            let dyadic =
+                Dyadic::of_inverse(graph, &rows).map(|inverse| inverse.transform(graph, moment));
+            cheapest(graph, full, dyadic)
         }
     };
     (linear, angular)

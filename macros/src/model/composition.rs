@@ -4,6 +4,7 @@
 //! subtraction: offsets are taken from the first part, then from G, and the inertia is built up
 //! about G (EQUATIONS.md, H3).
 
+use crate::errors::Extent;
 use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Composition, Expression, Kind, Part};
 
@@ -103,6 +104,7 @@ impl Lowering<'_> {
         }
         if self.motion.has_attitude() {
             let has_holes = members.iter().any(|member| member.is_hole);
+            self.check_not_a_rod(inertia, Extent::of(&written.word))?;
             self.check_composed(inertia, has_holes, &written.word, defaults)?;
         }
         Some(Composed {

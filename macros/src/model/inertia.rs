@@ -81,7 +81,10 @@ impl Lowering<'_> {
                     );
                 }
             }
-            _ => self.check_inertia(&draft, defaults)?,
+            _ => {
+                self.check_not_a_rod(draft.inertia, draft.extent)?;
+                self.check_inertia(&draft, defaults)?;
+            }
         }
         Some(if turns {
             draft.inertia

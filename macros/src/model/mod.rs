@@ -48,11 +48,11 @@ pub use inertia::Inertia;
 pub use motion::{Axis, Meanings, Motion, State};
 pub use names::{AXES, Labels, Meaning};
 pub use outline::{Declared, Outline, Output, outline};
-pub use potential::{Form, Potentials};
+pub use potential::{Form, Potential, Potentials};
 pub use reaction::Reaction;
 pub use syntax::{Family, LoadKind};
 pub use turned_vector::Turn;
-pub use value::Point;
+pub use value::{Point, shown};
 
 use entries::entries;
 use lower::Lowering;

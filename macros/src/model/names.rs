@@ -42,6 +42,16 @@ impl Labels {
         self.notes.entry(name).or_insert(note);
     }
 
+    /// Takes over the names and descriptions of a part.
+    pub fn adopt(&mut self, part: Self) {
+        for (id, name) in part.names {
+            self.name(id, name);
+        }
+        for (name, note) in part.notes {
+            self.describe(name, note);
+        }
+    }
+
     /// The group that a name belongs to, and what it is.
     pub fn note(&self, name: &str) -> Option<(&'static str, &'static str)> {
         let group = AXES

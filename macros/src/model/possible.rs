@@ -6,6 +6,7 @@
 
 use proc_macro2::Ident;
 
+use crate::errors::Extent;
 use crate::symbolic::{Id, Number};
 
 use super::draft::Draft;
@@ -48,6 +49,38 @@ impl Lowering<'_> {
                 }
             }
         }
+    }
+
+    /// Refuses a body that turns freely and is so thin that its turning about its own axis has few
+    /// correct digits (H1), although a body can have this inertia; what is made from parameters is
+    /// left to `new`.
+    pub fn check_not_a_rod(&mut self, inertia: Inertia, place: Extent) -> Option<()> {
+        if !matches!(self.motion, Motion::Spatial | Motion::Rotation) {
+            return Some(());
+        }
+        let graph = &self.frames.graph;
+        let entries = inertia.entries();
+        let numbers = entries.iter().map(|id| graph.as_number(*id).cloned());
+        let Some(numbers) = numbers.collect::<Option<Vec<_>>>() else {
+            return Some(());
+        };
+        let tensor = matrix(&numbers);
+        if Violation::impossible(&tensor).is_some() {
+            return Some(());
+        }
+        let least = least_moment(&tensor);
+        if least >= thinnest() {
+            return Some(());
+        }
+        let (least, motion) = (least.to_f64(), self.motion.word());
+        self.report(
+            place,
+            format!(
+                "this body is all but a rod: its least moment of inertia is {least:.0e} of the largest, \
+                 and under `motion: {motion}` it could turn about that axis, with less than 7 \
+                 correct digits; make it thicker, or write `motion: rod(axis)`"
+            ),
+        )
     }
 
     /// Whether a point other than G is held.
@@ -199,8 +232,22 @@ struct Literal<'a> {
 }
 
 impl Violation {
-    /// The first violated condition, from the simplest to the most general.
+    /// The first violated condition, from the simplest to the most general; the last is that no
+    /// moment is lost beside the others.
     fn find(j: &Matrix) -> Option<Self> {
+        let lost = || {
+            (least_moment(j) <= vanishing()).then(|| Self {
+                entry: None,
+                message: "turned to its principal axes, one moment vanishes beside the others in \
+                          the digits of `f64`"
+                    .to_owned(),
+            })
+        };
+        Self::impossible(j).or_else(lost)
+    }
+
+    /// The first condition that no body violates.
+    fn impossible(j: &Matrix) -> Option<Self> {
         for (i, axis) in AXES.iter().enumerate() {
             if !j[i][i].is_positive() {
                 let value = shown(&j[i][i]);
@@ -258,19 +305,26 @@ impl Violation {
                 "turned to its principal axes, one moment is larger than the other two together",
             );
         }
-        let product = determinant(&|i, k| j[i][k].clone());
-        if !product.is_positive() {
+        if !determinant(&|i, k| j[i][k].clone()).is_positive() {
             return whole("turned to its principal axes, one moment is not positive");
-        }
-        // where one moment is small beside the others, these are equal, half of the trace each
-        let largest = half * trace;
-        if product <= vanishing() * largest.clone() * largest.clone() * largest {
-            return whole(
-                "turned to its principal axes, one moment vanishes beside the others in the digits of `f64`",
-            );
         }
         None
     }
+}
+
+/// Of a possible tensor, the least principal moment over the largest, where it is small: the others are
+/// then equal, half of the trace each.
+fn least_moment(j: &Matrix) -> Number {
+    let half = Number::ratio(1, 2);
+    let largest = half * (j[0][0].clone() + j[1][1].clone() + j[2][2].clone());
+    let product = determinant(&|i, k| j[i][k].clone());
+    product / (largest.clone() * largest.clone() * largest)
+}
+
+/// The ratio of moments of inertia below which a body is a rod: of the 16 digits of a moment about its
+/// axis, less than 7 are left.
+fn thinnest() -> Number {
+    Number::power_of_ten(-9)
 }
 
 /// A ratio of moments of inertia that doubles do not tell from zero: twice what `new` refuses.

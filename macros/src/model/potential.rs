@@ -17,6 +17,7 @@ use super::frame::Frame;
 use super::lower::Lowering;
 use super::order::{Definition, definition_order};
 use super::turned_vector::{Turn, Turns};
+use super::uniform_field::Charges;
 use super::value::Value;
 
 /// What becomes a load by differentiation.
@@ -31,11 +32,15 @@ pub struct Potential {
     pub name: Ident,
     /// Its place among the loads.
     pub place: usize,
+    /// Those that a uniform field acts on.
+    pub charges: Option<Charges>,
 }
 
 /// The energies of all potentials as functions of where the body is, and of turned vectors.
 pub struct Form {
     pub energies: Vec<Id>,
+    /// Those of the first energies.
+    charges: Vec<Charges>,
     pub turns: Vec<Turn>,
     /// The symbols of a displacement of the body: the position of G, or what is added to it where a
     /// support determines it.
@@ -54,16 +59,20 @@ impl Lowering<'_> {
         let scalars = description.potentials.iter().enumerate();
         let scalars =
             scalars.map(|(index, scalar)| (description.loads.len() + index, &scalar.name));
-        let list: Vec<Potential> = on_charges
+        let mut list: Vec<Potential> = on_charges
             .chain(scalars)
             .map(|(place, name)| Potential {
                 name: name.clone(),
                 place,
+                charges: None,
             })
             .collect();
         let mut forms = Vec::new();
         if !list.is_empty() {
             let (form, has_choice) = self.potential_form(description, Frame::Body)?;
+            for (potential, charges) in list.iter_mut().zip(&form.charges) {
+                potential.charges = Some(*charges);
+            }
             forms.push(form);
             if has_choice {
                 forms.push(self.potential_form(description, Frame::World)?.0);
@@ -82,7 +91,8 @@ impl Lowering<'_> {
             .loads
             .iter()
             .filter(|load| load.charges.is_some());
-        let fields: Vec<Option<Id>> = on_charges.map(|load| self.uniform_field(load)).collect();
+        let fields: Vec<Option<(Id, Charges)>> =
+            on_charges.map(|load| self.uniform_field(load)).collect();
         let scalars = description.potentials.iter();
         let scalars: Vec<Option<Id>> = scalars
             .map(|potential| self.potential(potential.value.as_ref()))
@@ -90,12 +100,13 @@ impl Lowering<'_> {
         self.scope.restore(values);
         self.state.position = position;
         let turns = self.frames.turns.take()?;
-        let energies = fields
-            .into_iter()
-            .chain(scalars)
-            .collect::<Option<Vec<_>>>()?;
+        let fields = fields.into_iter().collect::<Option<Vec<_>>>()?;
+        let scalars = scalars.into_iter().collect::<Option<Vec<_>>>()?;
+        let (mut energies, charges): (Vec<Id>, Vec<Charges>) = fields.into_iter().unzip();
+        energies.extend(scalars);
         let form = Form {
             energies,
+            charges,
             turns: turns.list,
             displacement,
         };

@@ -22,9 +22,16 @@ const STATE: [&str; 6] = [
     "axis_rate",
 ];
 
+/// What a uniform field sees of charges: `sum e` and `p = sum e r` in body axes, about G.
+#[derive(Clone, Copy)]
+pub struct Charges {
+    pub net: Id,
+    pub dipole: Components,
+}
+
 impl Lowering<'_> {
-    /// The energy of the charges in the field.
-    pub fn uniform_field(&mut self, written: &Load) -> Option<Id> {
+    /// The energy of the charges in the field, and the sums it is made of.
+    pub fn uniform_field(&mut self, written: &Load) -> Option<(Id, Charges)> {
         let name = written.name.to_string();
         let field = written
             .vector
@@ -51,10 +58,11 @@ impl Lowering<'_> {
         // where the motion of G is not modelled, positions count from G
         let position = self.state.position;
         let moved = self.frames.scale(net, position);
-        let dipole = self.frames.fixed_in_body(dipole);
-        let whole = self.frames.add(moved, dipole);
+        let turned = self.frames.fixed_in_body(dipole);
+        let whole = self.frames.add(moved, turned);
         let work = self.frames.dot(field, whole);
-        Some(self.frames.graph.negate(work))
+        let energy = self.frames.graph.negate(work);
+        Some((energy, Charges { net, dipole }))
     }
 
     /// A vector that is the same everywhere, and its dimension.

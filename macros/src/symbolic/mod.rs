@@ -2,12 +2,13 @@
 //!
 //! This room knows no mechanics and no words: symbols are numbers, and what they stand for is the
 //! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
-//! vectors, derivatives, linear equations, a schedule, a cost and an interpreter.
+//! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter.
 
 mod branches;
 mod build;
 mod cost;
 mod derivative;
+mod eigen;
 mod eliminate;
 mod evaluate;
 mod gradient;
@@ -22,6 +23,7 @@ mod sum;
 mod vector;
 
 pub use cost::Cost;
+pub use eigen::{Matrix, PrincipalAxes, Spectrum, Symmetry, is_noise, scaled};
 pub use eliminate::{Elimination, Row, Size};
 pub use graph::{Comparison, Graph, Id, Node, Stage, Symbol};
 pub use number::{Function, Number};

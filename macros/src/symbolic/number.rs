@@ -23,7 +23,8 @@ const EXACT: usize = 1 << 13;
 /// Bits beyond which a number is not carried at all.
 const SIZE: usize = 1 << 16;
 
-type Float = FBig<HalfEven, 2>;
+/// A binary number of so many bits.
+pub(super) type Float = FBig<HalfEven, 2>;
 
 /// An exact rational, or the rational nearest to an irrational number.
 ///
@@ -151,6 +152,16 @@ impl Number {
         })
     }
 
+    /// 2 to a small power.
+    pub fn power_of_two(exponent: isize) -> Self {
+        let power = RBig::from(UBig::ONE << exponent.unsigned_abs());
+        Self::from(if exponent < 0 {
+            RBig::ONE / power
+        } else {
+            power
+        })
+    }
+
     pub fn pi() -> Self {
         Self::from_float(Float::pi(PRECISION)).unwrap_or_else(Self::zero)
     }
@@ -265,7 +276,7 @@ impl Number {
         if self.is_zero() {
             return Some(Self::zero());
         }
-        let float = self.to_float();
+        let float = self.to_float(PRECISION);
         let root = if degree == 2 {
             float.sqrt()
         } else {
@@ -295,7 +306,7 @@ impl Number {
         if self.is_negative() {
             return None;
         }
-        let logarithm = self.to_float().ln() * exponent.to_float();
+        let logarithm = self.to_float(PRECISION).ln() * exponent.to_float(PRECISION);
         Self::exponential(&logarithm)
     }
 
@@ -309,7 +320,7 @@ impl Number {
         if let Some(exact) = self.trivial(function, second) {
             return Some(exact);
         }
-        let x = self.to_float();
+        let x = self.to_float(PRECISION);
         let within_one = self.abs() <= Self::one();
         let value = match function {
             Function::Exp => return Self::exponential(&x),
@@ -320,7 +331,7 @@ impl Number {
             Function::Asin => within_one.then(|| x.asin()),
             Function::Acos => within_one.then(|| x.acos()),
             Function::Atan => Some(x.atan()),
-            Function::Atan2 => Some(x.atan2(&second?.to_float())),
+            Function::Atan2 => Some(x.atan2(&second?.to_float(PRECISION))),
             Function::Sinh | Function::Cosh | Function::Tanh => return self.hyperbolic(function),
             _ => None,
         }?;
@@ -354,7 +365,7 @@ impl Number {
     }
 
     fn hyperbolic(&self, function: Function) -> Option<Self> {
-        let grown = Self::exponential(&self.to_float())?;
+        let grown = Self::exponential(&self.to_float(PRECISION))?;
         let decayed = Self::one() / grown.clone();
         let (sinh, cosh) = (grown.clone() - decayed.clone(), grown + decayed);
         Some(match function {
@@ -364,8 +375,13 @@ impl Number {
         })
     }
 
-    fn to_float(&self) -> Float {
-        self.value.to_float(PRECISION).value()
+    pub(super) fn to_float(&self, bits: usize) -> Float {
+        self.value.to_float(bits).value()
+    }
+
+    /// Of a result of arithmetic, which is finite.
+    pub(super) fn from_float_or_zero(value: Float) -> Self {
+        Self::from_float(value).unwrap_or_else(Self::zero)
     }
 
     fn from_float(value: Float) -> Option<Self> {
@@ -389,7 +405,7 @@ impl Number {
         if self.bits() < EXACT || !self.is_carried() {
             return self;
         }
-        Self::from_float(self.to_float()).unwrap_or(self)
+        Self::from_float(self.to_float(PRECISION)).unwrap_or(self)
     }
 
     /// A rounded result that has cancelled down to the noise of its terms is zero.

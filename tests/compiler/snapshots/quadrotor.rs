@@ -1,5 +1,8 @@
 /// A quadrotor in a plus configuration; rotors 1 and 3 spin about -z.
 ///
+/// Inertia about G:
+/// - symmetric about n = (0, 0, 1), oblate: 0.0224 kg m^2 about n, 0.0123 across
+///
 /// Operations:
 /// - `new`: 2 mul
 /// - `acceleration`: 16 mul + 15 add

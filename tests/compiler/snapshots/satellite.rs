@@ -1,5 +1,11 @@
 /// A satellite with a full inertia tensor and three control torques.
 ///
+/// Inertia about G:
+/// - general: three different principal moments
+/// - 1.2632222351870954 kg m^2 about (0.9640971019872585, 0.2574035429737975, -0.0652701616690663)
+/// - 1.7216177256690326 kg m^2 about (-0.24331279444312418, 0.9547247344063412, 0.17117115870677302)
+/// - 2.115160039143872 kg m^2 about (0.10637510047021183, -0.14914455262354595, 0.9830769249772241)
+///
 /// Operations:
 /// - `acceleration`: 23 mul + 17 add
 /// - `applied`: 18 mul + 12 add

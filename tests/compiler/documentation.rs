@@ -1,0 +1,159 @@
+//! What the documentation of a body says about its inertia and its charges.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::pretty;
+
+/// The lines under "Inertia about G:".
+fn class(inertia: TokenStream) -> Vec<String> {
+    of(
+        "Inertia about G:",
+        quote!(Body { motion: rotation, mass: 3, inertia: #inertia }),
+    )
+}
+
+/// The list under a heading.
+fn of(heading: &str, description: TokenStream) -> Vec<String> {
+    let expansion = pretty(description);
+    let lines = expansion.lines().skip_while(|line| !line.contains(heading));
+    lines
+        .skip(1)
+        .map_while(|line| line.strip_prefix("/// - "))
+        .map(str::to_owned)
+        .collect()
+}
+
+#[test]
+fn spheres_and_cubes() {
+    assert_eq!(class(quote!(sphere(0.5))), ["spherical: 0.3 kg m^2"]);
+    let cube = quote!(cuboid(0.2, 0.2, 0.2).turned(body(1, 2, 3), 1));
+    assert_eq!(class(cube), ["spherical: 0.02 kg m^2"]);
+}
+
+#[test]
+fn an_axis_of_symmetry() {
+    assert_eq!(
+        class(quote!(cylinder(0.1, 0.7).along(body(0, 3, 4)))),
+        ["symmetric about n = (0, 0.6, 0.8), prolate: 0.015 kg m^2 about n, 0.13 across"]
+    );
+    assert_eq!(
+        class(quote!(disc(0.2).along(body(-1, 0, 0)))),
+        [
+            "symmetric about n = (1, 0, 0), oblate: 0.06 kg m^2 about n, 0.03 across",
+            "planar: all mass is in the plane normal to n"
+        ]
+    );
+    assert_eq!(
+        class(quote!(principal(2, 0.001, 2))),
+        [
+            "symmetric about n = (0, 1, 0), prolate: 0.001 kg m^2 about n, 2 across",
+            "like a rod: less than 1/1000 of the largest moment is about n"
+        ]
+    );
+}
+
+#[test]
+fn three_moments() {
+    assert_eq!(
+        class(quote!(principal(1.5, 1, 2.5))),
+        [
+            "general: three different principal moments",
+            "1 kg m^2 about (0, 1, 0)",
+            "1.5 kg m^2 about (1, 0, 0)",
+            "2.5 kg m^2 about (0, 0, 1)",
+            "planar: all mass is in the plane normal to the axis of the largest moment"
+        ]
+    );
+    // eigenvalues 1 and 3 of a block [[2, 1], [1, 2]], and one between
+    assert_eq!(
+        class(quote!(tensor {
+            xx: 2,
+            yy: 2,
+            zz: 2.5,
+            xy: 1
+        })),
+        [
+            "general: three different principal moments",
+            "1 kg m^2 about (0.7071067811865476, -0.7071067811865476, 0)",
+            "2.5 kg m^2 about (0, 0, 1)",
+            "3 kg m^2 about (0.7071067811865476, 0.7071067811865476, 0)"
+        ]
+    );
+    let blade = class(quote!(principal(1, 1e-4, 1.00005)));
+    assert_eq!(
+        blade.last().map(String::as_str),
+        Some(
+            "like a rod: less than 1/1000 of the largest moment is about the axis of the least moment"
+        )
+    );
+}
+
+/// H1: a little thicker than what is refused as a rod.
+#[test]
+fn a_thin_body_is_a_body() {
+    assert_eq!(class(quote!(principal(1.001e-9, 1, 1))).len(), 2);
+    assert_eq!(class(quote!(principal(0.999e-9, 1, 1))).len(), 0);
+}
+
+/// Of an inertia that is not constant, or of a motion about one direction, nothing is said.
+#[test]
+fn elsewhere_nothing_is_said() {
+    let planar = quote!(Body {
+        motion: planar,
+        mass: 3,
+        inertia: 2
+    });
+    let hinged = quote!(Body {
+        motion: fixed_axis(G, body(0, 0, 1)),
+        inertia: principal(1, 2, 2)
+    });
+    let param = quote!(Body {
+        motion: rotation,
+        params: [a = 1],
+        inertia: principal(a, 2, 2)
+    });
+    for description in [planar, hinged, param] {
+        assert_eq!(of("Inertia about G:", description), [""; 0]);
+    }
+}
+
+#[test]
+fn where_a_field_acts_on_charges() {
+    let lines = of(
+        "Charges:",
+        quote!(Needle {
+            motion: spatial,
+            params: [e = 1[C]],
+            mass: 1[kg],
+            inertia: principal(1, 2, 2)[kg * m ^ 2],
+            points: [a = (1, 0, 0)[m], b = (-0.5, 0.25, 0)[m]],
+            fields: [
+                pull = world(0, 0, 2)[V / m].on([3[C].at(a), 1[C].at(b)]),
+                turn = world(0, 0, 1)[V / m].on([1[C].at(a), -1[C].at(b)]),
+                open = world(0, 0, 1)[V / m].on([e.at(a), 1[C].at(b)]),
+            ],
+        }),
+    );
+    assert_eq!(
+        lines,
+        [
+            "`pull`: acts at r_0 = (0.625, 0.0625, 0) m from G, in body axes",
+            "`turn`: net charge zero: a couple p x E, p = (1.5, -0.25, 0) in body axes"
+        ]
+    );
+    let planar = of(
+        "Charges:",
+        quote!(Plate {
+            motion: planar,
+            mass: 1[kg],
+            inertia: 1[kg * m ^ 2],
+            points: [a = (1, 0)[m]],
+            fields: [pull = world(0, 1)[V / m].on([3[C].at(a)])],
+        }),
+    );
+    assert_eq!(
+        planar,
+        ["`pull`: acts at r_0 = (1, 0) m from G, in body axes"]
+    );
+}

@@ -1,4 +1,4 @@
-//! A thousand CubeSats leave their deployer, each with a mass distribution and a tumble of its own, and turn for ten minutes in the
+//! A thousand small satellites leave their deployer, each with a mass distribution and a tumble of its own, and turn for ten minutes in the
 //! gravity gradient of the Earth.
 //!
 //! The body is generic over its scalar, so that an ensemble computes as many of them at once as fit into a register. Afterwards

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::time::Instant;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -130,6 +131,25 @@ fn expansions_grow_linearly() {
     assert!(
         large <= 11 * small,
         "{small} bytes for 30 parts, {large} for 300"
+    );
+}
+
+/// Ten times the forces in about ten times the time: least of a few, in one run. What is quadratic takes a hundred times.
+#[test]
+fn expansion_takes_linear_time() {
+    let least = |count: usize| {
+        let description = many_forces(count);
+        let once = || {
+            let start = Instant::now();
+            let expansion = expand_description(description.clone());
+            (start.elapsed(), expansion.is_empty()).0
+        };
+        (0..3).map(|_| once()).min().expect("three times")
+    };
+    let (small, large) = (least(100), least(1000));
+    assert!(
+        large <= 25 * small,
+        "{small:?} for 100 forces, {large:?} for 1000"
     );
 }
 

@@ -276,7 +276,7 @@ fn momentum_law() {
     assert!((rate - moment).amax() < 1e-5, "{rate} {moment}");
 }
 
-/// A cylinder of 10 µm that does not spin moves like a rod: J differs by 3 r²/l² of itself, 2e-10.
+/// A cylinder of 20 µm that does not spin moves like a rod: J differs by 3 r²/l² of itself, 8e-10.
 #[test]
 fn thin_bodies() {
     let rod = thrown();

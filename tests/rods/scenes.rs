@@ -130,7 +130,7 @@ macro_rules! dart {
     };
 }
 
-dart!(Thin, spatial, cylinder(1e-5[m], 1.2[m]));
+dart!(Thin, spatial, cylinder(2e-5[m], 1.2[m]));
 dart!(Slender, rod(body(0, 0, 1)), rod(1.2[m]));
 
 newton_euler::rigid_body!(Hung {

@@ -1,5 +1,8 @@
 /// A heavy symmetric top, for any scalar.
 ///
+/// Inertia about G:
+/// - symmetric about n = (0, 0, 1), prolate: 0.001 kg m^2 about n, 0.002 across
+///
 /// Operations:
 /// - `new`: 2 mul + 2 add + 2 div
 /// - `acceleration`: 11 mul + 4 add

@@ -53,7 +53,7 @@ pub trait State: Clone {
     fn rate(&self, acceleration: &Self::Acceleration) -> Self::Rate;
 
     /// The state at the end of a displacement: coordinates are added, attitudes become `attitude * exp(rotation)`
-    /// and stay unit (see [`attitude::normalized`]).
+    /// and stay unit (see [`attitude::normalized`](crate::attitude::normalized)).
     #[must_use]
     fn moved(&self, displacement: &Self::Rate) -> Self;
 }

@@ -158,3 +158,20 @@ pub trait Scalar:
     #[must_use]
     fn max(self, other: Self) -> Self;
 }
+
+/// The values of one of two branches; of both, chosen number by number, where the numbers do not agree.
+#[inline(always)]
+pub(crate) fn either<T: Scalar, const N: usize>(
+    truth: T::Truth,
+    first: impl Fn() -> [T; N],
+    second: impl Fn() -> [T; N],
+) -> [T; N] {
+    match T::agreed(truth) {
+        Some(true) => first(),
+        Some(false) => second(),
+        None => {
+            let (first, second) = (first(), second());
+            core::array::from_fn(|i| T::select(truth, first[i], second[i]))
+        }
+    }
+}

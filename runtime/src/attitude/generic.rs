@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, either};
 
 /// The attitude with body axes along world axes.
 #[must_use]
@@ -20,36 +20,26 @@ pub fn exp<T: Scalar>(rotation: &Vector3<T>) -> UnitQuaternion<T> {
     // below, series replace divisions by the angle; of each sum, the first term left out is at most 2⁻⁵³
     let small = square.less(square.constant(1e-2, 1e-2));
     // cos(θ/2) and sin(θ/2)/θ
-    let (cosine, ratio) = match T::agreed(small) {
-        Some(true) => series(square),
-        Some(false) => closed(square),
-        None => {
-            let (near, far) = (series(square), closed(square));
-            (
-                T::select(small, near.0, far.0),
-                T::select(small, near.1, far.1),
-            )
-        }
-    };
+    let [cosine, ratio] = either(small, || series(square), || closed(square));
     unit([x * ratio, y * ratio, z * ratio, cosine])
 }
 
 #[inline(always)]
-fn series<T: Scalar>(square: T) -> (T, T) {
+fn series<T: Scalar>(square: T) -> [T; 2] {
     let c = |value: u16| square.constant(f64::from(value), f32::from(value));
     let [half, quarter] = [square.constant(0.5, 0.5), square.constant(0.25, 0.25)];
     let x = quarter * square;
-    (
+    [
         c(1) - x * (half - x * (c(1) / c(24) - x * (c(1) / c(720) - x / c(40320)))),
         half - x * (c(1) / c(12) - x * (c(1) / c(240) - x / c(10080))),
-    )
+    ]
 }
 
 #[inline(always)]
-fn closed<T: Scalar>(square: T) -> (T, T) {
+fn closed<T: Scalar>(square: T) -> [T; 2] {
     let angle = square.sqrt();
     let (sine, cosine) = (square.constant(0.5, 0.5) * angle).sin_cos();
-    (cosine, sine / angle)
+    [cosine, sine / angle]
 }
 
 /// As [`attitude::normalized`](super::normalized).

@@ -10,7 +10,6 @@ use crate::scalar::Scalar;
 /// A force at a point, or a couple, or both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "T: Serialize")))]
 pub struct Load<T: Scalar> {
     /// Its name in the description.
     pub name: &'static str,
@@ -27,7 +26,6 @@ pub struct Load<T: Scalar> {
 /// A [`Load`] in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "T: Serialize")))]
 pub struct PlanarLoad<T: Scalar> {
     /// Its name in the description.
     pub name: &'static str,

@@ -18,10 +18,6 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct Hinge<T: Scalar> {
     /// Zero with body axes along world axes; right-handed about the axis, in the plane anticlockwise; not wrapped
     /// \[rad\].

@@ -10,10 +10,6 @@ use crate::scalar::Scalar;
 /// State of `motion: planar`, three degrees of freedom.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct Planar<T: Scalar> {
     /// Position of G, world axes \[m\].
     pub position: Vector2<T>,
@@ -28,10 +24,6 @@ pub struct Planar<T: Scalar> {
 /// Acceleration of a [`Planar`] state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct PlanarAcceleration<T: Scalar> {
     /// Acceleration of G, world axes \[m/s²\].
     pub linear: Vector2<T>,
@@ -42,10 +34,6 @@ pub struct PlanarAcceleration<T: Scalar> {
 /// State of `motion: planar_translation`, two degrees of freedom; body axes stay along world axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct PlanarTranslation<T: Scalar> {
     /// Position of G, world axes \[m\].
     pub position: Vector2<T>,

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::State;
 use crate::attitude;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, either};
 
 /// State of `motion: rod(axis)`, five degrees of freedom: |u| = 1 and u·u̇ = 0.
 ///
@@ -40,11 +40,7 @@ use crate::scalar::Scalar;
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
 #[cfg_attr(
     feature = "serde",
-    serde(
-        try_from = "written::Rod<T>",
-        into = "written::Rod<T>",
-        bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>")
-    )
+    serde(try_from = "written::Rod<T>", into = "written::Rod<T>")
 )]
 pub struct Rod<T: Scalar> {
     /// Position of G, world axes \[m\].
@@ -61,10 +57,6 @@ pub struct Rod<T: Scalar> {
 /// Acceleration of a [`Rod`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct RodAcceleration<T: Scalar> {
     /// Acceleration of G, world axes \[m/s²\].
     pub linear: Vector3<T>,
@@ -171,43 +163,33 @@ fn averaged<T: Scalar>(vector: &Vector3<T>, turn: &Vector3<T>) -> Vector3<T> {
     let square = dot(turn, turn);
     // (1 - cos ξ)/ξ² and (ξ - sin ξ)/ξ³
     let small = square.less(square.constant(1e-2, 1e-2));
-    let (first, second) = match T::agreed(small) {
-        Some(true) => series(square),
-        Some(false) => closed(square),
-        None => {
-            let (near, far) = (series(square), closed(square));
-            (
-                T::select(small, near.0, far.0),
-                T::select(small, near.1, far.1),
-            )
-        }
-    };
+    let [first, second] = either(small, || series(square), || closed(square));
     let turned = cross(turn, vector);
     vector + turned * first + cross(turn, &turned) * second
 }
 
 /// Of each sum, the first term left out is below 2⁻⁵³ of it.
 #[inline(always)]
-fn series<T: Scalar>(x: T) -> (T, T) {
+fn series<T: Scalar>(x: T) -> [T; 2] {
     let over = |divisor: u32| {
         #[expect(clippy::cast_precision_loss, reason = "to be rounded once")]
         x.constant(1.0 / f64::from(divisor), 1.0 / divisor as f32)
     };
-    (
+    [
         over(2) - x * (over(24) - x * (over(720) - x * (over(40320) - x * over(3_628_800)))),
         over(6) - x * (over(120) - x * (over(5040) - x * (over(362_880) - x * over(39_916_800)))),
-    )
+    ]
 }
 
 #[inline(always)]
-fn closed<T: Scalar>(square: T) -> (T, T) {
+fn closed<T: Scalar>(square: T) -> [T; 2] {
     let [half, two] = [square.constant(0.5, 0.5), square.constant(2.0, 2.0)];
     let angle = square.sqrt();
     let ratio = (half * angle).sin() / angle;
-    (
+    [
         two * ratio * ratio,
         (angle - angle.sin()) / (square * angle),
-    )
+    ]
 }
 
 /// A rod as it is serialised, with the axis as a plain vector, checked on reading.
@@ -225,7 +207,6 @@ mod written {
     }
 
     #[derive(Serialize, Deserialize)]
-    #[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
     pub(super) struct Rod<T: Scalar> {
         position: Vector3<T>,
         velocity: Vector3<T>,

@@ -11,10 +11,6 @@ use crate::scalar::Scalar;
 /// State of `motion: rotation`, three degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct Rotation<T: Scalar> {
     /// Takes body components to world components.
     #[cfg_attr(feature = "serde", serde(with = "attitude::checked"))]

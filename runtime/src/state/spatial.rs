@@ -11,10 +11,6 @@ use crate::scalar::Scalar;
 /// State of `motion: spatial`, six degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct Spatial<T: Scalar> {
     /// Position of G, world axes \[m\].
     pub position: Vector3<T>,
@@ -30,10 +26,6 @@ pub struct Spatial<T: Scalar> {
 /// Acceleration of a [`Spatial`] state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct SpatialAcceleration<T: Scalar> {
     /// Acceleration of G, world axes \[m/s²\].
     pub linear: Vector3<T>,

@@ -10,10 +10,6 @@ use crate::scalar::Scalar;
 /// State of `motion: translation`, three degrees of freedom; body axes stay along world axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct Translation<T: Scalar> {
     /// Position of G, world axes \[m\].
     pub position: Vector3<T>,

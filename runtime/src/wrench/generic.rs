@@ -11,10 +11,6 @@ use crate::scalar::Scalar;
 /// The operations are those of [`wrench::Wrench`](crate::wrench::Wrench), for `f64`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct Wrench<T: Scalar> {
     /// Resultant force \[N\].
     pub force: Vector3<T>,
@@ -27,10 +23,6 @@ pub struct Wrench<T: Scalar> {
 /// The operations are those of [`wrench::PlanarWrench`](crate::wrench::PlanarWrench), for `f64`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))
-)]
 pub struct PlanarWrench<T: Scalar> {
     /// Resultant force \[N\].
     pub force: Vector2<T>,

@@ -170,6 +170,41 @@ fn flips_in_single_precision() {
     assert!((q.dot(&q) - 1.0).abs() <= 4.0 * f32::EPSILON);
 }
 
+rigid_body!(Scaled::<T> {
+    motion: rotation,
+    params: [scale],
+    inertia: tensor {
+        xx: 1.3 * scale,
+        yy: 1.7 * scale,
+        zz: 2.1 * scale,
+        xy: -0.12 * scale,
+        yz: -0.05 * scale,
+        zx: 0.07 * scale,
+    },
+    inputs: [torque = body(_, _, _)[N * m]],
+    moments: [drive = torque],
+});
+
+/// EQUATIONS.md, H10: the inverse of a tensor at any scale, to 1e-6 in single precision.
+#[test]
+fn inertias_of_any_scale() {
+    let exact = {
+        let body = Scaled::new(ScaledParams { scale: 1.0_f64 }).expect("a possible body");
+        let torque = Vector3::new(0.3, -0.5, 0.7);
+        body.acceleration(0.0, &Rotation::default(), &ScaledInput { torque })
+    };
+    for scale in [1e-30_f32, 1e-20, 1e-15, 1.0, 1e24, 1e30] {
+        let body = Scaled::new(ScaledParams { scale }).expect("a possible body");
+        let torque = Vector3::new(0.3, -0.5, 0.7) * scale;
+        let still = generic::Rotation::default();
+        let ours = body.acceleration(0.0, &still, &ScaledInput { torque });
+        let error = (ours.map(f64::from) - exact).amax();
+        assert!(error <= 1e-6 * exact.amax(), "{scale:e}: {error:e}");
+    }
+    let flat = Scaled::new(ScaledParams { scale: 0.0_f32 });
+    assert!(flat.is_err() && Scaled::new(ScaledParams { scale: f32::NAN }).is_err());
+}
+
 /// Elementary functions of dual numbers, by their differences.
 #[test]
 fn slopes_of_functions() {

@@ -22,7 +22,7 @@ rigid_body!(Dipole {
     outputs: [energy, balance],
 });
 
-mod cancelled {
+pub(crate) mod cancelled {
     newton_euler::rigid_body!(Quadrupole {
         doc: "A second pair of charges, turned the other way: neither charge nor dipole is left.",
         motion: spatial,

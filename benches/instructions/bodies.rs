@@ -1,0 +1,129 @@
+//! The bodies of the examples, which are mounted here, and a state for each of them.
+
+use std::fs;
+
+use nalgebra::{UnitQuaternion, Vector2, Vector3};
+use newton_euler::prelude::*;
+
+use crate::counted::evaluate;
+
+/// Programs of which the descriptions are wanted.
+macro_rules! examples {
+    ($($name:ident $path:literal;)*) => {$(
+        #[allow(dead_code)]
+        #[path = $path]
+        mod $name;
+    )*};
+}
+
+examples! {
+    apollo "../../examples/apollo.rs";
+    compound_pendulum "../../examples/compound_pendulum.rs";
+    crazyflie "../../examples/crazyflie.rs";
+    cylinder "../../examples/cylinder.rs";
+    dipole "../../examples/dipole.rs";
+    lagrange_top "../../examples/lagrange_top.rs";
+    plank "../../examples/plank.rs";
+    quadrotor "../../examples/quadrotor.rs";
+    rotor "../../examples/rotor.rs";
+    satellite "../../examples/satellite.rs";
+    shuttlecock "../../examples/shuttlecock.rs";
+    swarm "../../examples/swarm.rs";
+    t_handle "../../examples/t_handle.rs";
+}
+
+/// A body that can be evaluated once.
+pub struct Body {
+    pub name: &'static str,
+    pub evaluate: fn(),
+}
+
+/// The bodies, with their paths as names.
+macro_rules! bodies {
+    ($($body:ty,)*) => {
+        &[$(Body { name: stringify!($body), evaluate: evaluate::<$body> }),*]
+    };
+}
+
+pub const BODIES: &[Body] = bodies![
+    apollo::AsProducts,
+    apollo::AsTensor,
+    compound_pendulum::Pendulum,
+    crazyflie::Crazyflie,
+    cylinder::Slipping,
+    cylinder::Sticking,
+    dipole::Dipole,
+    dipole::cancelled::Quadrupole,
+    lagrange_top::Top,
+    plank::Plank,
+    quadrotor::Quadrotor,
+    rotor::Rotor,
+    satellite::Satellite,
+    shuttlecock::Shuttlecock,
+    swarm::CubeSat<f64>,
+    t_handle::Handle,
+];
+
+/// Examples of which no body is in the list.
+pub fn missing() -> Vec<String> {
+    let examples = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/examples"));
+    let names = examples.expect("the folder of examples").map(|entry| {
+        let path = entry.expect("an example").path();
+        let name = path.file_stem().expect("a name").to_string_lossy();
+        name.into_owned()
+    });
+    let is_there = |name: &String| {
+        let path = format!("{name}::");
+        BODIES.iter().any(|body| body.name.starts_with(&path))
+    };
+    names.filter(|name| !is_there(name)).collect()
+}
+
+/// A state in which nothing vanishes and the body is not in a special position.
+pub trait Somewhere {
+    fn somewhere() -> Self;
+}
+
+impl Somewhere for Spatial {
+    fn somewhere() -> Self {
+        let Rotation {
+            attitude,
+            angular_velocity,
+        } = Rotation::somewhere();
+        Self {
+            position: Vector3::new(3.0, -2.0, 1.5),
+            attitude,
+            velocity: Vector3::new(0.7, 1.1, -0.4),
+            angular_velocity,
+        }
+    }
+}
+
+impl Somewhere for Rotation {
+    fn somewhere() -> Self {
+        Self {
+            attitude: UnitQuaternion::from_euler_angles(0.3, -0.5, 0.9),
+            angular_velocity: Vector3::new(1.5, -0.8, 2.2),
+        }
+    }
+}
+
+impl Somewhere for Planar {
+    fn somewhere() -> Self {
+        Self {
+            position: Vector2::new(3.0, -2.0),
+            angle: 0.3,
+            velocity: Vector2::new(0.7, 1.1),
+            angular_velocity: 1.5,
+        }
+    }
+}
+
+impl Somewhere for Hinge {
+    fn somewhere() -> Self {
+        Self {
+            angle: 0.3,
+            angular_velocity: 1.5,
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! Instructions of one `acceleration` of each body in `examples/`, counted by callgrind.
+//!
+//! The counts repeat exactly. They are held against those of `counts.txt`, of which they may be 5 % above; `BLESS=1` writes that
+//! file anew. They belong to the toolchain of `rust-toolchain.toml` and to x86-64 as any such processor has it: build
+//! without flags. Needs valgrind. `cargo bench --bench instructions`; `tests/instructions.rs` runs it.
+
+mod bodies;
+mod counted;
+mod record;
+
+use bodies::BODIES;
+use record::Record;
+
+fn main() {
+    let asked = std::env::args().nth(1).unwrap_or_default();
+    if let Some(body) = BODIES.iter().find(|body| body.name == asked) {
+        // in valgrind
+        return (body.evaluate)();
+    }
+    let missing = bodies::missing();
+    assert!(
+        missing.is_empty(),
+        "no body of the examples {missing:?} is counted"
+    );
+    let counts = BODIES
+        .iter()
+        .map(|body| (body.name, counted::count(body.name)));
+    let measured: Record = counts.collect();
+    if std::env::var_os("BLESS").is_some() {
+        measured.write();
+    }
+    let faults = measured.compare(&Record::read());
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}

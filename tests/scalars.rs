@@ -205,6 +205,78 @@ fn inertias_of_any_scale() {
     assert!(flat.is_err() && Scaled::new(ScaledParams { scale: f32::NAN }).is_err());
 }
 
+rigid_body!(Ladder::<T> {
+    motion: planar,
+    params: [length = 3[m]],
+    mass: 12[kg],
+    inertia: mass * length.powi(2) / 12,
+    points: [foot = (-length / 2, 0), head = (length / 2, 0)],
+    fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    constraints: [
+        floor = foot.position().in_world().y,
+        wall = head.position().in_world().x
+    ],
+    reactions: [up = world(0, _).at(foot), away = world(_, 0).at(head)],
+    outputs: [energy, reactions],
+});
+
+/// A ladder against a wall: constraints in single precision, with derivatives, and kept in doubles.
+#[test]
+fn constraints() {
+    let placed = |angle: f64| Planar {
+        position: [-1.5 * angle.cos(), 1.5 * angle.sin()].into(),
+        angle,
+        ..Planar::default()
+    };
+    let double = Ladder::<f64>::default();
+    let exact = double.acceleration(0.0, &placed(1.0), &());
+    // closed form: (3 g / 2 l) cos, falling
+    let expected = -1.5 * 9.80665 / 3.0 * 1.0_f64.cos();
+    assert!((exact.angular - expected).abs() < 1e-12, "{exact:?}");
+
+    let single = Ladder::<f32>::default();
+    #[expect(clippy::cast_possible_truncation, reason = "to single precision")]
+    let state = generic::Planar::<f32> {
+        position: placed(1.0).position.map(|x| x as f32),
+        angle: 1.0,
+        ..generic::Planar::default()
+    };
+    let ours = single.acceleration(0.0, &state, &());
+    assert!((f64::from(ours.angular) - expected).abs() < 1e-5);
+    let forces = single.reactions(0.0, &state, &()).expect("both are needed");
+    let exact = double
+        .reactions(0.0, &placed(1.0), &())
+        .expect("both are needed");
+    assert!((f64::from(forces.up.y) - exact.up.y).abs() < 1e-4 * exact.up.y);
+
+    // d/dangle of (3 g / 2 l) cos, along the constraints
+    let angle = Derived::variable(1.0, 0);
+    let along = generic::Planar {
+        position: [
+            angle.cos() * Dual::from(-1.5),
+            angle.sin() * Dual::from(1.5),
+        ]
+        .into(),
+        angle,
+        ..generic::Planar::default()
+    };
+    let derived = Ladder::<Derived>::default().acceleration(Dual::from(0.0), &along, &());
+    let slope = 1.5 * 9.80665 / 3.0 * 1.0_f64.sin();
+    assert!((derived.angular.derivatives[0] - slope).abs() < 1e-12);
+
+    let mut beside = placed(1.0);
+    beside.position.x += 0.01;
+    double
+        .project(0.0, &mut beside, &())
+        .expect("a ladder near by");
+    let violations = double.violations(0.0, &beside, &());
+    assert!(
+        violations
+            .iter()
+            .all(|violation| violation.position.is_some_and(|g| g.abs() < 1e-14))
+    );
+}
+
 /// Elementary functions of dual numbers, by their differences.
 #[test]
 fn slopes_of_functions() {

@@ -95,16 +95,33 @@ fn is_positive(value: f64) -> bool {
 /// summed from.
 ///
 /// # Errors
-/// [`Singular`] if it is zero to [`Singular::TOLERANCE`] of that term, or not a number.
-#[inline]
-pub fn reciprocal(unknown: &'static str, value: f64, scale: f64) -> Result<f64, Singular> {
-    if value.abs() > Singular::TOLERANCE * scale {
-        Ok(value.recip())
-    } else {
-        Err(Singular {
-            unknown,
-            value,
-            scale,
-        })
+/// [`Singular`] if it is zero to [`Singular::TOLERANCE`] of that term in units of the scalar's precision, or not a number.
+#[inline(always)]
+pub fn reciprocal<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> Result<T, Singular> {
+    let tolerance = Singular::TOLERANCE / f64::EPSILON * T::EPSILON;
+    for lane in 0..T::LANES {
+        let (value, scale) = (divisor.lane(lane), scale.lane(lane));
+        let is_determined = value.abs() > tolerance * scale;
+        if !is_determined {
+            return Err(Singular {
+                unknown,
+                value,
+                scale,
+            });
+        }
+    }
+    Ok(divisor.constant(1.0, 1.0) / divisor)
+}
+
+/// The same where there is no way to return an error.
+///
+/// # Panics
+/// If the divisor is nothing but rounding: the constraints do not determine the unknown here.
+#[inline(always)]
+#[must_use]
+pub fn determined<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> T {
+    match reciprocal(unknown, divisor, scale) {
+        Ok(reciprocal) => reciprocal,
+        Err(singular) => panic!("{singular}"),
     }
 }

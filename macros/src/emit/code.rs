@@ -82,6 +82,8 @@ pub struct Writer<'a> {
     /// Whether the functions return a `Result`, so that a division that cannot be done ends them;
     /// it panics in the others.
     pub is_fallible: bool,
+    /// What the numbers are.
+    pub scalar: Scalar,
     /// The path of what generated code may name.
     pub private: TokenStream,
 }
@@ -122,7 +124,7 @@ impl Writer<'_> {
     pub fn function(&self, outputs: &[Id]) -> Code {
         let program = self.schedule(outputs);
         let (plain, numbers) = self.write(&program, None);
-        if !Scalar::of(self.outline).is_generic() {
+        if !self.scalar.is_generic() {
             return plain;
         }
         let (generic, _) = self.write(&program, Some(&numbers));

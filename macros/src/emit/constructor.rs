@@ -11,6 +11,7 @@ use crate::symbolic::{Cost, Id, Node, Stage};
 use super::code::{Fields, Writer};
 use super::naming::local_name;
 use super::paths::private;
+use super::scalar::Scalar;
 use super::text::to_text;
 
 /// What a body is built from and keeps.
@@ -34,6 +35,7 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
         targets: &none,
         stage: Stage::State,
         is_fallible: false,
+        scalar: Scalar::of(outline),
         private: private(outline),
     };
     let hoisted = writer.schedule(&equations.roots()).hoisted;
@@ -90,6 +92,7 @@ impl Constructor {
             targets: fields,
             stage: Stage::Parameter,
             is_fallible: false,
+            scalar: Scalar::of(outline),
             private: private.clone(),
         };
         let is_open = |id: &Id| model.frames.graph.stage(*id) == Stage::Parameter;

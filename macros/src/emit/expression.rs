@@ -6,7 +6,7 @@ use quote::{ToTokens, quote};
 use crate::symbolic::{Comparison, Function, Id, Node, Number};
 
 use super::code::Body;
-use super::scalar::{Scalar, number_literal};
+use super::scalar::number_literal;
 
 /// How tightly an expression binds, from the loosest to the tightest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -130,7 +130,7 @@ impl Body<'_> {
                 let tokens = if self.writer.is_fallible {
                     quote!(#private::reciprocal(#unknown, #divisor, #scale)?)
                 } else {
-                    quote!(#private::math::reciprocal(#unknown, #divisor, #scale))
+                    quote!(#private::determined(#unknown, #divisor, #scale))
                 };
                 (tokens, Precedence::Atom)
             }
@@ -170,7 +170,7 @@ impl Body<'_> {
             Node::And(a, b) => infix(a, quote!(&), b),
             Node::Or(a, b) => infix(a, quote!(|), b),
             Node::Select(condition, a, b) => {
-                let kind = Scalar::of(self.writer.outline).kind();
+                let kind = self.writer.scalar.kind();
                 let arguments = self.arguments(&[condition, a, b]);
                 atom(quote!(#kind::select(#(#arguments),*)))
             }

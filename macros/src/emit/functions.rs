@@ -11,6 +11,7 @@ use super::code::{Fields, Source, Writer};
 use super::consistency::{write_project, write_violations};
 use super::lints::allow_constants;
 use super::paths::private;
+use super::scalar::Scalar;
 use super::shapes::{Shapes, Values};
 
 /// The generated functions; those that are not asked for are empty.
@@ -104,6 +105,7 @@ impl Functions {
             targets: &none,
             stage: Stage::State,
             is_fallible: false,
+            scalar: Scalar::of(outline),
             private: private(outline),
         };
         let mut functions = Self {
@@ -139,6 +141,14 @@ impl Functions {
             functions.loads = write_loads(&writer, &shapes, balance);
         }
         if outline.is_constrained {
+            let (writer, shapes) = (
+                Writer {
+                    scalar: Scalar::double(outline),
+                    private: private(outline),
+                    ..writer
+                },
+                Shapes::double(outline),
+            );
             functions.violations = write_violations(&writer, &shapes, equations);
             functions.project = write_project(&writer, &shapes, equations);
             functions.constraint_count = equations.constraints.len();
@@ -148,6 +158,7 @@ impl Functions {
             functions.reactions = if outline.is_constrained {
                 let fallible = Writer {
                     is_fallible: true,
+                    scalar: Scalar::of(outline),
                     private: private(outline),
                     ..writer
                 };

@@ -24,7 +24,7 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
     let rigid_body = emit_rigid_body(outline, &shapes, &functions.acceleration);
     let constrained = outline
         .is_constrained
-        .then(|| emit_constrained(outline, &shapes, functions));
+        .then(|| emit_constrained(outline, functions));
     core::iter::once(rigid_body)
         .chain(constrained)
         .chain(outputs)
@@ -32,19 +32,16 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
 }
 
 /// `impl Trait for Body`, of a generic body `impl<T: Scalar> Trait for Body<T>`
-fn header(outline: &Outline, name: &str) -> TokenStream {
-    let (scalar, private) = (Scalar::of(outline), private(outline));
+fn header(outline: &Outline, scalar: &Scalar, name: &str) -> TokenStream {
+    let private = private(outline);
     let (declared, applied) = (scalar.declared(), scalar.applied());
     let (body, name) = (&outline.name, format_ident!("{name}"));
     quote!(impl #declared #private::#name for #body #applied)
 }
 
 /// The type of the inputs; nothing is given to a body that declares none.
-fn input_type(outline: &Outline) -> TokenStream {
-    let (name, applied) = (
-        format_ident!("{}Input", outline.name),
-        Scalar::of(outline).applied(),
-    );
+fn input_type(outline: &Outline, scalar: &Scalar) -> TokenStream {
+    let (name, applied) = (format_ident!("{}Input", outline.name), scalar.applied());
     if outline.inputs.is_empty() {
         quote!(())
     } else {
@@ -70,7 +67,7 @@ fn arguments(outline: &Outline, shapes: &Shapes, function: &Function) -> TokenSt
     let time = function.argument(Source::Time, "time");
     let state = function.argument(Source::State, "state");
     let input = function.argument(Source::Input, "input");
-    let (state_type, input_type) = (shapes.state_type(), input_type(outline));
+    let (state_type, input_type) = (shapes.state_type(), input_type(outline, &shapes.scalar));
     let scalar = shapes.scalar.kind();
     quote!(#time: #scalar, #state: &#state_type, #input: &#input_type)
 }
@@ -96,8 +93,8 @@ fn method(
 }
 
 fn emit_rigid_body(outline: &Outline, shapes: &Shapes, function: &Function) -> TokenStream {
-    let header = header(outline, "RigidBody");
-    let (state, input) = (shapes.state_type(), input_type(outline));
+    let header = header(outline, &shapes.scalar, "RigidBody");
+    let (state, input) = (shapes.state_type(), input_type(outline, &shapes.scalar));
     let scalar = shapes.scalar.kind();
     let acceleration = method(
         "acceleration",
@@ -123,7 +120,7 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, function: &Function) -> T
 }
 
 fn emit_energy(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let header = header(outline, "Energy");
+    let header = header(outline, &shapes.scalar, "Energy");
     let (kinetic, potential) = (&functions.kinetic_energy, &functions.potential_energy);
     let scalar = shapes.scalar.kind();
     let kinetic = method(
@@ -142,7 +139,7 @@ fn emit_energy(outline: &Outline, shapes: &Shapes, functions: &Functions) -> Tok
 }
 
 fn emit_momentum(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let header = header(outline, "Momentum");
+    let header = header(outline, &shapes.scalar, "Momentum");
     let angular = shapes.moment_type();
     // the momentum of a body whose motion of G is not modelled is not known
     let linear = if outline.motion == Motion::Rotation {
@@ -179,7 +176,7 @@ fn emit_momentum(outline: &Outline, shapes: &Shapes, functions: &Functions) -> T
 }
 
 fn emit_balance(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let header = header(outline, "Balance");
+    let header = header(outline, &shapes.scalar, "Balance");
     let (wrench, load) = (shapes.wrench_type(), shapes.load_type());
     let count = Literal::usize_unsuffixed(outline.loads);
     let loads = quote!([#load; #count]);
@@ -202,7 +199,7 @@ fn emit_balance(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
     let (state, acceleration_type, input_type) = (
         state_argument(shapes, function),
         shapes.acceleration_type(),
-        input_type(outline),
+        input_type(outline, &shapes.scalar),
     );
     let scalar = shapes.scalar.kind();
     let of_residual = quote!(#time: #scalar, #state, #acceleration: &#acceleration_type, #reactions: &#reactions_type, #input: &#input_type);
@@ -219,8 +216,9 @@ fn emit_balance(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
     }
 }
 
-fn emit_constrained(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let header = header(outline, "Constrained");
+fn emit_constrained(outline: &Outline, functions: &Functions) -> TokenStream {
+    let shapes = &Shapes::double(outline);
+    let header = header(outline, &shapes.scalar, "Constrained");
     let private = &shapes.private;
     let count = Literal::usize_unsuffixed(functions.constraint_count);
     let kind = quote!([#private::Violation; #count]);
@@ -235,8 +233,11 @@ fn emit_constrained(outline: &Outline, shapes: &Shapes, functions: &Functions) -
         functions.project.argument(Source::Time, "time"),
         functions.project.argument(Source::Input, "input"),
     );
-    let (state, state_type, input_type) =
-        (local("state"), shapes.state_type(), input_type(outline));
+    let (state, state_type, input_type) = (
+        local("state"),
+        shapes.state_type(),
+        input_type(outline, &shapes.scalar),
+    );
     let scalar = shapes.scalar.kind();
     quote! {
         #header {
@@ -250,7 +251,7 @@ fn emit_constrained(outline: &Outline, shapes: &Shapes, functions: &Functions) -
 }
 
 fn emit_reactions(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let header = header(outline, "Reactions");
+    let header = header(outline, &shapes.scalar, "Reactions");
     let private = &shapes.private;
     let (function, kind) = (&functions.reactions, reactions_type(outline));
     let kind = if outline.is_constrained {
@@ -273,7 +274,7 @@ fn emit_reactions(outline: &Outline, shapes: &Shapes, functions: &Functions) -> 
 }
 
 fn emit_inverse(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
-    let header = header(outline, "Inverse");
+    let header = header(outline, &shapes.scalar, "Inverse");
     let (name, function) = (&outline.name, &functions.inverse);
     let (drives, applied) = (format_ident!("{name}Drives"), shapes.scalar.applied());
     let drives = quote!(#drives #applied);
@@ -283,7 +284,7 @@ fn emit_inverse(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
     let (state, acceleration_type, input_type) = (
         state_argument(shapes, function),
         shapes.acceleration_type(),
-        input_type(outline),
+        input_type(outline, &shapes.scalar),
     );
     let scalar = shapes.scalar.kind();
     let arguments =

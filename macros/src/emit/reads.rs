@@ -11,7 +11,6 @@ use crate::symbolic::{Id, Node, Number, Program, Stage};
 
 use super::code::{Body, Source};
 use super::naming::local;
-use super::scalar::Scalar;
 
 /// The component that a meaning stands for, if it is one of those of a place.
 type Component = fn(Meaning) -> Option<usize>;
@@ -152,7 +151,7 @@ impl Body<'_> {
         if numbers.is_empty() {
             return TokenStream::new();
         }
-        let (at_hand, scalar) = (self.value_at_hand(), Scalar::of(self.writer.outline));
+        let (at_hand, scalar) = (self.value_at_hand(), &self.writer.scalar);
         let mut tokens = TokenStream::new();
         for (id, number) in numbers {
             let name = self.statement_name(id);
@@ -233,7 +232,7 @@ impl Body<'_> {
             pattern.push(name.into_token_stream());
         }
         let count = Literal::usize_unsuffixed(names.len());
-        let kind = Scalar::of(self.writer.outline).kind();
+        let kind = self.writer.scalar.kind();
         quote!(let [#(#pattern),*]: [#kind; #count] = #path.into();)
     }
 

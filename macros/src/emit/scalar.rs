@@ -12,6 +12,8 @@ use super::paths::private;
 pub struct Scalar {
     /// Of a generic body.
     name: Option<Ident>,
+    /// A generic body has to be named with its scalar, even where that is `f64`.
+    is_applied: bool,
     private: TokenStream,
 }
 
@@ -19,7 +21,16 @@ impl Scalar {
     pub fn of(outline: &Outline) -> Self {
         Self {
             name: outline.scalar.clone(),
+            is_applied: outline.scalar.is_some(),
             private: private(outline),
+        }
+    }
+
+    /// `f64`, of a generic body too: for what is done in doubles alone.
+    pub fn double(outline: &Outline) -> Self {
+        Self {
+            name: None,
+            ..Self::of(outline)
         }
     }
 
@@ -43,8 +54,8 @@ impl Scalar {
 
     /// `<T>`, behind a type
     pub fn applied(&self) -> TokenStream {
-        let name = self.name.iter();
-        quote!(#(<#name>)*)
+        let kind = self.is_applied.then(|| self.kind()).into_iter();
+        quote!(#(<#kind>)*)
     }
 
     /// A type of the runtime that holds numbers, in types and in expressions.

@@ -31,6 +31,14 @@ impl Shapes {
         }
     }
 
+    /// The same in doubles, of a generic body too.
+    pub fn double(outline: &Outline) -> Self {
+        Self {
+            scalar: Scalar::double(outline),
+            ..Self::of(outline)
+        }
+    }
+
     pub fn state_type(&self) -> TokenStream {
         let name = match self.motion {
             Motion::Planar => format_ident!("Planar"),

@@ -98,7 +98,6 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
             default: has_default.then(|| vec![Number::zero(); components]),
         }
     };
-    check_scalar(description, errors);
     Outline {
         name: description.name.clone(),
         scalar: description.scalar.clone(),
@@ -221,19 +220,6 @@ fn check_motion(description: &Description, errors: &mut Errors) {
             format!(
                 "unknown motion `{written}`: expected one of `{}`{hint}",
                 all()
-            ),
-        );
-    }
-}
-
-/// What generic bodies do not have.
-fn check_scalar(description: &Description, errors: &mut Errors) {
-    if let (Some(scalar), Some(first)) = (&description.scalar, description.constraints.first()) {
-        errors.push(
-            first.name.span(),
-            format!(
-                "a body that is generic over its scalar has no constraints in this version: leave \
-                 `::<{scalar}>` out, or use a motion with a support"
             ),
         );
     }

@@ -54,19 +54,6 @@ binary! {
     max(x, y) = f64::max, "The larger; of a number and NaN, the number.";
 }
 
-/// One over a divisor that the configuration may make vanish, given the size of the terms it was summed from.
-///
-/// # Panics
-/// If it is nothing but their rounding: the constraints do not determine the unknown here.
-#[inline]
-#[must_use]
-pub fn reciprocal(unknown: &'static str, value: f64, scale: f64) -> f64 {
-    match super::reciprocal(unknown, value, scale) {
-        Ok(reciprocal) => reciprocal,
-        Err(singular) => panic!("{singular}"),
-    }
-}
-
 /// `(sin x, cos x)`, with one reduction of the argument.
 #[inline]
 #[must_use]

@@ -31,6 +31,7 @@ mod solid;
 mod support;
 mod turned_inertia;
 mod turned_vector;
+mod turning;
 mod uniform_field;
 mod unit;
 mod value;

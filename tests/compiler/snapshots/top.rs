@@ -4,8 +4,8 @@
 /// - symmetric about n = (0, 0, 1), prolate: 0.001 kg m^2 about n, 0.002 across
 ///
 /// Operations:
-/// - `new`: 2 mul + 2 add + 2 div
-/// - `acceleration`: 11 mul + 4 add
+/// - `new`: 3 mul + 2 add + 2 div
+/// - `acceleration`: 9 mul + 4 add
 ///
 /// Skipped:
 /// - the force balance: the reaction of the support has no moment about it
@@ -27,11 +27,11 @@ pub struct TopParams<T: ::newton_euler::private::Scalar> {
 }
 impl<T: ::newton_euler::private::Scalar> Top<T> {
     /// The equations of motion, as they are evaluated.
-    pub const EQUATIONS: &str = "# once, in the constructor\nproduct = 0.3 * (length * length)\ninertia_about_support_xx = 0.002 + product\ncoupling_x = (0.001 + product) / inertia_about_support_xx\nfrom_length = length / inertia_about_support_xx\n# at every evaluation\n# s = q x 2 v, to turn v: v + w s + q x s\nswing_x = -5.88399 * qy\nswing_y = 5.88399 * qx\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_length * (qw * swing_y - qz * swing_x)\nangular_y = -(wx * precession + from_length * (qw * swing_x + qz * swing_y))\nangular_z = 0.0";
+    pub const EQUATIONS: &str = "# once, in the constructor\nproduct = 0.3 * (length * length)\ninertia_about_support_xx = 0.002 + product\ncoupling_x = (0.001 + product) / inertia_about_support_xx\nfrom_length = -5.88399 * length / inertia_about_support_xx\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession - from_length * (qy * qz + qw * qx)\nangular_y = from_length * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";
     /// What they cost, by function and stage.
     pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
-        ::newton_euler::private::Operations::parameter("new", [2, 2, 2, 0, 0, 0]),
-        ::newton_euler::private::Operations::state("acceleration", [11, 4, 0, 0, 0, 0]),
+        ::newton_euler::private::Operations::parameter("new", [3, 2, 2, 0, 0, 0]),
+        ::newton_euler::private::Operations::state("acceleration", [9, 4, 0, 0, 0, 0]),
     ];
     /// What they do not contain, and why.
     pub const SKIPPED: &[&str] = &[
@@ -52,10 +52,11 @@ impl<T: ::newton_euler::private::Scalar> Top<T> {
         let mass = params.length.constant(0.3, 0.3);
         let inertia_xx = params.length.constant(0.002, 0.002);
         let inertia_zz = params.length.constant(0.001, 0.001);
+        let constant = params.length.constant(-5.88399, -5.88399);
         let product = mass * (length * length);
         let inertia_about_support_xx = inertia_xx + product;
         let coupling_x = (inertia_zz + product) / inertia_about_support_xx;
-        let from_length = length / inertia_about_support_xx;
+        let from_length = constant * length / inertia_about_support_xx;
         ::newton_euler::private::check_finite(
             &[("coupling_x", coupling_x), ("from_length", from_length)],
         )?;
@@ -100,18 +101,11 @@ impl<T: ::newton_euler::private::Scalar> ::newton_euler::private::RigidBody for 
         let [qx, qy, qz, qw]: [T; 4] = state.attitude.coords.into();
         let [wx, wy, wz]: [T; 3] = state.angular_velocity.into();
         let zero = state.angular_velocity.x.constant(0.0, 0.0);
-        let doubled_z = state.angular_velocity.x.constant(5.88399, 5.88399);
-        let constant = state.angular_velocity.x.constant(-5.88399, -5.88399);
-        /// s = q x 2 v, to turn v: v + w s + q x s
-        let swing_x = constant * qy;
-        let swing_y = doubled_z * qx;
         /// rate at which w turns in the body: (J_1 - J_3) / J_1 w_3
         let precession = self.coupling_x * wz;
         /// (1.4), body axes: w' = J^-1 (M - w x J w)
-        let angular_x = wy * precession
-            + self.from_length * (qw * swing_y - qz * swing_x);
-        let angular_y = -(wx * precession
-            + self.from_length * (qw * swing_x + qz * swing_y));
+        let angular_x = wy * precession - self.from_length * (qy * qz + qw * qx);
+        let angular_y = self.from_length * (qx * qz - qw * qy) - wx * precession;
         [angular_x, angular_y, zero].into()
     }
 }

@@ -81,6 +81,7 @@ mod scale;
 #[doc(hidden)]
 pub mod schema;
 pub mod state;
+pub mod structure;
 pub mod top;
 mod twofold;
 pub mod wrench;

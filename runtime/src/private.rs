@@ -17,6 +17,7 @@ pub use crate::state::{
     Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod, RodAcceleration, Rotation, Spatial,
     SpatialAcceleration, State, Translation,
 };
+pub use crate::structure::{Dependence, Structure, Structured, Symmetry};
 pub use crate::wrench::{PlanarWrench, Wrench};
 
 pub mod math;

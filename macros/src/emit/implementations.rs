@@ -32,7 +32,7 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
 }
 
 /// `impl Trait for Body`, of a generic body `impl<T: Scalar> Trait for Body<T>`
-fn header(outline: &Outline, scalar: &Scalar, name: &str) -> TokenStream {
+pub fn header(outline: &Outline, scalar: &Scalar, name: &str) -> TokenStream {
     let private = private(outline);
     let (declared, applied) = (scalar.declared(), scalar.applied());
     let (body, name) = (&outline.name, format_ident!("{name}"));

@@ -18,6 +18,7 @@ mod paths;
 mod reads;
 mod scalar;
 mod shapes;
+mod structure;
 mod text;
 
 use proc_macro2::TokenStream;
@@ -37,9 +38,10 @@ pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> Tok
     let documentation = docs::Documentation::write(outline, &functions, &constructor, equations);
     let items = items::emit_items(outline, &constructor, &documentation);
     let implementations = implementations::emit_implementations(outline, &functions);
+    let structure = structure::emit_structure(outline, Some(&equations.structure));
     let columns = columns::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);
-    quote!(#items #implementations #columns #checks)
+    quote!(#items #implementations #structure #columns #checks)
 }
 
 /// The same items for a description with mistakes, so that nothing else turns red: they compile
@@ -48,7 +50,8 @@ pub fn emit_stub(outline: &Outline) -> TokenStream {
     let constructor = Constructor::stub();
     let items = items::emit_items(outline, &constructor, &docs::Documentation::stub(outline));
     let implementations = implementations::emit_implementations(outline, &Functions::stub());
+    let structure = structure::emit_structure(outline, None);
     let columns = columns::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);
-    quote!(#items #implementations #columns #checks)
+    quote!(#items #implementations #structure #columns #checks)
 }

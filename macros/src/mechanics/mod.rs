@@ -24,6 +24,8 @@ mod rod;
 mod samples;
 mod skipped;
 mod solvability;
+mod structure;
+mod symmetry;
 
 use crate::errors::Errors;
 use crate::model::{Model, Output};
@@ -34,6 +36,8 @@ pub use consistency::Consistency;
 pub use energy::Energy;
 pub use momentum::Momentum;
 pub use reactions::ReactionExpressions;
+pub use structure::{Dependence, QUANTITIES, Structure};
+pub use symmetry::Symmetry;
 
 /// All that is generated for a body, as expressions.
 pub struct Equations {
@@ -54,6 +58,8 @@ pub struct Equations {
     pub inertia_class: Vec<String>,
     /// Where uniform fields act on constant charges.
     pub charges: Vec<String>,
+    /// What integrators can make use of.
+    pub structure: Structure,
     /// What does not appear in the equations, and why.
     pub skipped: Vec<String>,
 }
@@ -83,6 +89,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
     } else {
         Vec::new()
     };
+    let structure = structure::derive_structure(model, &linear, &angular);
     let skipped = skipped::list_skipped(model, &linear, &angular);
     Some(Equations {
         linear,
@@ -95,6 +102,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         constraints,
         inertia_class: inertia_class::classify(model),
         charges: charges::list_centers(model),
+        structure,
         skipped,
     })
 }

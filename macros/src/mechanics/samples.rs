@@ -31,7 +31,8 @@ pub fn vanish(model: &mut Model, roots: &[Id]) -> Vec<bool> {
     values.iter().map(Number::is_zero).collect()
 }
 
-fn at_state(model: &mut Model, roots: &[Id], seed: i64) -> Vec<Option<Number>> {
+/// The values of `roots` at the state of this number; `None` where there is no value.
+pub fn at_state(model: &mut Model, roots: &[Id], seed: i64) -> Vec<Option<Number>> {
     let graph = &mut model.frames.graph;
     let quaternion = unit_quaternion(seed);
     let (axis, rate) = axis_and_rate(seed);

@@ -12,24 +12,30 @@ impl Graph {
     /// Steps (`floor`, `ceil`, `signum`) have the derivative zero, and a choice is differentiated
     /// branch by branch.
     pub fn derivative(&mut self, roots: &[Id], by: Id) -> Vec<Id> {
+        let one = self.one();
+        self.change(roots, |symbol| (symbol == by).then_some(one))
+    }
+
+    /// How `roots` change along with their symbols: `rate` answers for those that do.
+    pub fn change(&mut self, roots: &[Id], rate: impl Fn(Id) -> Option<Id>) -> Vec<Id> {
         let order = self.reachable(roots, |_| true);
-        let mut derivatives = vec![None; order.last().map_or(0, |last| last.index() + 1)];
+        let mut changes = vec![None; order.last().map_or(0, |last| last.index() + 1)];
         for id in order {
-            let derivative = self.differentiate(id, by, |operand| derivatives[operand.index()]);
-            derivatives[id.index()] = derivative.filter(|derivative| !self.is_zero(*derivative));
+            let change = match self.node(id) {
+                Node::Symbol(_) => rate(id),
+                _ => self.differentiate(id, |operand| changes[operand.index()]),
+            };
+            changes[id.index()] = change.filter(|change| !self.is_zero(*change));
         }
         let zero = self.zero();
         roots
             .iter()
-            .map(|root| derivatives[root.index()].unwrap_or(zero))
+            .map(|root| changes[root.index()].unwrap_or(zero))
             .collect()
     }
 
     /// One step of the chain rule; `None` is zero.
-    fn differentiate(&mut self, id: Id, by: Id, known: impl Fn(Id) -> Option<Id>) -> Option<Id> {
-        if id == by {
-            return Some(self.one());
-        }
+    fn differentiate(&mut self, id: Id, known: impl Fn(Id) -> Option<Id>) -> Option<Id> {
         let node = self.node(id).clone();
         if node.operands().all(|operand| known(operand).is_none()) {
             return None;

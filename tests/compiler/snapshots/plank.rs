@@ -152,6 +152,23 @@ impl ::newton_euler::private::Momentum for Plank {
         self.inertia * w
     }
 }
+impl ::newton_euler::private::Structured for Plank {
+    const STRUCTURE: ::newton_euler::private::Structure = ::newton_euler::private::Structure {
+        linear: ::newton_euler::private::Dependence {
+            world: ::newton_euler::private::Symmetry::None,
+            body: ::newton_euler::private::Symmetry::About([0.0, 0.0, 1.0]),
+            ..::newton_euler::private::Dependence::NOTHING
+        },
+        angular: ::newton_euler::private::Dependence {
+            world: ::newton_euler::private::Symmetry::About([0.0, 0.0, 1.0]),
+            body: ::newton_euler::private::Symmetry::About([0.0, 0.0, 1.0]),
+            ..::newton_euler::private::Dependence::NOTHING
+        },
+        is_torque_free: true,
+        keeps_spin: true,
+        ..::newton_euler::private::Structure::GENERAL
+    };
+}
 const _: fn(&::newton_euler::schema::Body) = |body| {
     let _ = [&body.doc, &body.motion, &body.params, &body.mass, &body.inertia];
     let _ = [&body.fields, &body.outputs];

@@ -136,6 +136,24 @@ impl ::newton_euler::private::RigidBody for Quadrotor {
         }
     }
 }
+impl ::newton_euler::private::Structured for Quadrotor {
+    const STRUCTURE: ::newton_euler::private::Structure = ::newton_euler::private::Structure {
+        linear: ::newton_euler::private::Dependence {
+            attitude: true,
+            input: true,
+            world: ::newton_euler::private::Symmetry::About([0.0, 0.0, 1.0]),
+            body: ::newton_euler::private::Symmetry::About([0.0, 0.0, 1.0]),
+            ..::newton_euler::private::Dependence::NOTHING
+        },
+        angular: ::newton_euler::private::Dependence {
+            angular_velocity: true,
+            input: true,
+            body: ::newton_euler::private::Symmetry::None,
+            ..::newton_euler::private::Dependence::NOTHING
+        },
+        ..::newton_euler::private::Structure::GENERAL
+    };
+}
 const _: fn(&::newton_euler::schema::Body) = |body| {
     let _ = [&body.doc, &body.motion, &body.params, &body.inputs, &body.mass];
     let _ = [&body.inertia, &body.points, &body.fields, &body.forces, &body.locals];

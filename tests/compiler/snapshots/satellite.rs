@@ -176,6 +176,19 @@ impl ::newton_euler::private::Balance for Satellite {
         ]
     }
 }
+impl ::newton_euler::private::Structured for Satellite {
+    const STRUCTURE: ::newton_euler::private::Structure = ::newton_euler::private::Structure {
+        linear: ::newton_euler::private::Dependence::NOTHING,
+        angular: ::newton_euler::private::Dependence {
+            angular_velocity: true,
+            input: true,
+            body: ::newton_euler::private::Symmetry::None,
+            ..::newton_euler::private::Dependence::NOTHING
+        },
+        is_force_free: true,
+        ..::newton_euler::private::Structure::GENERAL
+    };
+}
 const _: fn(&::newton_euler::schema::Body) = |body| {
     let _ = [&body.doc, &body.motion, &body.inputs, &body.inertia, &body.moments];
     let _ = [&body.outputs];

@@ -109,6 +109,22 @@ impl<T: ::newton_euler::private::Scalar> ::newton_euler::private::RigidBody for 
         [angular_x, angular_y, zero].into()
     }
 }
+impl<T: ::newton_euler::private::Scalar> ::newton_euler::private::Structured for Top<T> {
+    const STRUCTURE: ::newton_euler::private::Structure = ::newton_euler::private::Structure {
+        linear: ::newton_euler::private::Dependence::NOTHING,
+        angular: ::newton_euler::private::Dependence {
+            attitude: true,
+            angular_velocity: true,
+            world: ::newton_euler::private::Symmetry::About([0.0, 0.0, 1.0]),
+            body: ::newton_euler::private::Symmetry::About([0.0, 0.0, 1.0]),
+            ..::newton_euler::private::Dependence::NOTHING
+        },
+        is_force_free: true,
+        keeps_spin: true,
+        planes: [true, true, true],
+        ..::newton_euler::private::Structure::GENERAL
+    };
+}
 #[allow(clippy::inline_always)]
 impl<T: ::newton_euler::private::Scalar> ::newton_euler::private::Columns<T> for Top<T> {
     const COUNT: usize = 3;

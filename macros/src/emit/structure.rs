@@ -1,0 +1,75 @@
+//! The structure of a body, as the constant of a trait.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use crate::mechanics::{Dependence, QUANTITIES, Structure, Symmetry};
+use crate::model::Outline;
+
+use super::implementations::header;
+use super::lints::allow_constants;
+use super::paths::private;
+use super::scalar::{Scalar, number_literal};
+
+/// `impl Structured for Body { const STRUCTURE: Structure = Structure { .. }; }`, with what holds of it.
+pub fn emit_structure(outline: &Outline, structure: Option<&Structure>) -> TokenStream {
+    let (header, private) = (
+        header(outline, &Scalar::of(outline), "Structured"),
+        private(outline),
+    );
+    let value = structure.map_or_else(
+        || quote!(#private::Structure::GENERAL),
+        |structure| whole(structure, &private),
+    );
+    let constants = allow_constants(&value);
+    quote!(#header { #constants const STRUCTURE: #private::Structure = #value; })
+}
+
+fn whole(structure: &Structure, private: &TokenStream) -> TokenStream {
+    let linear = dependence(&structure.linear, private);
+    let angular = dependence(&structure.angular, private);
+    let [x, y, z] = structure.planes;
+    let claims = [
+        (structure.is_force_free, quote!(is_force_free: true)),
+        (structure.is_torque_free, quote!(is_torque_free: true)),
+        (structure.keeps_spin, quote!(keeps_spin: true)),
+        (x || y || z, quote!(planes: [#x, #y, #z])),
+    ];
+    let rest = claims.iter().any(|(holds, _)| !holds);
+    let rest = rest.then(|| quote!(..#private::Structure::GENERAL));
+    let claims = claims
+        .into_iter()
+        .filter(|(holds, _)| *holds)
+        .map(|(_, claim)| claim);
+    quote!(#private::Structure { linear: #linear, angular: #angular, #(#claims,)* #rest })
+}
+
+/// `Dependence { attitude: true, ..Dependence::NOTHING }`
+fn dependence(dependence: &Dependence, private: &TokenStream) -> TokenStream {
+    let read = QUANTITIES.iter().zip(dependence.reads);
+    let read = read.filter(|(_, is_read)| *is_read).map(|(name, _)| {
+        let name = format_ident!("{name}");
+        quote!(#name: true)
+    });
+    let symmetries = [("world", dependence.world), ("body", dependence.body)];
+    let symmetries = symmetries
+        .into_iter()
+        .filter(|(_, symmetry)| *symmetry != Symmetry::Every)
+        .map(|(name, symmetry)| {
+            let name = format_ident!("{name}");
+            let symmetry = if let Symmetry::About(direction) = symmetry {
+                let direction = direction.map(number_literal);
+                quote!(About([#(#direction),*]))
+            } else {
+                quote!(None)
+            };
+            quote!(#name: #private::Symmetry::#symmetry)
+        });
+    let fields: Vec<TokenStream> = read.chain(symmetries).collect();
+    if fields.is_empty() {
+        return quote!(#private::Dependence::NOTHING);
+    }
+    let all = QUANTITIES.len() + 2;
+    let rest = (fields.len() < all).then(|| quote!(..#private::Dependence::NOTHING));
+    quote!(#private::Dependence { #(#fields,)* #rest })
+}

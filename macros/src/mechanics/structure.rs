@@ -1,0 +1,169 @@
+//! What the accelerations of a body depend on, and what leaves them as they are: what generic
+//! integrators branch on.
+
+use std::collections::HashMap;
+
+use crate::model::{Inertia, Meaning, Model, Motion};
+use crate::symbolic::{Components, Id, Node};
+
+use super::newton_euler::inertia_about_center;
+use super::samples::vanish;
+use super::symmetry::{Space, Symmetry, symmetries};
+
+/// What an integrator can know of a body.
+pub struct Structure {
+    pub linear: Dependence,
+    pub angular: Dependence,
+    /// G does not accelerate.
+    pub is_force_free: bool,
+    /// No moment acts about G, or about the point that is held.
+    pub is_torque_free: bool,
+    /// Nothing turns the body about the axes of its symmetry.
+    pub keeps_spin: bool,
+    /// In the plane across which of the axes a motion stays.
+    pub planes: [bool; 3],
+}
+
+/// What one of the accelerations depends on.
+pub struct Dependence {
+    /// In the order of [`QUANTITIES`].
+    pub reads: [bool; 6],
+    /// Directions about which the world may be turned.
+    pub world: Symmetry,
+    /// Directions about which the axes of the body may be turned.
+    pub body: Symmetry,
+}
+
+/// The names of what can be read.
+pub const QUANTITIES: [&str; 6] = [
+    "time",
+    "position",
+    "velocity",
+    "attitude",
+    "angular_velocity",
+    "input",
+];
+
+pub fn derive_structure(model: &mut Model, linear: &Components, angular: &Components) -> Structure {
+    let [linear_spaces, angular_spaces] = symmetries(model, linear, angular);
+    let keeps_spin = keeps_spin(model, angular, &angular_spaces[1]);
+    let dependence = |roots: &Components, spaces: &[Space; 2]| Dependence {
+        reads: reads(model, roots),
+        world: spaces[0].symmetry(),
+        body: spaces[1].symmetry(),
+    };
+    Structure {
+        linear: dependence(linear, &linear_spaces),
+        angular: dependence(angular, &angular_spaces),
+        is_force_free: all_vanish(model, linear),
+        is_torque_free: is_torque_free(model, angular),
+        keeps_spin,
+        planes: [0, 1, 2].map(|axis| stays_in_plane(model, linear, angular, axis)),
+    }
+}
+
+/// The index in [`QUANTITIES`] of what a symbol is a part of.
+fn quantity(meaning: Meaning) -> Option<usize> {
+    match meaning {
+        Meaning::Time => Some(0),
+        Meaning::Position(_) => Some(1),
+        Meaning::Velocity(_) => Some(2),
+        Meaning::Angle | Meaning::Quaternion(_) | Meaning::Axis(_) => Some(3),
+        Meaning::AngularVelocity(_) | Meaning::AxisRate(_) => Some(4),
+        Meaning::Input(..) => Some(5),
+        _ => None,
+    }
+}
+
+fn reads(model: &Model, roots: &[Id]) -> [bool; 6] {
+    let mut reads = [false; 6];
+    for id in model.frames.graph.reachable(roots, |_| true) {
+        if let Some(meaning) = meaning(model, id)
+            && let Some(index) = quantity(meaning)
+        {
+            reads[index] = true;
+        }
+    }
+    reads
+}
+
+fn meaning(model: &Model, id: Id) -> Option<Meaning> {
+    match model.frames.graph.node(id) {
+        Node::Symbol(symbol) => Some(model.meanings.of(*symbol)),
+        _ => None,
+    }
+}
+
+fn all_vanish(model: &mut Model, roots: &[Id]) -> bool {
+    vanish(model, roots).into_iter().all(|zero| zero)
+}
+
+/// `J w' + w x J w` vanishes: whatever acts has no moment.
+fn is_torque_free(model: &mut Model, angular: &Components) -> bool {
+    let w = model.state.angular_velocity;
+    let moment = match (inertia_about_center(model), model.state.axis) {
+        // u'' + u'^2 u
+        (_, Some(axis)) => {
+            let graph = &mut model.frames.graph;
+            let square = graph.norm_squared(axis.rate);
+            let held = graph.scale_vector(square, axis.unit);
+            graph.add_vectors(*angular, held)
+        }
+        (Inertia::Spatial(rows), None) if !model.motion.is_hinged() => {
+            let graph = &mut model.frames.graph;
+            let momentum = graph.transform(&rows, w);
+            let (driven, gyroscopic) = (graph.transform(&rows, *angular), graph.cross(w, momentum));
+            graph.add_vectors(driven, gyroscopic)
+        }
+        _ => *angular,
+    };
+    all_vanish(model, &moment)
+}
+
+/// Whether the angular acceleration has no component along the axes of symmetry.
+fn keeps_spin(model: &mut Model, angular: &Components, axes: &Space) -> bool {
+    let along: Vec<Id> = axes
+        .basis
+        .iter()
+        .map(|axis| {
+            let graph = &mut model.frames.graph;
+            let axis = axis.clone().map(|part| graph.number(part));
+            graph.dot(axis, *angular)
+        })
+        .collect();
+    !along.is_empty() && all_vanish(model, &along)
+}
+
+/// Whether a motion that is in the plane through the world's origin across this axis, the same axis of
+/// the body along it, has no acceleration out of the plane.
+fn stays_in_plane(
+    model: &mut Model,
+    linear: &Components,
+    angular: &Components,
+    axis: usize,
+) -> bool {
+    if model.motion.is_planar() || model.motion.is_hinged() {
+        return false;
+    }
+    let is_out_of_plane = |meaning: Meaning| match meaning {
+        Meaning::Position(i) | Meaning::Velocity(i) | Meaning::Axis(i) | Meaning::AxisRate(i) => {
+            i == axis
+        }
+        Meaning::Quaternion(i) => i != 0 && i != axis + 1,
+        Meaning::AngularVelocity(i) => i != axis,
+        _ => false,
+    };
+    let is_rod = model.motion == Motion::Rod;
+    let turning = (0..3).filter(|i| (*i == axis) == is_rod);
+    let roots: Vec<Id> = turning.map(|i| angular[i]).chain([linear[axis]]).collect();
+    let zero = model.frames.graph.zero();
+    let mut flat = HashMap::new();
+    for id in model.frames.graph.reachable(&roots, |_| true) {
+        if meaning(model, id).is_some_and(is_out_of_plane) {
+            flat.insert(id, zero);
+        }
+    }
+    let graph = &mut model.frames.graph;
+    let roots = graph.substitute(&roots, |id| flat.get(&id).copied());
+    all_vanish(model, &roots)
+}

@@ -23,6 +23,7 @@ mod response;
 mod rod;
 mod samples;
 mod skipped;
+mod skipped_loads;
 mod solvability;
 mod structure;
 mod symmetry;
@@ -90,7 +91,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         Vec::new()
     };
     let structure = structure::derive_structure(model, &linear, &angular);
-    let skipped = skipped::list_skipped(model, &linear, &angular);
+    let skipped = skipped::list_skipped(model, &linear, &angular, &structure);
     Some(Equations {
         linear,
         angular,

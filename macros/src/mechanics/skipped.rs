@@ -1,17 +1,24 @@
 //! What the equations of a body do not contain, and why: the text of `SKIPPED`.
 
-use crate::model::{Family, Inertia, Meaning, Model, Motion, Output, Point};
+use crate::model::{AXES, Family, Inertia, Meaning, Model, Motion, Output};
 use crate::symbolic::{Components, Id, Node};
 
 use super::energy::uniform_field;
-use super::rod::is_along_axis;
+use super::skipped_loads::skip_loads;
+use super::structure::Structure;
+use super::symmetry::Symmetry;
 
-pub fn list_skipped(model: &mut Model, linear: &Components, angular: &Components) -> Vec<String> {
+pub fn list_skipped(
+    model: &mut Model,
+    linear: &Components,
+    angular: &Components,
+    structure: &Structure,
+) -> Vec<String> {
     let mut skipped = Vec::new();
     skip_equations(model, &mut skipped);
     skip_gyroscopic(model, &mut skipped);
-    skip_moments(model, &mut skipped);
-    skip_potentials(model, &mut skipped);
+    skip_spin(model, structure, &mut skipped);
+    skip_loads(model, linear, angular, &mut skipped);
     skip_state(model, linear, angular, &mut skipped);
     if model.outputs.contains(&Output::Energy) {
         let others = model.loads.iter().filter(|load| {
@@ -25,7 +32,45 @@ pub fn list_skipped(model: &mut Model, linear: &Components, angular: &Components
             )
         }));
     }
+    skip_outputs(model, &mut skipped);
     skipped
+}
+
+/// A symmetric body whose spin nothing changes.
+fn skip_spin(model: &Model, structure: &Structure, skipped: &mut Vec<String>) {
+    let Symmetry::About(axis) = structure.angular.body else {
+        return;
+    };
+    if !structure.keeps_spin || model.motion.is_planar() {
+        return;
+    }
+    let named = AXES.into_iter().zip(axis).filter(|(_, part)| *part != 0.0);
+    let name = match named.collect::<Vec<_>>()[..] {
+        [(name, _)] => name.to_owned(),
+        _ => format!("({}, {}, {})", axis[0], axis[1], axis[2]),
+    };
+    skipped.push(format!(
+        "the angular acceleration about {name}: nothing turns the body about its axis of symmetry"
+    ));
+}
+
+/// What may be asked for and was not.
+fn skip_outputs(model: &Model, skipped: &mut Vec<String>) {
+    let has_reactions = !model.reactions.is_empty();
+    let offered = [
+        (Output::Energy, "energy", true),
+        (Output::Momentum, "momentum", true),
+        (Output::Balance, "balance", true),
+        (Output::Reactions, "reactions", has_reactions),
+    ];
+    let absent: Vec<&str> = offered
+        .into_iter()
+        .filter(|(output, _, exists)| *exists && !model.outputs.contains(output))
+        .map(|(_, name, _)| name)
+        .collect();
+    if !absent.is_empty() {
+        skipped.push(format!("{}: not in `outputs`", absent.join(", ")));
+    }
 }
 
 fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
@@ -68,6 +113,20 @@ fn skip_gyroscopic(model: &Model, skipped: &mut Vec<String>) {
                 .into_iter()
                 .map(|name| format!("terms of {name}: it is zero")),
         );
+        // by the form that was taken
+        let labels = &model.frames.labels;
+        let forms = [
+            (
+                "principal_rate",
+                "products of inertia: in the principal axes there are none",
+            ),
+            (
+                "relative_momentum",
+                "lambda w of J w: it is along w, and not in w x J w",
+            ),
+        ];
+        let taken = forms.iter().find(|(name, _)| labels.note(name).is_some());
+        skipped.extend(taken.map(|(_, line)| (*line).to_owned()));
     } else if x == y && y == z {
         skipped.push("w x J w: all moments of inertia are equal".to_owned());
     } else {
@@ -76,64 +135,6 @@ fn skip_gyroscopic(model: &Model, skipped: &mut Vec<String>) {
             if equal {
                 skipped.push(format!(
                     "(w x J w)_{axis}: the other two moments of inertia are equal"
-                ));
-            }
-        }
-    }
-}
-
-fn skip_moments(model: &mut Model, skipped: &mut Vec<String>) {
-    if !model.motion.has_attitude() {
-        return;
-    }
-    for index in 0..model.loads.len() {
-        let load = &model.loads[index];
-        let Point::Body(offset) = load.point else {
-            continue;
-        };
-        let force = load.force;
-        if load.potential.is_some() || model.frames.is_zero_vector(force) {
-            continue;
-        }
-        let reason = if model.frames.graph.is_zero_vector(&offset) {
-            "it acts at G"
-        } else if is_along_axis(model, force.world) {
-            "it acts along the axis"
-        } else {
-            continue;
-        };
-        let name = &model.loads[index].name;
-        skipped.push(format!("the moment of `{name}`: {reason}"));
-    }
-}
-
-/// What a potential does not depend on makes no force, or no moment.
-fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
-    let derived = model.loads.iter().filter(|load| load.potential.is_some());
-    for load in derived {
-        let parts = [
-            (
-                model.motion.knows_position(),
-                load.force,
-                "force",
-                "position",
-            ),
-            (
-                model.motion.has_attitude(),
-                load.moment,
-                "moment",
-                if model.motion == Motion::Rod {
-                    "axis"
-                } else {
-                    "attitude"
-                },
-            ),
-        ];
-        for (there, vector, part, place) in parts {
-            if there && model.frames.is_zero_vector(vector) {
-                let name = &load.name;
-                skipped.push(format!(
-                    "the {part} of `{name}`: its potential does not depend on the {place}"
                 ));
             }
         }

@@ -25,6 +25,8 @@ const STATE: [&str; 6] = [
 /// What a uniform field sees of charges: `sum e` and `p = sum e r` in body axes, about G.
 #[derive(Clone, Copy)]
 pub struct Charges {
+    /// How many they are.
+    pub count: usize,
     pub net: Id,
     pub dipole: Components,
 }
@@ -62,7 +64,8 @@ impl Lowering<'_> {
         let whole = self.frames.add(moved, turned);
         let work = self.frames.dot(field, whole);
         let energy = self.frames.graph.negate(work);
-        Some((energy, Charges { net, dipole }))
+        let count = charges.len();
+        Some((energy, Charges { count, net, dipole }))
     }
 
     /// A vector that is the same everywhere, and its dimension.

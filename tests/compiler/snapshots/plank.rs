@@ -13,6 +13,7 @@
 /// - three equations out of the plane: the motion is planar
 /// - the moment of `weight`: it acts at G
 /// - position, velocity, attitude, angular velocity: the accelerations do not depend on them
+/// - balance: not in `outputs`
 #[derive(Clone, Debug)]
 pub struct Plank {
     params: PlankParams,
@@ -56,6 +57,7 @@ impl Plank {
         "three equations out of the plane: the motion is planar",
         "the moment of `weight`: it acts at G",
         "position, velocity, attitude, angular velocity: the accelerations do not depend on them",
+        "balance: not in `outputs`",
     ];
     /// Checks the parameters, and computes what depends on them alone.
     ///

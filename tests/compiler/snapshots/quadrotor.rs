@@ -11,7 +11,9 @@
 /// - products of inertia: the axes are principal
 /// - (w x J w)_z: the other two moments of inertia are equal
 /// - the moment of `weight`: it acts at G
+/// - two columns of the rotation: what turns is along z in body axes
 /// - position, velocity: the accelerations do not depend on them
+/// - energy, momentum, balance: not in `outputs`
 #[derive(Clone, Debug)]
 pub struct Quadrotor {
     params: QuadrotorParams,
@@ -53,7 +55,9 @@ impl Quadrotor {
         "products of inertia: the axes are principal",
         "(w x J w)_z: the other two moments of inertia are equal",
         "the moment of `weight`: it acts at G",
+        "two columns of the rotation: what turns is along z in body axes",
         "position, velocity: the accelerations do not depend on them",
+        "energy, momentum, balance: not in `outputs`",
     ];
     /// Checks the parameters, and computes what depends on them alone.
     ///

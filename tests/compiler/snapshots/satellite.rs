@@ -14,7 +14,9 @@
 ///
 /// Skipped:
 /// - the force balance: the motion of G is not modelled
+/// - lambda w of J w: it is along w, and not in w x J w
 /// - attitude: the accelerations do not depend on it
+/// - energy, momentum: not in `outputs`
 #[derive(Clone, Debug, Default)]
 pub struct Satellite {}
 /// What [`Satellite`] is given at each evaluation, in SI units.
@@ -37,7 +39,9 @@ impl Satellite {
     /// What they do not contain, and why.
     pub const SKIPPED: &[&str] = &[
         "the force balance: the motion of G is not modelled",
+        "lambda w of J w: it is along w, and not in w x J w",
         "attitude: the accelerations do not depend on it",
+        "energy, momentum: not in `outputs`",
     ];
 }
 impl ::newton_euler::private::RigidBody for Satellite {

@@ -11,7 +11,9 @@
 /// - the force balance: the reaction of the support has no moment about it
 /// - products of inertia: the axes are principal
 /// - (w x J w)_z: the other two moments of inertia are equal
-/// - the moment of `weight`: it acts at G
+/// - the angular acceleration about z: nothing turns the body about its axis of symmetry
+/// - two rows of the rotation: what turns is along z in world axes
+/// - energy, momentum, balance: not in `outputs`
 #[derive(Clone, Debug)]
 pub struct Top<T: ::newton_euler::private::Scalar> {
     params: TopParams<T>,
@@ -38,7 +40,9 @@ impl<T: ::newton_euler::private::Scalar> Top<T> {
         "the force balance: the reaction of the support has no moment about it",
         "products of inertia: the axes are principal",
         "(w x J w)_z: the other two moments of inertia are equal",
-        "the moment of `weight`: it acts at G",
+        "the angular acceleration about z: nothing turns the body about its axis of symmetry",
+        "two rows of the rotation: what turns is along z in world axes",
+        "energy, momentum, balance: not in `outputs`",
     ];
     /// Checks the parameters, and computes what depends on them alone.
     ///

@@ -216,3 +216,13 @@ rigid_body!(Slider {
     forces: [pushed = push],
     fields: [weight = mass * world(0, 0, -9.8)],
 });
+rigid_body!(Hanging {
+    motion: pivot(pin),
+    params: [m = 2, l = 0.4],
+    mass: m,
+    inertia: m * l.powi(2) / 3,
+    points: [pin = (0, l)],
+    fields: [weight = mass * world(0, -9.8)],
+    reactions: [held = world(_, _).at(pin)],
+    outputs: [reactions],
+});

@@ -20,19 +20,28 @@ use reference::Support;
 /// Turning alone: the motion of G is not asked.
 const AT_G: Support = Support::Point([0.0; 3]);
 
+/// Of multiplications, additions and divisions.
+fn total(operations: &[Operations], function: &str) -> u32 {
+    let found = operations.iter().find(|row| row.function == function);
+    found.expect("every function has a row").total()
+}
+
 /// As many operations for any number of charges, and of constant loads.
 #[test]
 fn numbers_of_loads() {
-    let total = |operations: &[Operations]| {
-        let found = operations.iter().find(|row| row.function == "acceleration");
-        found.expect("every body has one").total()
-    };
-    assert_eq!(
-        total(bodies::Charged::OPERATIONS),
-        total(bodies::ChargedTwice::OPERATIONS)
-    );
-    assert_eq!(
-        total(bodies::FourJets::OPERATIONS),
-        total(bodies::OneJet::OPERATIONS)
-    );
+    let [many, two] = [
+        bodies::Charged::OPERATIONS,
+        bodies::ChargedTwice::OPERATIONS,
+    ];
+    assert_eq!(total(many, "acceleration"), total(two, "acceleration"));
+    let [four, one] = [bodies::FourJets::OPERATIONS, bodies::OneJet::OPERATIONS];
+    assert_eq!(total(four, "acceleration"), total(one, "acceleration"));
+}
+
+/// The reactions of a pendulum, with the acceleration that they need.
+#[test]
+fn reactions_of_a_pendulum() {
+    let [all, alone] =
+        ["reactions", "acceleration"].map(|name| total(bodies::Hanging::OPERATIONS, name));
+    assert!(all <= alone + 12, "{all}, {alone}");
 }

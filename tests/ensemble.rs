@@ -350,3 +350,20 @@ fn ensembles_are_read_as_they_were_written() {
     let error = serde_json::from_str::<Ensemble<bodies::Turning<f64>>>(&written).unwrap_err();
     assert!(error.to_string().contains("unit quaternion"), "{error}");
 }
+
+/// What fills up the last block does not count.
+#[test]
+fn equal_lists() {
+    let [a, b] = [Vector2::new(1.0, 2.0), Vector2::new(3.0, 4.0)];
+    let list: Blocks<Vector2<f64>> = [a, b].into_iter().collect();
+    let mut other: Blocks<Vector2<f64>> = [b, b].into_iter().collect();
+    assert!(list != other);
+    other.set(0, &a);
+    assert!(list == other);
+    let longer: Blocks<Vector2<f64>> = [a, b, b].into_iter().collect();
+    assert!(list != longer);
+    let nine: Blocks<Vector2<f64>> = [a; 9].into_iter().collect();
+    let mut changed = nine.clone();
+    changed.set(8, &b);
+    assert!(nine != changed && nine == Blocks::repeat(&a, 9));
+}

@@ -167,3 +167,85 @@ fn the_drives_of_a_motion_make_it() {
         );
     }
 }
+
+mod partly_driven {
+    use newton_euler::rigid_body;
+
+    rigid_body!(Multicopter {
+        motion: spatial,
+        inputs: [wind = world(_, _, _)[N]],
+        mass: 1.2[kg],
+        inertia: principal(0.0123, 0.0131, 0.0224)[kg * m ^ 2],
+        points: [hub = (0.01, 0, 0.05)],
+        fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+        forces: [lift = body(0, 0, _).at(hub), push = wind],
+        moments: [torque = body(_, _, _)],
+        outputs: [inverse, balance],
+    });
+
+    rigid_body!(Wheel {
+        motion: rotation,
+        inertia: principal(1, 2, 3)[kg * m ^ 2],
+        moments: [motor = body(0, _, 0)],
+        outputs: [inverse],
+    });
+
+    rigid_body!(Sledge {
+        motion: planar,
+        mass: 3[kg],
+        inertia: 0.2[kg * m ^ 2],
+        forces: [jet = body(_, 0)],
+        outputs: [inverse],
+    });
+}
+
+/// Drives along some directions only: the balances along the others are not looked at.
+#[test]
+fn some_directions() {
+    use partly_driven::{Multicopter, MulticopterInput, Sledge, Wheel};
+    let state = Spatial {
+        attitude: UnitQuaternion::from_euler_angles(0.2, -0.3, 0.5),
+        angular_velocity: Vector3::new(0.4, -0.7, 1.1),
+        ..Spatial::default()
+    };
+    let acceleration = SpatialAcceleration {
+        linear: Vector3::new(0.5, 0.1, 1.7),
+        angular: Vector3::new(2.0, -1.0, 0.5),
+    };
+    let input = MulticopterInput {
+        wind: Vector3::new(0.3, 0.2, -0.1),
+    };
+    let drives = Multicopter::default().inverse(0.0, &state, &acceleration, &input);
+    let needed = (acceleration.linear + Vector3::z() * 9.80665) * 1.2 - input.wind;
+    let lift = (state.attitude.inverse() * needed).z;
+    assert!(
+        (drives.lift - Vector3::new(0.0, 0.0, lift)).amax() < 1e-13,
+        "{drives:?}"
+    );
+    let inertia = nalgebra::Matrix3::from_diagonal(&Vector3::new(0.0123, 0.0131, 0.0224));
+    let w = state.angular_velocity;
+    let total = inertia * acceleration.angular + w.cross(&(inertia * w));
+    let torque = total - Vector3::new(0.01, 0.0, 0.05).cross(&Vector3::new(0.0, 0.0, lift));
+    assert!((drives.torque - torque).amax() < 1e-15, "{drives:?}");
+
+    let spinning = Rotation {
+        angular_velocity: w,
+        ..Rotation::default()
+    };
+    let motor = Wheel::default()
+        .inverse(0.0, &spinning, &Vector3::new(0.3, 0.5, 0.7), &())
+        .motor;
+    assert!((motor.y - (2.0 * 0.5 + (1.0 - 3.0) * w.z * w.x)).abs() < 1e-14);
+    assert_eq!((motor.x, motor.z), (0.0, 0.0));
+
+    let angled = Planar {
+        angle: 0.4,
+        ..Planar::default()
+    };
+    let wanted = PlanarAcceleration {
+        linear: [1.0, 2.0].into(),
+        angular: 0.3,
+    };
+    let jet = Sledge::default().inverse(0.0, &angled, &wanted, &()).jet;
+    assert!((jet.x - 3.0 * (0.4_f64.cos() + 2.0 * 0.4_f64.sin())).abs() < 1e-14);
+}

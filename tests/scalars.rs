@@ -355,4 +355,44 @@ fn second_derivatives() {
     };
     let cube = (x * x * x).derivatives[0].derivatives[0];
     assert!((cube - 6.0 * 0.7).abs() < 1e-15);
+    // (1 + u^2)^(3/2) at the bottom, by power and by root
+    let u = Second {
+        value: Dual::variable(0.0, 0),
+        derivatives: [Dual::from(1.0)],
+    };
+    let one = Second::from(Dual::from(1.0));
+    let (square, power) = (one + u * u, Second::from(Dual::from(1.5)));
+    for bowl in [square.powf(power), square * square.sqrt()] {
+        assert!(
+            (bowl.derivatives[0].derivatives[0] - 3.0).abs() < 1e-15,
+            "{bowl:?}"
+        );
+    }
+}
+
+/// Quadratic drag has no slope at rest, and a length of nothing none either.
+#[test]
+fn derivatives_at_rest() {
+    let still = generic::Spatial::<Derived> {
+        velocity: Vector3::new(
+            Dual::from(2.0) + Derived::variable(0.0, 0),
+            Dual::from(0.5),
+            Dual::from(-0.3),
+        ),
+        ..generic::Spatial::default()
+    };
+    let input = CraftInput {
+        thrust: 1.0.into(),
+        tilt: 0.0.into(),
+    };
+    let acceleration = Craft::default().acceleration(0.0.into(), &still, &input);
+    assert_eq!(
+        acceleration.linear.map(|a| a.derivatives[0]),
+        Vector3::zeros()
+    );
+    let [zero, length] = [
+        Derived::from(0.0),
+        Derived::from(0.0).hypot(Derived::from(0.0)),
+    ];
+    assert_eq!([zero.sqrt().derivatives, length.derivatives], [[0.0]; 2]);
 }

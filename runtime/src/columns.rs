@@ -52,6 +52,11 @@ impl<T: Scalar, B: Columns<T>> Columnar<T> for B where
 }
 
 /// A body that is generic over its scalar, at `f64`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no body that is generic over its scalar, at `f64`",
+    label = "not generic, or at another scalar",
+    note = "describe it as `rigid_body!(Name::<T> {{ .. }})` and use `Name<f64>`"
+)]
 pub trait Generic: Columnar<f64> {
     /// The same body over another scalar, with the same columns.
     type With<T: Scalar>: Columnar<T>;

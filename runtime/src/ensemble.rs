@@ -21,6 +21,7 @@ mod progress;
 mod written;
 
 pub use blocks::Blocks;
+
 /// Bodies of one kind that move independently of each other.
 ///
 /// ```
@@ -187,9 +188,11 @@ impl<B: Generic> Ensemble<B> {
         self.width
     }
 
-    /// Computes in registers of another width; the results are the same. Without lanes if the processor has none such.
+    /// Computes in registers of this width, or of the next narrower that the processor has; the results are the same.
     pub fn set_width(&mut self, width: Width) {
-        self.width = if width.is_there() { width } else { Width::One };
+        let narrower = Width::ALL.into_iter().rev();
+        let mut there = narrower.filter(|other| *other <= width && other.is_there());
+        self.width = there.next().unwrap_or(Width::One);
     }
 }
 

@@ -88,6 +88,14 @@ pub trait Scalar:
     #[must_use]
     fn agreed(truth: Self::Truth) -> Option<bool>;
 
+    /// A rate times the slope of a function: nothing where the rate is zero, however steep the function is.
+    #[must_use]
+    #[inline(always)]
+    fn along(self, slope: Self) -> Self {
+        let zero = self.constant(0.0, 0.0);
+        Self::select(self.equal(zero), zero, self * slope)
+    }
+
     /// Sine.
     #[must_use]
     fn sin(self) -> Self;

@@ -186,6 +186,11 @@ fn emit_default(outline: &Outline) -> TokenStream {
     let constants = allow_constants(&values);
     let scalar = Scalar::of(outline);
     let (declared, applied) = (scalar.declared(), scalar.applied());
+    let checked = if scalar.is_generic() {
+        "the defaults make a body in the precision of `f64`"
+    } else {
+        "the defaults were checked at expansion"
+    };
     quote! {
         impl #declared ::core::default::Default for #params #applied {
             #constants
@@ -193,7 +198,7 @@ fn emit_default(outline: &Outline) -> TokenStream {
         }
         impl #declared ::core::default::Default for #name #applied {
             fn default() -> Self {
-                Self::new(<#params #applied as ::core::default::Default>::default()).expect("the defaults were checked at expansion")
+                Self::new(<#params #applied as ::core::default::Default>::default()).expect(#checked)
             }
         }
     }

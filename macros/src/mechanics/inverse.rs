@@ -8,7 +8,7 @@ use crate::errors::Errors;
 use crate::model::{Frame, LoadKind, Meaning, Model, Output};
 use crate::symbolic::{Components, Id, Node};
 
-use super::reactions::{ReactionExpressions, Row, balances_left, solve_unknowns};
+use super::reactions::{ReactionExpressions, Row, Unmoved, balances_left, solve_unknowns};
 
 /// Solves for the drives, each in the axes in which it is written.
 pub fn derive_inverse(model: &mut Model, errors: &mut Errors) -> Option<Vec<ReactionExpressions>> {
@@ -23,7 +23,7 @@ pub fn derive_inverse(model: &mut Model, errors: &mut Errors) -> Option<Vec<Reac
     let reactions = model.reactions.len();
     let mut drives = std::mem::take(&mut model.drives);
     model.reactions.append(&mut drives);
-    let solved = solve_unknowns(model, &rows, &linear, &angular, errors);
+    let solved = solve_unknowns(model, rows, &linear, &angular, Unmoved::Ignored, errors);
     model.drives = model.reactions.split_off(reactions);
     let solved = solved?.split_off(reactions);
     let frames: Vec<Frame> = model.drives.iter().map(|drive| drive.frame).collect();

@@ -59,7 +59,7 @@ pub fn derive_reactions(
     }
     check_workless(model, errors)?;
     let rows = balances_left(model);
-    let solved = solve_unknowns(model, &rows, linear, angular, errors)?;
+    let solved = solve_unknowns(model, rows, linear, angular, Unmoved::Checked, errors)?;
     let names: Vec<String> = model
         .reactions
         .iter()
@@ -74,19 +74,38 @@ pub fn derive_reactions(
     Some(in_world.collect())
 }
 
+/// What is done with balances in which no unknown has a part.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Unmoved {
+    /// They have to hold by themselves.
+    Checked,
+    /// The motion is taken to meet them.
+    Ignored,
+}
+
 /// The unknown loads that meet the balances of `rows`, in a motion with these accelerations.
 pub fn solve_unknowns(
     model: &mut Model,
-    rows: &[Row],
+    mut rows: Vec<Row>,
     linear: &Components,
     angular: &Components,
+    unmoved: Unmoved,
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
     let frame = choose_frame(model, errors)?;
     let unknowns = list_unknowns(model);
+    if unmoved == Unmoved::Ignored {
+        rows.retain(|row| {
+            let mut coefficients = unknowns.iter();
+            coefficients.any(|unknown| {
+                let coefficient = coefficient(model, frame, row, unknown);
+                !model.frames.graph.vanishes(coefficient)
+            })
+        });
+    }
     let (force, moment) = balances_without_unknowns(model, frame, linear, angular);
     let mut equations = Vec::new();
-    for row in rows {
+    for row in &rows {
         let coefficients = unknowns
             .iter()
             .map(|unknown| coefficient(model, frame, row, unknown))
@@ -107,7 +126,7 @@ pub fn solve_unknowns(
         });
     }
     let solution = model.frames.graph.solve(equations, unknowns.len());
-    check_solution(model, &unknowns, rows, &solution, errors)?;
+    check_solution(model, &unknowns, &rows, &solution, errors)?;
     Some(assemble(model, frame, &unknowns, &solution))
 }
 

@@ -7,6 +7,8 @@ use crate::symbolic::{Id, Node, Number};
 
 /// States that are tried until all expressions have a value.
 const TRIES: i64 = 8;
+/// From this seed on, half of the numbers are negative.
+pub const MIXED: i64 = 1000;
 
 /// The values of `roots` at one state. Rational functions are exact, all others to 200 bits.
 pub fn sample(model: &mut Model, roots: &[Id]) -> Vec<Number> {
@@ -24,11 +26,20 @@ pub fn sample(model: &mut Model, roots: &[Id]) -> Vec<Number> {
         .collect()
 }
 
-/// Which of `roots` are zero in all states, and on all branches.
+/// Which of `roots` are zero in all states, on all branches, and for numbers of either sign.
 pub fn vanish(model: &mut Model, roots: &[Id]) -> Vec<bool> {
     let mixed = model.frames.graph.unbranched(roots);
-    let values = sample(model, &mixed);
-    values.iter().map(Number::is_zero).collect()
+    let positive = sample(model, &mixed);
+    let mut vanish: Vec<bool> = positive.iter().map(Number::is_zero).collect();
+    for seed in [1, 2].map(|seed| MIXED + seed) {
+        if vanish.contains(&true) {
+            let values = at_state(model, &mixed, seed);
+            for (vanishes, value) in vanish.iter_mut().zip(values) {
+                *vanishes &= value.is_none_or(|value| value.is_zero());
+            }
+        }
+    }
+    vanish
 }
 
 /// The values of `roots` at the state of this number; `None` where there is no value.
@@ -56,9 +67,11 @@ pub fn at_state(model: &mut Model, roots: &[Id], seed: i64) -> Vec<Option<Number
     values.collect()
 }
 
-/// Between 0 and 1, different for each symbol and each try.
+/// Between 0 and 1, or -1 and 1, different for each symbol and each try.
 fn fraction(index: i64, seed: i64) -> Number {
-    Number::ratio((7919 * (index + 3) + 104_729 * seed) % 65_521 + 1, 65_537)
+    let numerator = (7919 * (index + 3) + 104_729 * seed) % 65_521 + 1;
+    let is_negative = seed > MIXED && numerator % 2 == 1;
+    Number::ratio(if is_negative { -numerator } else { numerator }, 65_537)
 }
 
 /// `(1 - s^2, 2 s) / (1 + s^2)` of a vector s: the stereographic projection.

@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use crate::model::{Attitude, Model, Motion};
 use crate::symbolic::{Components, Function, Graph, Id, Node, Number};
 
-use super::samples::at_state;
+use super::samples::{MIXED, at_state};
 
 /// Directions about which a turn changes nothing; a group of turns has no other sets of them.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -112,18 +112,27 @@ pub fn symmetries(model: &mut Model, linear: &Components, angular: &Components) 
         Case::new(model, angular, &world, is_rod, axes),
         Case::new(model, angular, &body, !is_rod, of_body),
     ];
-    for seed in 1.. {
-        if cases.iter().all(|case| case.is_settled) {
-            break;
-        }
-        settle(model, &mut cases, seed);
+    settle(model, &mut cases, 1);
+    // what may also be so for numbers of one sign alone
+    for case in &mut cases {
+        case.is_settled = case.space.basis.is_empty();
     }
+    settle(model, &mut cases, MIXED + 1);
     let [first, second, third, fourth] = cases.map(|case| case.space);
     [[first, second], [third, fourth]]
 }
 
-/// Cuts what is not settled, by the changes at the state of this number.
-fn settle(model: &mut Model, cases: &mut [Case], seed: i64) {
+/// Cuts what is not settled, by the changes at states from the one of this number on.
+fn settle(model: &mut Model, cases: &mut [Case], first: i64) {
+    for seed in first.. {
+        if cases.iter().all(|case| case.is_settled) {
+            return;
+        }
+        cut(model, cases, seed);
+    }
+}
+
+fn cut(model: &mut Model, cases: &mut [Case], seed: i64) {
     let open = cases.iter_mut().filter(|case| !case.is_settled);
     let open: Vec<&mut Case> = open.collect();
     let changes: Vec<Id> = open.iter().flat_map(|case| case.changes.concat()).collect();
@@ -137,6 +146,8 @@ fn settle(model: &mut Model, cases: &mut [Case], seed: i64) {
         while let [Some(x), Some(y), Some(z)] = changes.each_mut().map(Iterator::next) {
             match (x, y, z) {
                 (Some(x), Some(y), Some(z)) => is_less |= case.space.cut(&[x, y, z]),
+                // a root of what is negative there says nothing
+                _ if seed > MIXED => {}
                 // what has no value is not known to be symmetric
                 _ => case.space.basis.clear(),
             }

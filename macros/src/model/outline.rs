@@ -277,12 +277,14 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
                     word.span(),
                     "inverse dynamics under constraints is not there yet: use a motion with a support",
                 );
+                outputs.push(Output::Inverse);
             }
             Some((_, Output::Inverse)) if written_motion(description) == Some(Motion::Rod) => {
                 errors.push(
                     word.span(),
                     "inverse dynamics of a rod is not there yet: make the drive an input",
                 );
+                outputs.push(Output::Inverse);
             }
             Some((_, output)) => outputs.push(*output),
             None if LATER.contains(&written.as_str()) => {

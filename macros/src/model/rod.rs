@@ -64,8 +64,10 @@ impl Lowering<'_> {
             );
         }
         let [direction] = arguments.as_slice() else {
-            let excess = arguments.get(1).and_then(Option::as_ref);
-            let place = excess.map_or(written.extent, |argument| argument.extent);
+            let place = match arguments.as_slice() {
+                [_, Some(excess)] => excess.extent,
+                _ => written.extent,
+            };
             return self.report(
                 place,
                 "write `rod(body(1, 0, 0))`: the direction of the axis in the body",

@@ -195,9 +195,13 @@ impl Lowering<'_> {
             }
             Value::Vector(..) if !VECTOR_METHODS.contains(&word.as_str()) => self.report(
                 field.span(),
-                format!(
-                    "a component in which axes? write `.in_body().{word}` or `.in_world().{word}`"
-                ),
+                if self.motion == Motion::Rod {
+                    format!("a component in which axes? write `.in_world().{word}`")
+                } else {
+                    format!(
+                        "a component in which axes? write `.in_body().{word}` or `.in_world().{word}`"
+                    )
+                },
             ),
             Value::Attitude => {
                 let Attitude::Quaternion { scalar, vector } = self.frames.attitude else {

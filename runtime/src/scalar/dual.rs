@@ -69,6 +69,26 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
         }
     }
 
+    /// As [`Self::map`], of a function whose slope may be infinite.
+    #[inline(always)]
+    fn map_steep(self, value: T, slope: T) -> Self {
+        Self {
+            value,
+            derivatives: self.derivatives.map(|derivative| derivative.along(slope)),
+        }
+    }
+
+    /// As [`Self::join`], of a function whose slopes may be infinite.
+    #[inline(always)]
+    fn join_steep(self, other: Self, value: T, [first, second]: [T; 2]) -> Self {
+        let joined =
+            |i: usize| self.derivatives[i].along(first) + other.derivatives[i].along(second);
+        Self {
+            value,
+            derivatives: core::array::from_fn(joined),
+        }
+    }
+
     fn one(self) -> T {
         self.value.constant(1.0, 1.0)
     }
@@ -208,6 +228,17 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     }
 
     #[inline(always)]
+    fn along(self, slope: Self) -> Self {
+        let product = |i: usize| {
+            self.derivatives[i].along(slope.value) + self.value.along(slope.derivatives[i])
+        };
+        Self {
+            value: self.value.along(slope.value),
+            derivatives: core::array::from_fn(product),
+        }
+    }
+
+    #[inline(always)]
     fn agreed(truth: T::Truth) -> Option<bool> {
         T::agreed(truth)
     }
@@ -233,12 +264,12 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
 
     fn asin(self) -> Self {
         let (one, x) = (self.one(), self.value);
-        self.map(x.asin(), one / ((one - x) * (one + x)).sqrt())
+        self.map_steep(x.asin(), one / ((one - x) * (one + x)).sqrt())
     }
 
     fn acos(self) -> Self {
         let (one, x) = (self.one(), self.value);
-        self.map(x.acos(), -one / ((one - x) * (one + x)).sqrt())
+        self.map_steep(x.acos(), -one / ((one - x) * (one + x)).sqrt())
     }
 
     fn atan(self) -> Self {
@@ -251,7 +282,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         // over the square of the distance, whose square need not be in range
         let distance = y.hypot(x);
         let slopes = [x / distance / distance, -(y / distance / distance)];
-        self.join(other, y.atan2(x), slopes)
+        self.join_steep(other, y.atan2(x), slopes)
     }
 
     fn sinh(self) -> Self {
@@ -274,34 +305,26 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     }
 
     fn ln(self) -> Self {
-        self.map(self.value.ln(), self.one() / self.value)
+        self.map_steep(self.value.ln(), self.one() / self.value)
     }
 
     /// The derivative by an exponent is left out where it is constant, so that bases may be negative.
     fn powf(self, exponent: Self) -> Self {
         let (x, y) = (self.value, exponent.value);
         let power = x.powf(y);
-        let by_base = y * x.powf(y - self.one());
-        let by_exponent = power * x.ln();
-        let zero = self.zero();
-        let share = |rate: T, slope: T| T::select(rate.equal(zero), zero, rate * slope);
-        Self {
-            value: power,
-            derivatives: core::array::from_fn(|i| {
-                share(self.derivatives[i], by_base) + share(exponent.derivatives[i], by_exponent)
-            }),
-        }
+        let slopes = [y * x.powf(y - self.one()), power * x.ln()];
+        self.join_steep(exponent, power, slopes)
     }
 
     #[inline(always)]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.map(root, self.one() / (root + root))
+        self.map_steep(root, self.one() / (root + root))
     }
 
     fn cbrt(self) -> Self {
         let root = self.value.cbrt();
-        self.map(
+        self.map_steep(
             root,
             self.one() / (root * root * self.value.constant(3.0, 3.0)),
         )
@@ -310,7 +333,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     fn hypot(self, other: Self) -> Self {
         let distance = self.value.hypot(other.value);
         let slopes = [self.value / distance, other.value / distance];
-        self.join(other, distance, slopes)
+        self.join_steep(other, distance, slopes)
     }
 
     fn abs(self) -> Self {

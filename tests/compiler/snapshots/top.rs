@@ -86,7 +86,7 @@ impl<T: ::newton_euler::private::Scalar> ::core::default::Default for TopParams<
 impl<T: ::newton_euler::private::Scalar> ::core::default::Default for Top<T> {
     fn default() -> Self {
         Self::new(<TopParams<T> as ::core::default::Default>::default())
-            .expect("the defaults were checked at expansion")
+            .expect("the defaults make a body in the precision of `f64`")
     }
 }
 impl<T: ::newton_euler::private::Scalar> ::newton_euler::private::RigidBody for Top<T> {

@@ -1,0 +1,9 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Stick {
+    motion: rod(1, 0, 0),
+    mass: 2[kg],
+    inertia: rod(0.5[m]),
+});
+
+fn main() {}

@@ -6,7 +6,7 @@
 //! identically zero does not exist. No sum is multiplied out and no order of summation is changed
 //! beyond that: the form of the equations is the business of those who write them.
 
-use super::graph::{Comparison, Graph, Id, Node, Stage};
+use super::graph::{Comparison, Graph, Id, Node, ONE, Stage, ZERO};
 use super::number::{Function, Number};
 
 impl Graph {
@@ -22,12 +22,12 @@ impl Graph {
         self.number(Number::integer(value))
     }
 
-    pub fn zero(&mut self) -> Id {
-        self.integer(0)
+    pub fn zero(&self) -> Id {
+        ZERO
     }
 
-    pub fn one(&mut self) -> Id {
-        self.integer(1)
+    pub fn one(&self) -> Id {
+        ONE
     }
 
     pub fn truth(&mut self, value: bool) -> Id {

@@ -94,12 +94,30 @@ impl Node {
 }
 
 /// All expressions of one description.
-#[derive(Default)]
 pub struct Graph {
     nodes: Vec<Node>,
     stages: Vec<Stage>,
     ids: HashMap<Node, Id>,
     symbols: Vec<Id>,
+}
+
+/// The numbers that every graph begins with.
+pub(super) const ZERO: Id = Id(0);
+pub(super) const ONE: Id = Id(1);
+
+impl Default for Graph {
+    fn default() -> Self {
+        let mut graph = Self {
+            nodes: Vec::new(),
+            stages: Vec::new(),
+            ids: HashMap::new(),
+            symbols: Vec::new(),
+        };
+        for number in [Number::zero(), Number::one()] {
+            graph.insert(Node::Number(number), Stage::Constant);
+        }
+        graph
+    }
 }
 
 impl Graph {
@@ -182,11 +200,11 @@ impl Graph {
     }
 
     pub fn is_zero(&self, id: Id) -> bool {
-        self.as_number(id).is_some_and(Number::is_zero)
+        id == ZERO
     }
 
     pub fn is_one(&self, id: Id) -> bool {
-        self.as_number(id).is_some_and(Number::is_one)
+        id == ONE
     }
 
     pub fn is_undefined(&self, id: Id) -> bool {

@@ -1,6 +1,7 @@
 //! Closed forms: motions that are functions of time.
 //!
-//! Each is a [`Path`], set up once from a state and then evaluated at any times, past or far ahead.
+//! `outputs: [flow]` writes them for a body that has one, as [`Flow`](crate::body::Flow); here they are for use by hand. Each is a
+//! [`Path`], set up once from a state and then evaluated at any times, past or far ahead.
 //!
 //! | what | from |
 //! |---|---|

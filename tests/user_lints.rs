@@ -361,6 +361,59 @@ pub mod motions {
         });
     }
 
+    /// Motions in closed form.
+    pub mod flow {
+        newton_euler::rigid_body!(Brick {
+            motion: spatial,
+            mass: 2[kg],
+            inertia: tensor {
+                xx: 1.3,
+                yy: 1.7,
+                zz: 2.1,
+                xy: -0.12,
+                yz: -0.05,
+                zx: 0.07
+            },
+            fields: [weight = mass * world(0, 0, -9.80665)],
+            outputs: [flow],
+        });
+        newton_euler::rigid_body!(Handle {
+            motion: rotation,
+            params: [J],
+            inertia: principal(J, 2 * J, 2.5 * J),
+            outputs: [flow, energy],
+        });
+        newton_euler::rigid_body!(Drum {
+            motion: fixed_point(G),
+            mass: 1,
+            inertia: cylinder(0.1, 0.5).along(body(1, 2, 3)),
+            outputs: [flow],
+        });
+        newton_euler::rigid_body!(Clock {
+            motion: pivot(pin),
+            params: [g = 9.8],
+            mass: 2,
+            inertia: 1,
+            points: [pin = (0.1, 1.25)],
+            fields: [weight = mass * world(0, -g)],
+            outputs: [flow],
+        });
+        newton_euler::rigid_body!(Towed {
+            motion: planar,
+            mass: 2,
+            inertia: 1,
+            points: [hook = (0.1, 1.25)],
+            forces: [rope = world(1, 0).at(hook)],
+            outputs: [flow],
+        });
+        newton_euler::rigid_body!(Baton {
+            motion: rod(body(1, 0, 0)),
+            mass: 2,
+            inertia: 1,
+            outputs: [flow],
+        });
+    }
+
     /// In the plane, without turning.
     pub mod planar_translation {
         newton_euler::rigid_body!(Puck {

@@ -1,4 +1,4 @@
-//! What a rigid body answers: its acceleration, its balance, its reactions, its energy and its momenta.
+//! What a rigid body answers: its acceleration, its balance, its reactions, its energy, its momenta, its motion.
 //!
 //! [`rigid_body!`](crate::rigid_body) implements these traits; by hand they are implemented just as well.
 //!
@@ -15,6 +15,7 @@
 
 use core::fmt;
 
+use crate::exact::Path;
 use crate::inertia::InvalidInertia;
 use crate::state::State;
 
@@ -194,6 +195,40 @@ pub trait Inverse: RigidBody {
         acceleration: &<Self::State as State>::Acceleration,
         input: &Self::Input,
     ) -> Self::Drives;
+}
+
+/// Motion in closed form, `outputs: [flow]`: the state at any time, in one step.
+///
+/// ```
+/// use newton_euler::exact::Path;
+/// use newton_euler::prelude::*;
+///
+/// rigid_body!(Brick {
+///     motion: spatial,
+///     mass: 2[kg],
+///     inertia: principal(0.01, 0.02, 0.026),
+///     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+///     outputs: [flow],
+/// });
+///
+/// let thrown = Spatial { velocity: [0.0, 1.0, 7.0].into(), angular_velocity: [1.0, 15.0, 1.0].into(), ..Spatial::default() };
+/// let brick = Brick::default();
+/// let caught = brick.flow(&thrown, 1.4);
+/// let (there, back) = (brick.path(&thrown), brick.path(&caught));
+/// assert_eq!(there.at(1.4), caught);
+/// assert!((back.at(-1.4).angular_velocity - thrown.angular_velocity).norm() < 1e-13);
+/// ```
+pub trait Flow: RigidBody {
+    /// The motion from one state on.
+    type Path: Path<State = Self::State>;
+
+    /// The motion from a state on, set up once for any number of times.
+    fn path(&self, state: &Self::State) -> Self::Path;
+
+    /// The state after a duration \[s\], which may be negative.
+    fn flow(&self, state: &Self::State, duration: f64) -> Self::State {
+        self.path(state).at(duration)
+    }
 }
 
 /// A configuration in which the balances do not determine what is asked.

@@ -112,6 +112,13 @@ impl InertiaTensor {
         Self::tensor(xx, yy, zz, -xy, -yz, -zx)
     }
 
+    /// The entries xx, yy, zz, xy, yz, zx of a tensor that was checked where they were computed.
+    pub(crate) fn checked([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> Self {
+        Self {
+            matrix: Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz),
+        }
+    }
+
     /// The matrix of the tensor. Opposite entries may differ by [`Self::SLACK`] of the largest moment; their mean is taken.
     ///
     /// # Errors

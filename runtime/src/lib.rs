@@ -63,6 +63,7 @@ pub mod columns;
 pub mod constrained;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
+pub mod exact;
 pub mod field;
 pub mod gyroscopic;
 pub mod inertia;

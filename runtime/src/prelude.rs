@@ -1,9 +1,10 @@
 //! What most programs need: `use newton_euler::prelude::*;`.
 
 pub use crate::body::{
-    Balance, Energy, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
+    Balance, Energy, Flow, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
 };
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
+pub use crate::exact::Path as _;
 pub use crate::inertia::InertiaTensor;
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::rigid_body;

@@ -5,10 +5,11 @@ pub use nalgebra::{UnitQuaternion, Vector2, Vector3};
 pub use newton_euler_macros::rigid_body;
 
 pub use crate::body::{
-    Balance, Energy, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
+    Balance, Energy, Flow, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
 };
 pub use crate::columns::{Columns, Generic, Sink, Source};
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
+pub use crate::exact::{Flight, FreeRotation, GreatCircle, Parabola, Path, Pendulum};
 use crate::inertia::check_turning;
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::operations::{Operations, Stage};
@@ -29,8 +30,10 @@ pub mod generic {
     pub use crate::wrench::generic::*;
 }
 
+mod path;
 mod projection;
 
+pub use path::{free_rotation, principal_rotation, symmetric_rotation};
 pub use projection::{Row, project};
 
 /// Every parameter by its name: all must be finite.

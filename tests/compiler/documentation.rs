@@ -157,3 +157,56 @@ fn where_a_field_acts_on_charges() {
         ["`pull`: acts at r_0 = (1, 0) m from G, in body axes"]
     );
 }
+
+/// The lines under "Closed form:".
+fn closed_form(description: TokenStream) -> Vec<String> {
+    of("Closed form:", description)
+}
+
+#[test]
+fn closed_forms() {
+    let turning = |inertia: TokenStream| {
+        closed_form(
+            quote!(Body { motion: rotation, params: [j = 2], inertia: #inertia, outputs: [flow] }),
+        )
+    };
+    assert_eq!(
+        turning(quote!(principal(1, 1, 1))),
+        ["the body turns at a constant rate"]
+    );
+    assert_eq!(
+        turning(quote!(principal(1, 2, 1))),
+        ["the body precesses steadily"]
+    );
+    assert_eq!(
+        turning(quote!(principal(1, 2, 3))),
+        ["the body turns by elliptic functions"]
+    );
+    assert_eq!(
+        turning(quote!(principal(1, j, 3))),
+        ["the body turns freely, in a way that its moments of inertia decide"]
+    );
+    assert_eq!(
+        closed_form(quote!(Body {
+            motion: pivot(P),
+            mass: 1,
+            inertia: 1,
+            points: [P = (0, 1)],
+            fields: [weight = mass * world(0, -9.81)],
+            outputs: [flow]
+        })),
+        ["the angle is that of a pendulum, by elliptic functions"]
+    );
+    assert_eq!(
+        closed_form(quote!(Body {
+            motion: rod(body(1, 0, 0)),
+            mass: 1,
+            inertia: 1,
+            outputs: [flow]
+        })),
+        [
+            "G moves on a parabola",
+            "the axis turns along a great circle"
+        ]
+    );
+}

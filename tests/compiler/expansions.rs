@@ -52,6 +52,19 @@ fn top() -> TokenStream {
     })
 }
 
+fn towed() -> TokenStream {
+    quote!(Towed {
+        doc: "A sledge on a rope that pulls with a constant force: its motion in closed form.",
+        motion: planar,
+        params: [pull = 40[N]],
+        mass: 12[kg],
+        inertia: 2[kg * m ^ 2],
+        points: [hook = (0.5, 0.1)[m]],
+        forces: [rope = world(pull, 0).at(hook)],
+        outputs: [flow],
+    })
+}
+
 /// Compares with the file of that name; `BLESS=1` writes it.
 fn check(name: &str, description: TokenStream) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -74,11 +87,12 @@ fn snapshots() {
     check("plank", plank());
     check("satellite", satellite());
     check("top", top());
+    check("towed", towed());
 }
 
 #[test]
 fn the_same_description_gives_the_same_expansion() {
-    for description in [quadrotor(), plank(), satellite(), top()] {
+    for description in [quadrotor(), plank(), satellite(), top(), towed()] {
         let first = pretty(description.clone());
         // every hash map has a seed of its own
         for _ in 0..8 {

@@ -88,6 +88,9 @@ fn lines(
     let inertia = listed("Inertia about G", &equations.inertia_class);
     let charges = listed("Charges", &equations.charges);
     let operations = listed("Operations", &costs);
+    let flow = equations.flow.as_ref();
+    let flow = flow.map_or_else(Vec::new, |flow| flow.describe(outline.motion));
+    let flow = listed("Closed form", &flow);
     let skipped = listed("Skipped", &equations.skipped);
     quote! {
         #(#[doc = #title])*
@@ -96,6 +99,7 @@ fn lines(
         #[cfg_attr(doc, doc = " ```")]
         #(#[doc = #inertia])*
         #(#[doc = #charges])*
+        #(#[doc = #flow])*
         #(#[doc = #operations])*
         #(#[doc = #skipped])*
     }

@@ -9,6 +9,7 @@ use crate::symbolic::{Components, Cost, Id, Stage};
 
 use super::code::{Fields, Source, Writer};
 use super::consistency::{write_project, write_violations};
+use super::flow;
 use super::lints::allow_constants;
 use super::paths::private;
 use super::scalar::Scalar;
@@ -28,6 +29,9 @@ pub struct Functions {
     pub loads: Function,
     pub reactions: Function,
     pub inverse: Function,
+    pub path: Function,
+    /// The type of the path.
+    pub path_type: TokenStream,
     pub violations: Function,
     pub project: Function,
     /// Number of scalar constraints.
@@ -140,17 +144,15 @@ impl Functions {
             functions.residual = wrench(&balance.residual);
             functions.loads = write_loads(&writer, &shapes, balance);
         }
+        let double = Writer {
+            scalar: Scalar::double(outline),
+            private: private(outline),
+            ..writer
+        };
+        let double_shapes = Shapes::double(outline);
         if outline.is_constrained {
-            let (writer, shapes) = (
-                Writer {
-                    scalar: Scalar::double(outline),
-                    private: private(outline),
-                    ..writer
-                },
-                Shapes::double(outline),
-            );
-            functions.violations = write_violations(&writer, &shapes, equations);
-            functions.project = write_project(&writer, &shapes, equations);
+            functions.violations = write_violations(&double, &double_shapes, equations);
+            functions.project = write_project(&double, &double_shapes, equations);
             functions.constraint_count = equations.constraints.len();
         }
         if outline.outputs.contains(&Output::Reactions) {
@@ -171,11 +173,15 @@ impl Functions {
             let (open, solved) = (&outline.drives, &equations.drives);
             functions.inverse = write_open(&writer, &shapes, "Drives", open, solved);
         }
+        if let Some(flow) = &equations.flow {
+            functions.path = flow::write_path(&double, &double_shapes, flow);
+            functions.path_type = flow::path_type(&double_shapes, &flow.turning);
+        }
         functions
     }
 
     /// Functions that are never run.
-    pub fn stub() -> Self {
+    pub fn stub(outline: &Outline) -> Self {
         let never = || Function {
             body: quote!(::core::unreachable!("the description has errors")),
             ..Function::default()
@@ -192,6 +198,8 @@ impl Functions {
             loads: never(),
             reactions: never(),
             inverse: never(),
+            path: never(),
+            path_type: flow::any_path(outline),
             violations: never(),
             project: never(),
             constraint_count: 0,
@@ -217,6 +225,8 @@ impl Functions {
                 ]),
                 Output::Reactions => functions.push(("reactions", &self.reactions)),
                 Output::Inverse => functions.push(("inverse", &self.inverse)),
+                // its operations are those of the runtime
+                Output::Flow => {}
                 Output::Balance => functions.extend([
                     ("applied", &self.applied),
                     ("residual", &self.residual),

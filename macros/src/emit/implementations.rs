@@ -20,6 +20,7 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
         Output::Balance => emit_balance(outline, &shapes, functions),
         Output::Reactions => emit_reactions(outline, &shapes, functions),
         Output::Inverse => emit_inverse(outline, &shapes, functions),
+        Output::Flow => emit_flow(outline, functions),
     });
     let rigid_body = emit_rigid_body(outline, &shapes, &functions.acceleration);
     let constrained = outline
@@ -294,6 +295,21 @@ fn emit_inverse(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
         #header {
             type Drives = #drives;
             #inverse
+        }
+    }
+}
+
+/// Elliptic functions are those of doubles.
+fn emit_flow(outline: &Outline, functions: &Functions) -> TokenStream {
+    let shapes = Shapes::double(outline);
+    let header = header(outline, &shapes.scalar, "Flow");
+    let (kind, state, state_type) = (&functions.path_type, local("state"), shapes.state_type());
+    let (lints, body) = (functions.path.lints(), &functions.path.body);
+    quote! {
+        #header {
+            type Path = #kind;
+            #lints
+            fn path(&self, #state: &#state_type) -> #kind { #body }
         }
     }
 }

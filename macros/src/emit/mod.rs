@@ -9,6 +9,7 @@ mod consistency;
 mod constructor;
 mod docs;
 mod expression;
+mod flow;
 mod functions;
 mod implementations;
 mod items;
@@ -49,7 +50,7 @@ pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> Tok
 pub fn emit_stub(outline: &Outline) -> TokenStream {
     let constructor = Constructor::stub();
     let items = items::emit_items(outline, &constructor, &docs::Documentation::stub(outline));
-    let implementations = implementations::emit_implementations(outline, &Functions::stub());
+    let implementations = implementations::emit_implementations(outline, &Functions::stub(outline));
     let structure = structure::emit_structure(outline, None);
     let columns = columns::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);

@@ -10,6 +10,7 @@ mod constraints;
 mod dyadic;
 mod energy;
 mod euler_equations;
+mod flow;
 mod inertia_class;
 mod inverse;
 mod momentum;
@@ -35,6 +36,7 @@ use crate::symbolic::{Components, Id};
 pub use balance::{Balance, LoadExpressions, Resultant};
 pub use consistency::Consistency;
 pub use energy::Energy;
+pub use flow::{Flow, Free, Turning};
 pub use momentum::Momentum;
 pub use reactions::ReactionExpressions;
 pub use structure::{Dependence, QUANTITIES, Structure};
@@ -53,6 +55,8 @@ pub struct Equations {
     pub reactions: Vec<ReactionExpressions>,
     /// Drives of a given motion; empty unless asked for.
     pub drives: Vec<ReactionExpressions>,
+    /// The motion in closed form, if it is asked for.
+    pub flow: Option<Flow>,
     /// How far a state is from each constraint.
     pub constraints: Vec<Consistency>,
     /// What kind of body has this inertia, line by line; nothing if it is not constant.
@@ -77,6 +81,10 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         constraints,
     } = derive_motion(model, errors)?;
     let drives = inverse::derive_inverse(model, errors)?;
+    let flow = match model.flow {
+        Some(place) => Some(flow::derive_flow(model, place, &linear, &angular, errors)?),
+        None => None,
+    };
     let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));
     let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model));
     let mut balance = asked(Output::Balance, model).then(|| balance::derive_balance(model));
@@ -100,6 +108,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         balance,
         reactions,
         drives,
+        flow,
         constraints,
         inertia_class: inertia_class::classify(model),
         charges: charges::list_centers(model),
@@ -197,6 +206,7 @@ impl Equations {
                 .chain(&self.drives)
                 .flat_map(|reaction| reaction.vector),
         );
+        roots.extend(self.flow.iter().flat_map(Flow::roots));
         roots.extend(self.constraints.iter().flat_map(Consistency::roots));
         roots
     }

@@ -83,6 +83,8 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     pub pole: Point,
     pub outputs: Vec<Output>,
+    /// Where the closed form of the motion is asked for.
+    pub flow: Option<Extent>,
     /// The values of the parameters that have a default.
     defaults: Defaults,
 }
@@ -114,6 +116,14 @@ impl Model {
         let support = self.state.support.filter(|_| self.motion.is_hinged())?;
         let z = [0, 0, 1].map(|component| self.frames.graph.integer(component));
         Some(support.direction.unwrap_or(z))
+    }
+
+    /// The angle of a body that turns about an axis.
+    pub fn angle(&self) -> Option<Id> {
+        match self.frames.attitude {
+            Attitude::Axis { angle, .. } => Some(angle),
+            _ => None,
+        }
     }
 
     /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the one of a planar body.
@@ -227,6 +237,11 @@ pub fn lower_description(
         constraints: constraints.into_iter().flatten().collect(),
         pole,
         outputs,
+        flow: description
+            .outputs
+            .iter()
+            .find(|word| *word == "flow")
+            .map(|word| word.span().into()),
         defaults,
     })
 }

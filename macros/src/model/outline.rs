@@ -16,7 +16,7 @@ use super::parameters::has_placeholder;
 use super::reaction::{is_drive, is_unknown};
 
 /// Outputs of later versions.
-const LATER: [&str; 4] = ["linearization", "flow", "taylor", "sensitivity"];
+const LATER: [&str; 3] = ["linearization", "taylor", "sensitivity"];
 
 /// What can be asked for beyond the accelerations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -26,15 +26,17 @@ pub enum Output {
     Balance,
     Reactions,
     Inverse,
+    Flow,
 }
 
 impl Output {
-    pub const ALL: [(&'static str, Self); 5] = [
+    pub const ALL: [(&'static str, Self); 6] = [
         ("energy", Self::Energy),
         ("momentum", Self::Momentum),
         ("balance", Self::Balance),
         ("reactions", Self::Reactions),
         ("inverse", Self::Inverse),
+        ("flow", Self::Flow),
     ];
 }
 

@@ -134,6 +134,11 @@ impl Graph {
         self.stage(id) < Stage::State
     }
 
+    /// Whether all values are.
+    pub fn are_early(&self, ids: &[Id]) -> bool {
+        ids.iter().all(|id| self.is_early(*id))
+    }
+
     /// A new symbol, known from `stage` on.
     pub fn symbol(&mut self, stage: Stage) -> Id {
         let symbol = Symbol(u32::try_from(self.symbols.len()).unwrap_or(u32::MAX));

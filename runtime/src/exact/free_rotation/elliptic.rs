@@ -1,0 +1,313 @@
+//! Free rotation of a body with three different moments of inertia.
+//!
+//! L. D. Landau, E. M. Lifshitz, Mechanics, § 37; R. van Zon, J. Schofield, J. Comput. Phys. 225 (2007) 145. The forms here
+//! do not cancel, so that nothing is lost near the separatrix. Axes are principal: 2 that of the intermediate moment, 3 the one
+//! that the angular momentum m circles, of the largest or the smallest moment; `m₃ > 0`. With G = |m|, T the kinetic energy,
+//! `D_ij = |I_i - I_j|`:
+//!
+//! ```text
+//! ω = (W₁ cn u, W₂ sn u, W₃ dn u)           u = λ t + u₀
+//! E₁ = I₂ D₁₂ ω₂² + I₃ D₁₃ ω₃²                E₃ = I₁ D₁₃ ω₁² + I₂ D₂₃ ω₂²
+//! W₁² = E₃/(I₁ D₁₃)       W₂² = E₃/(I₂ D₂₃)       W₃² = E₁/(I₃ D₁₃)
+//! λ² = D₂₃ E₁/(I₁ I₂ I₃), λ of the sign of I₃ - I₂       k² = D₁₂ E₃/(D₂₃ E₁)
+//! k'² = (D₁₃/D₂₃) (a + b) (a - b)/E₁      a² = I₃ D₂₃ ω₃²,  b² = I₁ D₁₂ ω₁²
+//! ```
+//!
+//! Attitude: A(m) is the shortest rotation of m to axis 3, and what is left is a turn about the angular momentum, which is
+//! constant in space,
+//!
+//! ```text
+//! q(t) = q(0) A(m(0))⁻¹ exp(χ e₃) A(m(t))       χ' = (2 T + G ω₃)/(G + m₃)
+//! ```
+//!
+//! χ' is positive and smooth in all motions, so that nothing has to be unwrapped. A Landen transformation to the modulus
+//! `k₁ = (1 - k')/(1 + k')` makes it a function of sn² alone, with `p² = k₁ (I₁ W₁/(G + I₃ W₃))²`, s = sn(u₁, k₁):
+//!
+//! ```text
+//! χ = χ'(dn = 1) t + C (R(u₁(t)) - R(u₁(0)))     u₁ = u/(1 + k₁)     R = ∫ s²/(1 + p² s²) du₁ = s³/3 R_J(cn², dn², 1, 1 + p² s²)
+//! C = 2 k₁ W₃ E₃/((G + I₃ W₃)² |λ|/(1 + k₁))
+//! ```
+//!
+//! What is added to u₁ in the time t is v, of which whole half periods are taken off, and R is added by the addition
+//! theorem (P. F. Byrd, M. D. Friedman, Handbook of Elliptic Integrals, 116), so that a short time brings no error of a long one:
+//!
+//! ```text
+//! R(u + v) - R(u) = R(v) + atan(g s(u) s(v) s/(1 + p² (s² - s(u) s(v) cn dn)))/g      s, cn, dn of u + v
+//! g² = p² (1 + p²) (p² + k₁²)
+//! ```
+
+use core::f64::consts::FRAC_2_PI;
+
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+
+use crate::attitude;
+use crate::exact::carlson::r_j;
+use crate::exact::jacobi::{Elliptic, Jacobi};
+use crate::exact::phase::Phase;
+use crate::private::math;
+use crate::scale;
+use crate::state::Rotation;
+use crate::twofold::Twofold;
+
+/// The motion from one state on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Circling {
+    /// Takes components along the axes 1, 2, 3 to body axes.
+    axes: Matrix3<f64>,
+    /// `q(0) A(m(0))⁻¹`
+    start: UnitQuaternion<f64>,
+    /// u₁
+    phase: Phase,
+    /// k'
+    complement: f64,
+    /// k₁
+    modulus: f64,
+    /// W
+    rates: Vector3<f64>,
+    /// Their parts of the angular momentum, over G.
+    directions: Vector3<f64>,
+    /// Mean of χ'.
+    precession: f64,
+    /// C
+    amplitude: f64,
+    third: ThirdKind,
+    /// `R(K)`
+    quarter: f64,
+}
+
+/// The axes 1, 2, 3, and what is known along them.
+struct Arranged {
+    axes: Matrix3<f64>,
+    moments: [f64; 3],
+    rates: Vector3<f64>,
+    /// `√(a + b)` and `√(a - b)`
+    roots: [f64; 2],
+    /// The sign of `I₃ - I₂`.
+    sign: f64,
+}
+
+/// Principal axes by ascending moments, right-handed, `ω₃ >= 0`; then 1 and 3 are exchanged where ω circles the least moment.
+fn arrange(moments: [f64; 3], principal: &Matrix3<f64>, w: &Vector3<f64>) -> Arranged {
+    let mut order = [0, 1, 2];
+    order.sort_unstable_by(|a, b| moments[*a].total_cmp(&moments[*b]));
+    let size = |along: f64, from: f64, rate: f64| {
+        let moment = Twofold::from(along) * Twofold::sum(along, -from);
+        let moment = if moment.value() < 0.0 {
+            -moment
+        } else {
+            moment
+        };
+        moment.sqrt() * Twofold::from(rate.abs())
+    };
+    let [i, j, k] = order;
+    let rate = |axis: usize| principal.column(axis).dot(w);
+    let (least, largest) = (
+        size(moments[i], moments[j], rate(i)),
+        size(moments[k], moments[j], rate(k)),
+    );
+    let difference = (largest - least).value();
+    let sign = if difference < 0.0 { -1.0 } else { 1.0 };
+    let [first, third] = if difference < 0.0 { [k, i] } else { [i, k] };
+    let mut columns = [first, j, third].map(|axis| principal.column(axis).into_owned());
+    let is_cyclic = (first + 1) % 3 == j;
+    if !is_cyclic {
+        columns[0] = -columns[0];
+    }
+    if columns[2].dot(w) < 0.0 {
+        columns[1] = -columns[1];
+        columns[2] = -columns[2];
+    }
+    let axes = Matrix3::from_columns(&columns);
+    Arranged {
+        axes,
+        moments: [first, j, third].map(|axis| moments[axis]),
+        rates: axes.tr_mul(w),
+        roots: [(largest + least).value(), difference.abs()].map(math::sqrt),
+        sign,
+    }
+}
+
+impl Circling {
+    /// Principal moments, the axes in columns, right-handed, and the state. No two moments are equal, and ω is not along a
+    /// principal axis.
+    pub fn new(moments: [f64; 3], principal: &Matrix3<f64>, state: &Rotation) -> Self {
+        // numbers of order one; all rates carry one power of two
+        let heaviest = moments.into_iter().fold(0.0, f64::max);
+        let exponent = scale::exponent(heaviest);
+        let moments = moments.map(|moment| libm::scalbn(moment, -exponent));
+        let exponent = scale::exponent(state.angular_velocity.amax());
+        let w = scale::scaled(&state.angular_velocity, -exponent);
+
+        let Arranged {
+            axes,
+            moments: [i1, i2, i3],
+            rates: w,
+            roots,
+            sign,
+        } = arrange(moments, principal, &w);
+        let [d12, d23, d13] = [i2 - i1, i3 - i2, i3 - i1].map(f64::abs);
+        let root = math::sqrt;
+        let [x, y] = [root(i1 * d13) * w.x, root(i2 * d23) * w.y];
+        let h3 = math::hypot(x, y); // √E₃
+        let [y1, z] = [root(i2 * d12) * w.y, root(i3 * d13) * w.z];
+        let h1 = root(y1 * y1 + z * z); // √E₁
+        let complement = f64::min(1.0, root(d13 / d23) / h1 * roots[0] * roots[1]);
+        let ratio = root(d12 / d23) * h3 / (h1 * (1.0 + complement));
+        let modulus = ratio * ratio; // k₁ = k²/(1 + k')²
+        let rate = sign * root(d23 / (i1 * i2 * i3)) * h1 / (1.0 + modulus);
+        let rates = Vector3::new(
+            h3 / root(i1 * d13),
+            h3 / root(i2 * d23),
+            h1 / root(i3 * d13),
+        );
+        let momenta = Vector3::new(i1, i2, i3).component_mul(&rates);
+        // |m| where sn = 0
+        let size = root(momenta.x * momenta.x + momenta.z * momenta.z);
+        let whole = size + momenta.z;
+        let energy = momenta.x * rates.x + momenta.z * rates.z;
+
+        let first = Elliptic {
+            sn: y / h3,
+            cn: x / h3,
+            dn: z / h1,
+        };
+        let jacobi = Jacobi::new(2.0 * root(complement) / (1.0 + complement));
+        let phase = Phase::new(jacobi, halved(first, complement), rate);
+        let slant = momenta.x / whole;
+        let parameter = modulus * slant * slant;
+        let square = parameter * (1.0 + parameter) * (parameter + modulus * modulus);
+        let third = ThirdKind {
+            parameter,
+            scale: root(square),
+        };
+        let quarter = third.quarter(&jacobi);
+        let amplitude = 2.0 * modulus * momenta.z * h3 * h3 / (i3 * whole * whole * rate.abs());
+        // C R, and its mean with u₁
+        let mean = if jacobi.is_hyperbolic() {
+            phase.rate / (1.0 + parameter)
+        } else {
+            phase.rate * FRAC_2_PI * quarter
+        };
+        let precession = (energy + size * rates.z) / whole + amplitude * mean;
+        let swing = shortest(&(Vector3::new(i1, i2, i3).component_mul(&w) / size));
+        let back = mapped(&axes, &swing.conjugate());
+        let back = state.attitude.quaternion() * back;
+
+        Self {
+            axes,
+            start: attitude::normalized(&back),
+            phase: phase.faster(exponent),
+            complement,
+            modulus,
+            rates: scale::scaled(&rates, exponent),
+            directions: momenta / size,
+            precession: libm::scalbn(precession, exponent),
+            amplitude,
+            third,
+            quarter,
+        }
+    }
+
+    pub fn at(&self, time: f64) -> Rotation {
+        let reading = self.phase.at(time);
+        let Elliptic { sn, cn, dn } = doubled(reading.elliptic(), self.modulus, self.complement);
+        let functions = Vector3::new(cn, sn, dn);
+        let jacobi = &self.phase.jacobi;
+        let periodic = self.third.of(jacobi, reading.rest)
+            + self.third.step(self.phase.start, reading.rest, reading.sum)
+            - FRAC_2_PI * self.quarter * reading.angle;
+        let turned =
+            Twofold::product(self.precession, time) + Twofold::from(self.amplitude * periodic);
+        let (sine, cosine) = turned.scaled(-1).sin_cos();
+        let swing = shortest(&self.directions.component_mul(&functions));
+        let turn = Quaternion::new(cosine, 0.0, 0.0, sine) * swing;
+        let attitude = self.start.quaternion() * mapped(&self.axes, &turn);
+        Rotation {
+            attitude: attitude::normalized(&attitude),
+            angular_velocity: self.axes * self.rates.component_mul(&functions),
+        }
+    }
+
+    /// Twice the period of dn; none on the separatrix.
+    pub fn period(&self) -> Option<f64> {
+        let jacobi = &self.phase.jacobi;
+        (!jacobi.is_hyperbolic()).then(|| core::f64::consts::TAU / self.phase.rate.abs())
+    }
+}
+
+/// From the modulus k to k₁: the inverse of [`doubled`].
+fn halved(Elliptic { sn, cn, dn }: Elliptic, complement: f64) -> Elliptic {
+    let (above, below) = (1.0 + complement, 1.0 + dn);
+    Elliptic {
+        sn: sn * above / below,
+        cn: cn * math::sqrt(2.0 * above / (below * (dn + complement))),
+        dn: math::sqrt(2.0 * (dn + complement) / (below * above)),
+    }
+}
+
+/// Landen's transformation, from k₁ to k: `sn(u) = (1 + k₁) sn/(1 + k₁ sn²)`, with the functions of `u/(1 + k₁)`.
+fn doubled(Elliptic { sn, cn, dn }: Elliptic, modulus: f64, complement: f64) -> Elliptic {
+    let square = sn * sn;
+    let scale = 1.0 / (1.0 + modulus * square);
+    let rest = 2.0 * complement / (1.0 + complement); // 1 - k₁
+    Elliptic {
+        sn: (1.0 + modulus) * sn * scale,
+        cn: cn * dn * scale,
+        dn: (cn * cn + rest * square) * scale,
+    }
+}
+
+/// R, an integral of the third kind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct ThirdKind {
+    /// p²
+    parameter: f64,
+    /// g
+    scale: f64,
+}
+
+impl ThirdKind {
+    /// R within a quarter period of zero; on the separatrix without its part `u₁/(1 + p²)`.
+    fn of(&self, jacobi: &Jacobi, Elliptic { sn, cn, dn }: Elliptic) -> f64 {
+        let square = sn * sn;
+        if jacobi.is_hyperbolic() {
+            let p = math::sqrt(self.parameter);
+            return -sn * arctangent_ratio(p * sn) / (1.0 + self.parameter);
+        }
+        sn * square / 3.0 * r_j(cn * cn, dn * dn, 1.0, 1.0 + self.parameter * square)
+    }
+
+    /// R(K); on the separatrix nothing is periodic.
+    fn quarter(&self, jacobi: &Jacobi) -> f64 {
+        if jacobi.is_hyperbolic() {
+            return 0.0;
+        }
+        let last = jacobi.complement();
+        r_j(0.0, last * last, 1.0, 1.0 + self.parameter) / 3.0
+    }
+
+    /// `R(u + v) - R(u) - R(v)`
+    fn step(&self, first: Elliptic, second: Elliptic, sum: Elliptic) -> f64 {
+        let sines = first.sn * second.sn;
+        let rest = sum.sn * sum.sn - sines * sum.cn * sum.dn;
+        let product = sines * sum.sn / (1.0 + self.parameter * rest);
+        product * arctangent_ratio(self.scale * product)
+    }
+}
+
+/// `atan(x)/x`
+fn arctangent_ratio(x: f64) -> f64 {
+    if x == 0.0 { 1.0 } else { math::atan(x) / x }
+}
+
+/// The shortest rotation of a unit vector, not opposite to it, to the third axis.
+fn shortest(unit: &Vector3<f64>) -> Quaternion<f64> {
+    let above = 1.0 + unit.z;
+    let norm = 1.0 / math::sqrt(2.0 * above);
+    Quaternion::new(above * norm, unit.y * norm, -unit.x * norm, 0.0)
+}
+
+/// The same rotation in other axes.
+fn mapped(axes: &Matrix3<f64>, rotation: &Quaternion<f64>) -> Quaternion<f64> {
+    Quaternion::from_parts(rotation.w, axes * rotation.imag())
+}

@@ -76,6 +76,48 @@ pub mod motions {
         });
     }
 
+    /// With series, recurrences of many kinds, and names that their code has.
+    pub mod smooth {
+        newton_euler::rigid_body!(N {
+            motion: fixed_point(n),
+            params: [order = 0.3, series = 2],
+            inputs: [rates, products],
+            mass: 1[kg],
+            inertia: principal(1, 2, 2.5),
+            points: [n = (0, 0, -order)],
+            locals: [
+                inverse = (series + t / 1[s]).sqrt(),
+                time = position.norm() / 1[m]
+            ],
+            fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+            moments: [
+                held = 1[N * m]
+                    * body(
+                        rates / inverse,
+                        (time + 3).powf(products),
+                        3.14159 * inverse.atan2(time)
+                    ),
+                waves = 1[N * m]
+                    * body(
+                        inverse.sin(),
+                        0,
+                        if rates == products { time.tanh() } else { 1 }
+                    ),
+            ],
+            outputs: [energy, momentum, balance, taylor],
+        });
+    }
+
+    /// With series that end, and without products.
+    pub mod thrown {
+        newton_euler::rigid_body!(Stone {
+            motion: translation,
+            mass: 1[kg],
+            fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+            outputs: [taylor],
+        });
+    }
+
     /// Generic over its scalar, with names that its own code has.
     pub mod generic {
         newton_euler::rigid_body!(Craft::<Real> {

@@ -58,6 +58,10 @@ impl Errors {
         ));
     }
 
+    pub fn count(&self) -> usize {
+        self.found.len()
+    }
+
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()
     }

@@ -4,10 +4,17 @@
 //! only ever moved along the group ([`State::moved`](crate::state::State::moved)).
 
 mod commutator_free;
+mod error;
+mod instructions;
 mod projected;
+mod step;
+mod taylor;
 
 pub use commutator_free::{cf4, cf4_step};
+pub use error::IntegrationError;
 pub use projected::cf4_projected;
+pub use step::{Event, Step};
+pub use taylor::{Motion, taylor, taylor_step};
 
 /// A number of steps: exact below 2⁵³.
 #[expect(clippy::cast_precision_loss, reason = "exact below 2⁵³")]

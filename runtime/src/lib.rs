@@ -43,6 +43,7 @@
 //!
 //! # Features
 //!
+//! - `dispatch`, by default: series in the widest registers that the processor has, found at run time.
 //! - `serde`: serialisation of states, accelerations, wrenches, inertia tensors and ensembles. What cannot be (an attitude or an axis
 //!   that is not unit, an impossible inertia) is refused on reading. Numbers are passed on bit for bit; `serde_json` reads them so with
 //!   its feature `float_roundtrip`.
@@ -83,6 +84,7 @@ mod scale;
 pub mod schema;
 pub mod state;
 pub mod structure;
+pub mod taylor;
 pub mod top;
 mod twofold;
 pub mod wrench;

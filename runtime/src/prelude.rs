@@ -12,4 +12,5 @@ pub use crate::state::{
     Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod, RodAcceleration, Rotation, Spatial,
     SpatialAcceleration, State, Translation,
 };
+pub use crate::taylor::Taylor;
 pub use crate::wrench::{PlanarWrench, Wrench};

@@ -19,6 +19,7 @@ pub use crate::state::{
     SpatialAcceleration, State, Translation,
 };
 pub use crate::structure::{Dependence, Structure, Structured, Symmetry};
+pub use crate::taylor::{Arithmetic, Products, Series, Taylor};
 pub use crate::wrench::{PlanarWrench, Wrench};
 
 pub mod math;
@@ -127,5 +128,31 @@ pub fn determined<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> T {
     match reciprocal(unknown, divisor, scale) {
         Ok(reciprocal) => reciprocal,
         Err(singular) => panic!("{singular}"),
+    }
+}
+
+/// What recurrences read of the order n of a coefficient.
+pub mod order {
+    use crate::integrate::exact;
+
+    /// n
+    #[inline(always)]
+    #[must_use]
+    pub fn order(n: usize) -> f64 {
+        exact(n)
+    }
+
+    /// 1/n
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse(n: usize) -> f64 {
+        1.0 / exact(n)
+    }
+
+    /// Coefficient n of time, n > 0.
+    #[inline(always)]
+    #[must_use]
+    pub fn time(n: usize) -> f64 {
+        if n == 1 { 1.0 } else { 0.0 }
     }
 }

@@ -65,6 +65,20 @@ fn towed() -> TokenStream {
     })
 }
 
+fn glider() -> TokenStream {
+    quote!(Glider {
+        doc: "A body that swings about a point, braked, with the series of its motion.",
+        motion: fixed_point(hook),
+        params: [drag = 0.02[N * m * s ^ 2]],
+        mass: 0.5[kg],
+        inertia: principal(0.02, 0.03, 0.04)[kg * m ^ 2],
+        points: [hook = (0, 0, 0.2)],
+        fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+        moments: [brake = -drag * angular_velocity.norm() * angular_velocity],
+        outputs: [taylor],
+    })
+}
+
 /// Compares with the file of that name; `BLESS=1` writes it.
 fn check(name: &str, description: TokenStream) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -88,11 +102,12 @@ fn snapshots() {
     check("satellite", satellite());
     check("top", top());
     check("towed", towed());
+    check("glider", glider());
 }
 
 #[test]
 fn the_same_description_gives_the_same_expansion() {
-    for description in [quadrotor(), plank(), satellite(), top(), towed()] {
+    for description in [quadrotor(), plank(), satellite(), top(), towed(), glider()] {
         let first = pretty(description.clone());
         // every hash map has a seed of its own
         for _ in 0..8 {

@@ -137,33 +137,13 @@ impl Writer<'_> {
 
     /// The code of a program, and the numbers in it; with `constants`, for any scalar.
     fn write(&self, program: &Program, constants: Option<&BTreeSet<Id>>) -> (Code, BTreeSet<Id>) {
-        let mut body = Body {
-            writer: self,
-            names: HashMap::new(),
-            taken: self.taken(),
-            noted: HashSet::new(),
-            reads: Vec::new(),
-            is_generic: constants.is_some(),
-            numbers: RefCell::default(),
-        };
+        let mut body = Body::new(self, constants.is_some());
         let mut statements = body.read(program);
         if let Some(constants) = constants {
             statements.extend(body.constants(constants));
         }
-        let mut text = Vec::new();
-        for &id in &program.statements {
-            if body.names.contains_key(&id) {
-                continue;
-            }
-            let name = body.statement_name(id);
-            let note = body.note(&name);
-            text.extend(note.iter().map(|note| format!("# {note}")));
-            let (left, right) = body.statement(id, name, program);
-            text.push(format!("{} = {}", to_text(&left), to_text(&right)));
-            let note = note.map(|note| format!(" {note}"));
-            let note = note.iter();
-            statements.extend(quote!(#(#[doc = #note])* let #left = #right;));
-        }
+        let (computed, text) = body.statements(program, |_| true);
+        statements.extend(computed);
         let graph = &self.model.frames.graph;
         let compares_equality = |id: &Id| {
             matches!(
@@ -194,7 +174,42 @@ impl Writer<'_> {
     }
 }
 
-impl Body<'_> {
+impl<'a> Body<'a> {
+    pub fn new(writer: &'a Writer<'a>, is_generic: bool) -> Self {
+        Self {
+            writer,
+            names: HashMap::new(),
+            taken: writer.taken(),
+            noted: HashSet::new(),
+            reads: Vec::new(),
+            is_generic,
+            numbers: RefCell::default(),
+        }
+    }
+
+    /// The statements of `program` that are due and have no name yet, as code and as text.
+    pub fn statements(
+        &mut self,
+        program: &Program,
+        is_due: impl Fn(Id) -> bool,
+    ) -> (TokenStream, Vec<String>) {
+        let (mut statements, mut text) = (TokenStream::new(), Vec::new());
+        for &id in program.statements.iter().filter(|id| is_due(**id)) {
+            if self.names.contains_key(&id) {
+                continue;
+            }
+            let name = self.statement_name(id);
+            let note = self.note(&name);
+            text.extend(note.iter().map(|note| format!("# {note}")));
+            let (left, right) = self.statement(id, name, program);
+            text.push(format!("{} = {}", to_text(&left), to_text(&right)));
+            let note = note.map(|note| format!(" {note}"));
+            let note = note.iter();
+            statements.extend(quote!(#(#[doc = #note])* let #left = #right;));
+        }
+        (statements, text)
+    }
+
     /// What is assigned, and its value; a sine and a cosine of the same angle are computed together.
     fn statement(&mut self, id: Id, name: Ident, program: &Program) -> (TokenStream, TokenStream) {
         let graph = &self.writer.model.frames.graph;

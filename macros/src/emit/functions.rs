@@ -14,6 +14,7 @@ use super::lints::allow_constants;
 use super::paths::private;
 use super::scalar::Scalar;
 use super::shapes::{Shapes, Values};
+use super::taylor::Expansion;
 
 /// The generated functions; those that are not asked for are empty.
 #[derive(Default)]
@@ -34,6 +35,9 @@ pub struct Functions {
     pub path_type: TokenStream,
     pub violations: Function,
     pub project: Function,
+    pub expand: Function,
+    /// Number of products of series.
+    pub product_count: usize,
     /// Number of scalar constraints.
     pub constraint_count: usize,
 }
@@ -45,12 +49,12 @@ pub struct Function {
     pub cost: Cost,
     /// The statements as text, and then what is returned.
     pub text: Vec<String>,
-    output_text: Vec<String>,
-    reads: Vec<Source>,
+    pub output_text: Vec<String>,
+    pub reads: Vec<Source>,
     /// Whether it panics where it would divide by nothing but rounding.
     pub has_pivots: bool,
-    has_notes: bool,
-    has_equality: bool,
+    pub has_notes: bool,
+    pub has_equality: bool,
 }
 
 impl Function {
@@ -150,6 +154,11 @@ impl Functions {
             ..writer
         };
         let double_shapes = Shapes::double(outline);
+        if let Some(taylor) = &equations.taylor {
+            let expansion = Expansion::write(&double, taylor);
+            functions.product_count = expansion.width;
+            functions.expand = expansion.function;
+        }
         if outline.is_constrained {
             functions.violations = write_violations(&double, &double_shapes, equations);
             functions.project = write_project(&double, &double_shapes, equations);
@@ -202,6 +211,8 @@ impl Functions {
             path_type: flow::any_path(outline),
             violations: never(),
             project: never(),
+            expand: never(),
+            product_count: 0,
             constraint_count: 0,
         }
     }
@@ -225,8 +236,8 @@ impl Functions {
                 ]),
                 Output::Reactions => functions.push(("reactions", &self.reactions)),
                 Output::Inverse => functions.push(("inverse", &self.inverse)),
-                // its operations are those of the runtime
-                Output::Flow => {}
+                // their operations are those of the runtime, as many as the order asks for
+                Output::Flow | Output::Taylor => {}
                 Output::Balance => functions.extend([
                     ("applied", &self.applied),
                     ("residual", &self.residual),

@@ -21,6 +21,7 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
         Output::Reactions => emit_reactions(outline, &shapes, functions),
         Output::Inverse => emit_inverse(outline, &shapes, functions),
         Output::Flow => emit_flow(outline, functions),
+        Output::Taylor => emit_taylor(outline, functions),
     });
     let rigid_body = emit_rigid_body(outline, &shapes, &functions.acceleration);
     let constrained = outline
@@ -310,6 +311,35 @@ fn emit_flow(outline: &Outline, functions: &Functions) -> TokenStream {
             type Path = #kind;
             #lints
             fn path(&self, #state: &#state_type) -> #kind { #body }
+        }
+    }
+}
+
+/// In doubles, of a generic body too.
+fn emit_taylor(outline: &Outline, functions: &Functions) -> TokenStream {
+    let shapes = Shapes::double(outline);
+    let header = header(outline, &shapes.scalar, "Taylor");
+    let (private, function) = (&shapes.private, &functions.expand);
+    let (state_type, input_type) = (shapes.state_type(), input_type(outline, &shapes.scalar));
+    let width = Literal::usize_unsuffixed(functions.product_count);
+    let time = function.argument(Source::Time, "time");
+    let input = function.argument(Source::Input, "input");
+    let (state, series) = (local("state"), local("series"));
+    let products = local(if functions.product_count == 0 {
+        "_products"
+    } else {
+        "products"
+    });
+    let (lints, body) = (function.lints(), &function.body);
+    quote! {
+        #header {
+            type Products<A: #private::Arithmetic, const COUNT: usize> = #private::Products<A, #width, COUNT>;
+            #lints
+            #[allow(clippy::inline_always)]
+            #[inline(always)]
+            fn expand<A: #private::Arithmetic, const COUNT: usize>(&self, #time: f64, #state: &#state_type, #input: &#input_type, #products: &mut Self::Products<A, COUNT>, #series: &mut #private::Series<#state_type, COUNT>) {
+                #body
+            }
         }
     }
 }

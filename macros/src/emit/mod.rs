@@ -20,6 +20,7 @@ mod reads;
 mod scalar;
 mod shapes;
 mod structure;
+mod taylor;
 mod text;
 
 use proc_macro2::TokenStream;

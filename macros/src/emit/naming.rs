@@ -87,7 +87,7 @@ impl Body<'_> {
     }
 
     /// A name made of what is computed.
-    fn describe(&self, id: Id) -> String {
+    pub fn describe(&self, id: Id) -> String {
         let graph = &self.writer.model.frames.graph;
         let operand = |id: Id| self.names.get(&id).map(ToString::to_string);
         let (name, kind) = match *graph.node(id) {

@@ -28,6 +28,7 @@ mod skipped_loads;
 mod solvability;
 mod structure;
 mod symmetry;
+mod taylor;
 
 use crate::errors::Errors;
 use crate::model::{Model, Output};
@@ -41,6 +42,7 @@ pub use momentum::Momentum;
 pub use reactions::ReactionExpressions;
 pub use structure::{Dependence, QUANTITIES, Structure};
 pub use symmetry::Symmetry;
+pub use taylor::Taylor;
 
 /// All that is generated for a body, as expressions.
 pub struct Equations {
@@ -57,6 +59,8 @@ pub struct Equations {
     pub drives: Vec<ReactionExpressions>,
     /// The motion in closed form, if it is asked for.
     pub flow: Option<Flow>,
+    /// If it was asked for.
+    pub taylor: Option<Taylor>,
     /// How far a state is from each constraint.
     pub constraints: Vec<Consistency>,
     /// What kind of body has this inertia, line by line; nothing if it is not constant.
@@ -85,6 +89,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         Some(place) => Some(flow::derive_flow(model, place, &linear, &angular, errors)?),
         None => None,
     };
+    let taylor = taylor::derive_taylor(model, &linear, &angular, errors);
     let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));
     let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model));
     let mut balance = asked(Output::Balance, model).then(|| balance::derive_balance(model));
@@ -109,6 +114,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         reactions,
         drives,
         flow,
+        taylor,
         constraints,
         inertia_class: inertia_class::classify(model),
         charges: charges::list_centers(model),
@@ -207,6 +213,11 @@ impl Equations {
                 .flat_map(|reaction| reaction.vector),
         );
         roots.extend(self.flow.iter().flat_map(Flow::roots));
+        roots.extend(
+            self.taylor
+                .iter()
+                .flat_map(|taylor| taylor.recurrences.roots()),
+        );
         roots.extend(self.constraints.iter().flat_map(Consistency::roots));
         roots
     }

@@ -85,6 +85,8 @@ pub struct Model {
     pub outputs: Vec<Output>,
     /// Where the closed form of the motion is asked for.
     pub flow: Option<Extent>,
+    /// Where Taylor series are asked for.
+    pub taylor: Option<Extent>,
     /// The values of the parameters that have a default.
     defaults: Defaults,
 }
@@ -237,13 +239,16 @@ pub fn lower_description(
         constraints: constraints.into_iter().flatten().collect(),
         pole,
         outputs,
-        flow: description
-            .outputs
-            .iter()
-            .find(|word| *word == "flow")
-            .map(|word| word.span().into()),
+        flow: place_of_output(description, "flow"),
+        taylor: place_of_output(description, "taylor"),
         defaults,
     })
+}
+
+/// Where an output is asked for.
+fn place_of_output(description: &Description, output: &str) -> Option<Extent> {
+    let word = description.outputs.iter().find(|word| *word == output);
+    word.map(|word| word.span().into())
 }
 
 /// Reports constants of the equations that no double can hold, with the defaults where parameters

@@ -208,6 +208,13 @@ impl Meanings {
         self.0.get(&symbol).copied().unwrap_or(Meaning::Virtual)
     }
 
+    /// The symbol that stands for a part of the state, if the motion has it.
+    pub fn symbol_of(&self, meaning: Meaning) -> Option<Symbol> {
+        let mut known = self.0.iter();
+        let found = known.find(|(_, known)| **known == meaning);
+        found.map(|(symbol, _)| *symbol)
+    }
+
     /// Symbols for the axes of `range`, zero along the others.
     fn vector(
         &mut self,

@@ -16,7 +16,7 @@ use super::parameters::has_placeholder;
 use super::reaction::{is_drive, is_unknown};
 
 /// Outputs of later versions.
-const LATER: [&str; 3] = ["linearization", "taylor", "sensitivity"];
+const LATER: [&str; 2] = ["linearization", "sensitivity"];
 
 /// What can be asked for beyond the accelerations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -27,16 +27,18 @@ pub enum Output {
     Reactions,
     Inverse,
     Flow,
+    Taylor,
 }
 
 impl Output {
-    pub const ALL: [(&'static str, Self); 6] = [
+    pub const ALL: [(&'static str, Self); 7] = [
         ("energy", Self::Energy),
         ("momentum", Self::Momentum),
         ("balance", Self::Balance),
         ("reactions", Self::Reactions),
         ("inverse", Self::Inverse),
         ("flow", Self::Flow),
+        ("taylor", Self::Taylor),
     ];
 }
 
@@ -287,6 +289,14 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
                     "inverse dynamics of a rod is not there yet: make the drive an input",
                 );
                 outputs.push(Output::Inverse);
+            }
+            Some((_, Output::Taylor)) if !description.constraints.is_empty() => {
+                errors.push(
+                    word.span(),
+                    "`taylor` under constraints is not there yet: use a motion with a support, \
+                     or leave `taylor` out and use `integrate::cf4_projected`",
+                );
+                outputs.push(Output::Taylor);
             }
             Some((_, output)) => outputs.push(*output),
             None if LATER.contains(&written.as_str()) => {

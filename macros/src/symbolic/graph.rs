@@ -147,6 +147,11 @@ impl Graph {
         id
     }
 
+    /// The expression that is this symbol.
+    pub fn symbol_id(&self, symbol: Symbol) -> Id {
+        self.symbols[symbol.0 as usize]
+    }
+
     /// The one node of this shape. Only constructors call it, on nodes that they cannot simplify.
     pub(super) fn intern(&mut self, node: Node) -> Id {
         if let Some(&id) = self.ids.get(&node) {

@@ -1,0 +1,165 @@
+//! Taylor series of the motion: coordinates, their rates, and the recurrences that follow.
+//!
+//! ```text
+//! position' = velocity      q' = q (0, w) / 2      angle' = w      u' = rate of the axis of a rod
+//! velocity' = a             w' = alpha             inputs are held
+//! ```
+//!
+//! A series exists where the equations are smooth; what is not is reported by the load that it stands in.
+
+use crate::errors::{Errors, Extent};
+use crate::model::{Attitude, Meaning, Model};
+use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
+
+/// The recurrences of a motion, with its coordinates in the order in which the runtime lists them.
+#[derive(Debug)]
+pub struct Taylor {
+    /// The coordinates, and then time.
+    pub symbols: Vec<Id>,
+    pub recurrences: Recurrences,
+}
+
+/// The recurrences, if they were asked for and exist.
+pub fn derive_taylor(
+    model: &mut Model,
+    linear: &Components,
+    angular: &Components,
+    errors: &mut Errors,
+) -> Option<Taylor> {
+    let asked = model.taylor?;
+    let coordinates = coordinates(model, linear, angular);
+    let symbols: Vec<Id> = coordinates
+        .iter()
+        .map(|coordinate| coordinate.symbol)
+        .collect();
+    check_smooth(model, &coordinates, asked, errors)?;
+    let recurrences = model.frames.graph.recurrences(&coordinates);
+    Some(Taylor {
+        symbols,
+        recurrences,
+    })
+}
+
+/// The coordinates of the state, and time; those of a kind of motion are together.
+fn coordinates(model: &mut Model, linear: &Components, angular: &Components) -> Vec<Coordinate> {
+    let motion = model.motion;
+    let (axes, state) = (motion.axes(), &model.state);
+    let [position, velocity] = [state.position.world, state.velocity.world];
+    let turning = state.angular_velocity;
+    let mut list = Vec::new();
+    let mut push = |symbols: &[Id], rates: &[Id]| {
+        let pairs = symbols.iter().zip(rates);
+        list.extend(pairs.map(|(symbol, rate)| Coordinate {
+            symbol: *symbol,
+            rate: *rate,
+        }));
+    };
+    let hinged = motion.is_hinged() || motion.is_planar();
+    let one_angle = motion.has_attitude() && hinged;
+    if motion.translates() {
+        push(&position[..axes], &velocity[..axes]);
+    }
+    if let Some(axis) = model.state.axis {
+        push(&axis.unit, &axis.rate);
+    } else if let Attitude::Quaternion { scalar, vector } = model.frames.attitude {
+        let [x, y, z] = vector;
+        let rates = quaternion_rate(model, scalar, vector, turning);
+        push(&[x, y, z, scalar], &rates);
+    } else if one_angle {
+        push(
+            &one(model, Meaning::Angle),
+            &one(model, Meaning::AngularVelocity(2)),
+        );
+    }
+    if motion.translates() {
+        push(&velocity[..axes], &linear[..axes]);
+    }
+    if let Some(axis) = model.state.axis {
+        push(&axis.rate, angular);
+    } else if one_angle {
+        push(&one(model, Meaning::AngularVelocity(2)), &angular[2..]);
+    } else if motion.has_attitude() {
+        push(&turning, angular);
+    }
+    let unit = model.frames.graph.one();
+    push(&[model.state.time], &[unit]);
+    list
+}
+
+fn one(model: &Model, meaning: Meaning) -> Vec<Id> {
+    let symbol = model.meanings.symbol_of(meaning);
+    let id = symbol.map(|symbol| model.frames.graph.symbol_id(symbol));
+    id.into_iter().collect()
+}
+
+/// `q' = q (0, w) / 2`, the scalar last.
+fn quaternion_rate(model: &mut Model, scalar: Id, vector: Components, w: Components) -> [Id; 4] {
+    let graph = &mut model.frames.graph;
+    let (swept, along) = (graph.cross(vector, w), graph.scale_vector(scalar, w));
+    let [x, y, z] = graph.add_vectors(along, swept);
+    let against = graph.dot(vector, w);
+    let against = graph.negate(against);
+    let half = graph.number(Number::ratio(1, 2));
+    [x, y, z, against].map(|twice| graph.multiply(half, twice))
+}
+
+/// Reports the place where the equations are not smooth, by the loads that it stands in.
+fn check_smooth(
+    model: &Model,
+    coordinates: &[Coordinate],
+    asked: Extent,
+    errors: &mut Errors,
+) -> Option<()> {
+    let graph = &model.frames.graph;
+    let moving: Vec<Id> = coordinates
+        .iter()
+        .filter(|coordinate| !graph.is_zero(coordinate.rate))
+        .map(|coordinate| coordinate.symbol)
+        .collect();
+    let rates: Vec<Id> = coordinates
+        .iter()
+        .map(|coordinate| coordinate.rate)
+        .collect();
+    let kink = graph.first_kink(&rates, &moving);
+    let Some(kink) = kink.map(|kink| word(model, kink)) else {
+        return Some(());
+    };
+    let known = errors.count();
+    for load in &model.loads {
+        let parts = [
+            load.force.body,
+            load.force.world,
+            load.moment.body,
+            load.moment.world,
+        ];
+        if let Some(kink) = graph.first_kink(&parts.concat(), &moving) {
+            let (name, kink) = (&load.name, word(model, kink));
+            errors.push(
+                asked,
+                format!("`{name}` has no Taylor series: {}", reason(kink)),
+            );
+        }
+    }
+    if errors.count() == known {
+        errors.push(
+            asked,
+            format!("the equations have no Taylor series: {}", reason(kink)),
+        );
+    }
+    None
+}
+
+/// What a kink is called in a description.
+fn word(model: &Model, kink: Id) -> &'static str {
+    match model.frames.graph.node(kink) {
+        Node::Unary(function, _) | Node::Binary(function, ..) => function.name(),
+        _ => "if",
+    }
+}
+
+fn reason(kink: &str) -> String {
+    format!(
+        "`{kink}` of what moves is not smooth; write it in smooth functions, or leave `taylor` out \
+         and use `integrate::cf4`"
+    )
+}

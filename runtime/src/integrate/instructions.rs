@@ -1,0 +1,82 @@
+//! One body's series, by the best instructions that the processor has: found once for a motion.
+
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+use pulp::{Simd, WithSimd, x86::V3};
+
+use crate::taylor::{Plain, Series, Taylor};
+
+/// What is needed to expand a motion.
+pub(super) enum Expander<B: Taylor, const N: usize> {
+    /// With what every processor of the target has.
+    Plain(B::Products<Plain, N>),
+    /// With AVX2 and fused operations, and the proof of them.
+    #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+    Wide(V3, B::Products<V3, N>),
+}
+
+impl<B: Taylor, const N: usize> Expander<B, N> {
+    /// By the best instructions that there are.
+    pub(super) fn best() -> Self {
+        #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+        if let Some(proof) = V3::try_new() {
+            return Self::Wide(proof, proof.into());
+        }
+        Self::Plain(Plain.into())
+    }
+
+    /// As [`Taylor::expand`].
+    #[inline]
+    pub(super) fn expand(
+        &mut self,
+        body: &B,
+        time: f64,
+        state: &B::State,
+        input: &B::Input,
+        series: &mut Series<B::State, N>,
+    ) {
+        match self {
+            Self::Plain(products) => body.expand(time, state, input, products, series),
+            #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+            Self::Wide(proof, products) => {
+                let expansion = Expansion {
+                    body,
+                    time,
+                    state,
+                    input,
+                    products,
+                    series,
+                };
+                Simd::vectorize(*proof, expansion);
+            }
+        }
+    }
+}
+
+/// The work of one expansion, in a function that is compiled for the instructions.
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+struct Expansion<'e, B: Taylor, const N: usize> {
+    body: &'e B,
+    time: f64,
+    state: &'e B::State,
+    input: &'e B::Input,
+    products: &'e mut B::Products<V3, N>,
+    series: &'e mut Series<B::State, N>,
+}
+
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+impl<B: Taylor, const N: usize> WithSimd for Expansion<'_, B, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self {
+            body,
+            time,
+            state,
+            input,
+            products,
+            series,
+        } = self;
+        body.expand(time, state, input, products, series);
+    }
+}

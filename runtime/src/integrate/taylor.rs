@@ -1,0 +1,310 @@
+//! Steps along Taylor series, of any order and with the error that is asked for.
+//!
+//! À. Jorba, M. Zou, A software package for the numerical integration of ODEs by means of high-order Taylor methods,
+//! Experimental Mathematics 14 (2005) 99. The last coefficients tell how far a series holds: the step is the longest of which
+//! the last two terms are below the tolerance,
+//!
+//! ```text
+//! step = 0.9 min (tolerance / |c_k|)^(1/k),   k = N - 1, N - 2
+//! ```
+//!
+//! What a step adds is summed with compensation (W. Kahan, Comm. ACM 8 (1965) 40), so that over long runs rounding grows with
+//! the square root of the number of steps and not with the number.
+
+use core::fmt;
+use core::ops::Range;
+
+use crate::taylor::{Coordinates, Series, Taylor, increment};
+
+use super::error::IntegrationError;
+use super::exact;
+use super::instructions::Expander;
+use super::step::Step;
+
+/// How much of the permitted step is taken: roots are known to a few parts in a hundred.
+const SAFETY: f64 = 0.9;
+
+/// The state at the end of a span of time \[s\], from the state at its start, with the input held and the error of each step below
+/// `tolerance`; time may run backwards.
+///
+/// The tolerance is relative to position, attitude, velocity and angular velocity, each as a whole, and absolute (m, rad, m/s,
+/// rad/s) where these are below 1. The error at the end is that of all steps, as the motion carries it along. The order
+/// follows from the tolerance: 8, 12, 16 or 20.
+///
+/// ```
+/// use newton_euler::{integrate, prelude::*};
+///
+/// rigid_body!(Handle {
+///     motion: rotation,
+///     inertia: principal(1, 2, 3)[kg * m ^ 2],
+///     outputs: [taylor],
+/// });
+///
+/// // A handle thrown spinning about its intermediate axis flips over.
+/// let start = Rotation { angular_velocity: [0.01, 1.0, 0.01].into(), ..Rotation::default() };
+/// let flipped = integrate::taylor(&Handle::default(), &start, &(), 0.0..19.55, 1e-12)?;
+/// assert!(flipped.angular_velocity.y < -0.99);
+/// # Ok::<(), integrate::IntegrationError<Rotation>>(())
+/// ```
+///
+/// # Errors
+/// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers.
+pub fn taylor<B: Taylor>(
+    body: &B,
+    state: &B::State,
+    input: &B::Input,
+    times: Range<f64>,
+    tolerance: f64,
+) -> Result<B::State, IntegrationError<B::State>> {
+    match tolerance {
+        1e-4.. => end::<B, 9>(body, state, input, times, tolerance),
+        1e-7.. => end::<B, 13>(body, state, input, times, tolerance),
+        1e-10.. => end::<B, 17>(body, state, input, times, tolerance),
+        _ => end::<B, 21>(body, state, input, times, tolerance),
+    }
+}
+
+fn end<B: Taylor, const N: usize>(
+    body: &B,
+    state: &B::State,
+    input: &B::Input,
+    times: Range<f64>,
+    tolerance: f64,
+) -> Result<B::State, IntegrationError<B::State>> {
+    let mut motion = Motion::<B, N>::new(body, times.start, state, input);
+    while motion.step_towards(times.end, tolerance)?.is_some() {}
+    Ok(motion.state())
+}
+
+/// The state one step \[s\] later, by N coefficients, which is of order N - 1; the input is held.
+#[must_use]
+pub fn taylor_step<B: Taylor, const N: usize>(
+    body: &B,
+    time: f64,
+    state: &B::State,
+    input: &B::Input,
+    step: f64,
+) -> B::State {
+    body.series::<N>(time, state, input).after(step)
+}
+
+/// A motion under way, by series of N coefficients: of order N - 1.
+///
+/// ```
+/// use newton_euler::{integrate::Motion, prelude::*};
+///
+/// rigid_body!(Stone {
+///     motion: translation,
+///     mass: 2[kg],
+///     forces: [drag = -0.1 * velocity.norm() * velocity],
+///     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+///     outputs: [taylor],
+/// });
+///
+/// let thrown = Translation { velocity: [8.0, 0.0, 12.0].into(), ..Translation::default() };
+/// let stone = Stone::default();
+/// let mut flight = Motion::<_, 17>::new(&stone, 0.0, &thrown, &());
+/// let mut landing = None;
+/// while let Some(step) = flight.step_towards(10.0, 1e-10)? {
+///     // the motion between the ends of the step, and where it crosses the ground
+///     if let Some(event) = step.zeros(|_, stone| stone.position.z).next() {
+///         landing = Some(event.time);
+///         break;
+///     }
+/// }
+/// assert!((1.9..24.0 / 9.80665).contains(&landing.unwrap())); // sooner than without drag
+/// # Ok::<(), newton_euler::integrate::IntegrationError<Translation>>(())
+/// ```
+pub struct Motion<'b, B: Taylor, const N: usize> {
+    body: &'b B,
+    input: &'b B::Input,
+    time: f64,
+    /// What was lost in rounding the time and the coordinates.
+    late: f64,
+    lost: <B::State as Coordinates>::Array,
+    coordinates: <B::State as Coordinates>::Array,
+    expander: Expander<B, N>,
+    series: Series<B::State, N>,
+}
+
+impl<B: Taylor, const N: usize> fmt::Debug for Motion<'_, B, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Motion")
+            .field("time", &self.time)
+            .field("coordinates", &self.coordinates)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
+    /// A motion that begins at a state.
+    #[must_use]
+    pub fn new(body: &'b B, time: f64, state: &B::State, input: &'b B::Input) -> Self {
+        Self {
+            body,
+            input,
+            time,
+            late: 0.0,
+            lost: B::State::ZERO,
+            coordinates: state.coordinates(),
+            expander: Expander::best(),
+            series: Series::default(),
+        }
+    }
+
+    /// The time that the motion has come to \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The state that it has come to.
+    #[must_use]
+    pub fn state(&self) -> B::State {
+        B::State::from_coordinates(&self.coordinates)
+    }
+
+    /// Holds another input from here on.
+    pub fn hold(&mut self, input: &'b B::Input) {
+        self.input = input;
+    }
+
+    /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in [`taylor`]); none if it is reached.
+    ///
+    /// # Errors
+    /// [`IntegrationError`]; the motion stays where it is.
+    pub fn step_towards(
+        &mut self,
+        end: f64,
+        tolerance: f64,
+    ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
+        let rest = (end - self.time) + self.late;
+        if rest == 0.0 {
+            return Ok(None);
+        }
+        let state = self.expand();
+        let (time, step) = (self.time, self.permitted(tolerance));
+        if step.is_nan() {
+            return Err(IntegrationError::NotFinite { time, state });
+        }
+        if step >= rest.abs() {
+            self.advance(rest)?;
+            (self.time, self.late) = (end, 0.0);
+            return Ok(Some(Step::new(time, rest, self.series.coefficients())));
+        }
+        let step = step.copysign(rest);
+        if (time + step) - time == 0.0 {
+            return Err(IntegrationError::StepTooSmall { time, state, step });
+        }
+        self.advance(step)?;
+        Ok(Some(Step::new(time, step, self.series.coefficients())))
+    }
+
+    /// Takes a step of this length \[s\], of whatever error.
+    ///
+    /// # Errors
+    /// [`IntegrationError::NotFinite`]; the motion stays where it is.
+    pub fn step(&mut self, step: f64) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
+        let time = self.time;
+        self.expand();
+        self.advance(step)?;
+        Ok(Step::new(time, step, self.series.coefficients()))
+    }
+
+    /// The series from here, and where it begins.
+    #[inline(always)]
+    fn expand(&mut self) -> B::State {
+        let state = B::State::from_coordinates(&self.coordinates);
+        let (expander, series) = (&mut self.expander, &mut self.series);
+        expander.expand(self.body, self.time, &state, self.input, series);
+        state
+    }
+
+    /// The longest step of which the last two terms are below `tolerance`.
+    #[inline(always)]
+    fn permitted(&self, tolerance: f64) -> f64 {
+        let coefficients = self.series.coefficients();
+        let relative = |order: usize| {
+            let mut first = 0;
+            let groups = B::State::GROUPS.iter().map(|count| {
+                let group = first..first + count;
+                first += count;
+                let size = |row: &<B::State as Coordinates>::Array| {
+                    let row = row.as_ref()[group.clone()].iter();
+                    // of what is not a number, not a number
+                    row.fold(0.0, |size: f64, value| {
+                        if size >= value.abs() {
+                            size
+                        } else {
+                            value.abs()
+                        }
+                    })
+                };
+                size(&coefficients[order]) / size(&coefficients[0]).max(1.0)
+            });
+            groups.fold(
+                0.0,
+                |size: f64, group| if size >= group { size } else { group },
+            )
+        };
+        let [last, before] = [N - 1, N - 2].map(|order| {
+            let size = relative(order);
+            if size == 0.0 {
+                f64::INFINITY
+            } else {
+                root(tolerance / size, order)
+            }
+        });
+        SAFETY * if last <= before { last } else { before }
+    }
+
+    /// Moves on by the series.
+    #[inline(always)]
+    fn advance(&mut self, step: f64) -> Result<(), IntegrationError<B::State>> {
+        let mut change = increment::<B::State>(self.series.coefficients(), step);
+        B::State::keep(&self.coordinates, &mut change);
+        let mut total = 0.0;
+        for value in change.as_ref() {
+            total += value;
+        }
+        if !total.is_finite() {
+            return Err(IntegrationError::NotFinite {
+                time: self.time,
+                state: self.state(),
+            });
+        }
+        let places = self.coordinates.as_mut().iter_mut().zip(self.lost.as_mut());
+        for ((coordinate, lost), change) in places.zip(change.as_ref()) {
+            (*coordinate, *lost) = compensated(*coordinate, *lost, *change);
+        }
+        (self.time, self.late) = compensated(self.time, self.late, step);
+        Ok(())
+    }
+}
+
+/// A sum, and what was lost in rounding it.
+#[inline(always)]
+fn compensated(sum: f64, lost: f64, change: f64) -> (f64, f64) {
+    let change = change + lost;
+    let next = sum + change;
+    (next, change - (next - sum))
+}
+
+/// `x^(1/k)` to a few parts in a hundred, which is all that a step needs: logarithm and power by the exponent of the double, and
+/// straight lines in between. Of what is not a number, not a number.
+#[inline(always)]
+fn root(x: f64, k: usize) -> f64 {
+    const ONE: f64 = 4_503_599_627_370_496.0; // 2⁵²
+    if !(x > 0.0 && x.is_finite()) {
+        return x;
+    }
+    #[expect(clippy::cast_precision_loss, reason = "a few digits are enough")]
+    let logarithm = x.to_bits() as f64 / ONE - 1023.0;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "in the range of exponents"
+    )]
+    let bits = ((logarithm / exact(k) + 1023.0) * ONE) as u64;
+    f64::from_bits(bits)
+}

@@ -1,0 +1,93 @@
+//! The coefficients of a motion.
+
+use super::Coordinates;
+
+/// A motion as a polynomial in the time since its start, coordinate by coordinate.
+#[derive(Clone, Debug)]
+pub struct Series<S: Coordinates, const N: usize> {
+    coefficients: [S::Array; N],
+}
+
+impl<S: Coordinates, const N: usize> Default for Series<S, N> {
+    fn default() -> Self {
+        Self {
+            coefficients: [S::ZERO; N],
+        }
+    }
+}
+
+impl<S: Coordinates, const N: usize> Series<S, N> {
+    /// The coefficients, lowest first: row n has those of timeⁿ, in the order of [`Coordinates`].
+    #[inline]
+    #[must_use]
+    pub fn coefficients(&self) -> &[S::Array; N] {
+        &self.coefficients
+    }
+
+    /// The state so long after the start \[s\].
+    #[inline]
+    #[must_use]
+    pub fn after(&self, time: f64) -> S {
+        state_after(&self.coefficients, time)
+    }
+
+    /// Begins at a state.
+    #[inline(always)]
+    pub fn start(&mut self, state: &S) {
+        self.coefficients[0] = state.coordinates();
+    }
+
+    /// Coefficient n of the coordinates, from coefficient n - 1 of their rates.
+    #[inline(always)]
+    pub fn extend(&mut self, n: usize, rates: S::Array) -> S::Array {
+        let inverse = 1.0 / crate::integrate::exact(n);
+        let mut next = rates;
+        for coefficient in next.as_mut() {
+            *coefficient *= inverse;
+        }
+        self.coefficients[n] = next;
+        next
+    }
+}
+
+/// The state on a polynomial, so long after its start.
+#[inline]
+pub(crate) fn state_after<S: Coordinates>(coefficients: &[S::Array], time: f64) -> S {
+    let mut coordinates = evaluate::<S>(coefficients, time);
+    let mut change = S::ZERO;
+    S::keep(&coordinates, &mut change);
+    for (coordinate, change) in coordinates.as_mut().iter_mut().zip(change.as_ref()) {
+        *coordinate += change;
+    }
+    S::from_coordinates(&coordinates)
+}
+
+/// A polynomial, by Horner's rule for even and odd powers apart: neither waits for the other.
+#[inline(always)]
+fn evaluate<S: Coordinates>(coefficients: &[S::Array], time: f64) -> S::Array {
+    let square = time * time;
+    let (mut even, mut odd) = (S::ZERO, S::ZERO);
+    let climb = |sum: &mut S::Array, row: S::Array| {
+        for (sum, coefficient) in sum.as_mut().iter_mut().zip(row.as_ref()) {
+            *sum = *sum * square + coefficient;
+        }
+    };
+    for rows in coefficients.chunks(2).rev() {
+        climb(&mut even, rows[0]);
+        climb(&mut odd, rows.get(1).copied().unwrap_or(S::ZERO));
+    }
+    for (even, odd) in even.as_mut().iter_mut().zip(odd.as_ref()) {
+        *even += odd * time;
+    }
+    even
+}
+
+/// What a polynomial adds to its start.
+#[inline(always)]
+pub(crate) fn increment<S: Coordinates>(coefficients: &[S::Array], time: f64) -> S::Array {
+    let mut value = evaluate::<S>(&coefficients[1..], time);
+    for part in value.as_mut() {
+        *part *= time;
+    }
+    value
+}

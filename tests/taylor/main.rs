@@ -1,0 +1,12 @@
+//! Taylor series of motions and the integrator that follows them.
+#![allow(missing_docs, reason = "tests")]
+#![allow(clippy::cast_precision_loss, reason = "orders and numbers of steps")]
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
+
+mod events;
+mod functions;
+mod motions;
+#[path = "../reference/mod.rs"]
+mod reference;
+mod scenes;
+mod trajectories;

@@ -6,8 +6,9 @@
 //! identically zero does not exist. No sum is multiplied out and no order of summation is changed
 //! beyond that: the form of the equations is the business of those who write them.
 
+use super::function::Function;
 use super::graph::{Comparison, Graph, Id, Node, ONE, Stage, ZERO};
-use super::number::{Function, Number};
+use super::number::Number;
 
 impl Graph {
     pub fn number(&mut self, number: Number) -> Id {

@@ -2,8 +2,8 @@
 
 use core::ops::AddAssign;
 
+use super::function::Function;
 use super::graph::{Graph, Id, Node};
-use super::number::Function;
 
 /// Operations of a program; a negation is free.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Debug)]

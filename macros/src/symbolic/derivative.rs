@@ -3,8 +3,9 @@
 //! The nodes are walked in the order in which they were made, children first, without recursion,
 //! and the results are built by the simplifying constructors.
 
+use super::function::Function;
 use super::graph::{Graph, Id, Node};
-use super::number::{Function, Number};
+use super::number::Number;
 
 impl Graph {
     /// The partial derivatives of `roots` with respect to the symbol `by`.

@@ -5,8 +5,9 @@
 //! what is known early before what is positive by its structure before anything else; a division
 //! by what depends on the configuration is guarded ([`Graph::pivot`]).
 
+use super::function::Function;
 use super::graph::{Graph, Id, Node, Stage};
-use super::number::{Function, Number};
+use super::number::Number;
 
 /// `sum of coefficients * unknowns = right`
 pub struct Row {

@@ -1,7 +1,7 @@
 //! The reference interpreter: what a graph means, in doubles.
 
+use super::function::Function;
 use super::graph::{Comparison, Graph, Id, Node};
-use super::number::Function;
 
 impl Graph {
     /// The values of `roots`, with the values of the symbols given by `symbol`.

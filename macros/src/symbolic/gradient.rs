@@ -7,8 +7,9 @@
 
 use std::collections::HashMap;
 
+use super::function::Function;
 use super::graph::{Graph, Id, Node};
-use super::number::{Function, Number};
+use super::number::Number;
 
 /// A power of a base, its exponent in halves: `s`, its root and the square of that share one base.
 type Power = (Id, i32);

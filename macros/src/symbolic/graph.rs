@@ -6,7 +6,8 @@
 
 use std::collections::HashMap;
 
-use super::number::{Function, Number};
+use super::function::Function;
+use super::number::Number;
 
 /// An expression in a [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -1,7 +1,7 @@
 //! From a graph to straight-line code: which expressions become statements, and in which order.
 
+use super::function::Function;
 use super::graph::{Graph, Id, Node, Stage};
-use super::number::Function;
 
 /// Operations that one statement may hold before it is split.
 const STATEMENT: u32 = 14;

@@ -1,7 +1,7 @@
 //! The slopes of functions, along each of their arguments.
 
+use super::function::Function;
 use super::graph::{Comparison, Graph, Id};
-use super::number::Function;
 
 impl Graph {
     /// Derivative of a function of one argument at `a`, where its value is `value`.

@@ -1,7 +1,7 @@
 //! Vectors and symmetric matrices of expressions, component by component.
 
+use super::function::Function;
 use super::graph::{Graph, Id, Node};
-use super::number::Function;
 
 /// Three components in one frame.
 pub type Components = [Id; 3];

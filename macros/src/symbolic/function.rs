@@ -1,0 +1,86 @@
+//! Functions of numbers: what they are called, and what they are like.
+
+/// A function of one or two numbers that is not a rational operation.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Function {
+    Sqrt,
+    Cbrt,
+    Exp,
+    Ln,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Abs,
+    Signum,
+    Floor,
+    Ceil,
+    Atan2,
+    Powf,
+    Hypot,
+    Min,
+    Max,
+}
+
+impl Function {
+    /// All functions, under the names that Rust's `f64` gives them.
+    pub const ALL: [(&'static str, Self); 22] = [
+        ("sqrt", Self::Sqrt),
+        ("cbrt", Self::Cbrt),
+        ("exp", Self::Exp),
+        ("ln", Self::Ln),
+        ("sin", Self::Sin),
+        ("cos", Self::Cos),
+        ("tan", Self::Tan),
+        ("asin", Self::Asin),
+        ("acos", Self::Acos),
+        ("atan", Self::Atan),
+        ("sinh", Self::Sinh),
+        ("cosh", Self::Cosh),
+        ("tanh", Self::Tanh),
+        ("abs", Self::Abs),
+        ("signum", Self::Signum),
+        ("floor", Self::Floor),
+        ("ceil", Self::Ceil),
+        ("atan2", Self::Atan2),
+        ("powf", Self::Powf),
+        ("hypot", Self::Hypot),
+        ("min", Self::Min),
+        ("max", Self::Max),
+    ];
+
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL
+            .iter()
+            .find(|(known, _)| *known == name)
+            .map(|(_, function)| *function)
+    }
+
+    pub fn name(self) -> &'static str {
+        Self::ALL
+            .iter()
+            .find(|(_, function)| *function == self)
+            .map_or("", |(name, _)| name)
+    }
+
+    /// Whether it is one expression here and another one there.
+    pub fn is_piecewise(self) -> bool {
+        matches!(
+            self,
+            Self::Abs | Self::Signum | Self::Floor | Self::Ceil | Self::Min | Self::Max
+        )
+    }
+
+    /// Number of arguments, the receiver included.
+    pub fn arity(self) -> usize {
+        match self {
+            Self::Atan2 | Self::Powf | Self::Hypot | Self::Min | Self::Max => 2,
+            _ => 1,
+        }
+    }
+}

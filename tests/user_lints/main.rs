@@ -26,6 +26,9 @@
 )]
 #![forbid(unsafe_code)]
 
+pub mod paths;
+pub mod scalars;
+
 /// A body of each motion with all outputs, in modules without imports.
 pub mod motions {
     /// In space.
@@ -73,113 +76,6 @@ pub mod motions {
             mass: 123456789[g],
             inertia: principal(1, 2, 3),
             outputs: [energy, momentum, balance],
-        });
-    }
-
-    /// With series, recurrences of many kinds, and names that their code has.
-    pub mod smooth {
-        newton_euler::rigid_body!(N {
-            motion: fixed_point(n),
-            params: [order = 0.3, series = 2],
-            inputs: [rates, products],
-            mass: 1[kg],
-            inertia: principal(1, 2, 2.5),
-            points: [n = (0, 0, -order)],
-            locals: [
-                inverse = (series + t / 1[s]).sqrt(),
-                time = position.norm() / 1[m]
-            ],
-            fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
-            moments: [
-                held = 1[N * m]
-                    * body(
-                        rates / inverse,
-                        (time + 3).powf(products),
-                        3.14159 * inverse.atan2(time)
-                    ),
-                waves = 1[N * m]
-                    * body(
-                        inverse.sin(),
-                        0,
-                        if rates == products { time.tanh() } else { 1 }
-                    ),
-            ],
-            outputs: [energy, momentum, balance, taylor],
-        });
-    }
-
-    /// With series that end, and without products.
-    pub mod thrown {
-        newton_euler::rigid_body!(Stone {
-            motion: translation,
-            mass: 1[kg],
-            fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
-            outputs: [taylor],
-        });
-    }
-
-    /// Generic over its scalar, with names that its own code has.
-    pub mod generic {
-        newton_euler::rigid_body!(Craft::<Real> {
-            doc: "A craft.",
-            motion: spatial,
-            params: [
-                half = 2.5[kg],
-                constant = -0.12,
-                two = body(0.4, -0.2, 0.1)[m],
-                scalar
-            ],
-            inputs: [one, wind = world(_, _, _)[m / s]],
-            mass: half,
-            inertia: tensor {
-                xx: 1.3,
-                yy: 1.7,
-                zz: 2.1,
-                xy: constant,
-                yz: -0.05,
-                zx: 0.07
-            },
-            points: [nozzle = two],
-            locals: [air = nozzle.velocity() - wind],
-            forces: [
-                jet = body(
-                    0,
-                    0,
-                    if one < 0.5 && t > 1 || one != 3 {
-                        one
-                    } else {
-                        1 - one
-                    }
-                )
-                .at(nozzle),
-                drag = (-0.8 * air.norm() * air).at(nozzle),
-                huge = 1[N] * world(1e300, scalar.sin(), 3.14159),
-            ],
-            fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
-            outputs: [energy, momentum, balance],
-        });
-    }
-
-    /// Generic, without anything that could be left out.
-    pub mod generic_stone {
-        newton_euler::rigid_body!(Other::<T> {
-            motion: rotation,
-            inertia: principal(1, 2, 3),
-        });
-    }
-
-    /// Generic, in the plane, with reactions and drives.
-    pub mod generic_planar {
-        newton_euler::rigid_body!(Arm::<T> {
-            motion: pivot(tip),
-            params: [length = 0.5[m]],
-            mass: 2[kg],
-            inertia: 0.01[kg * m ^ 2],
-            points: [tip = (0, length)],
-            fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
-            moments: [motor = _],
-            reactions: [pin = world(_, _).at(tip)],
-            outputs: [energy, momentum, balance, reactions, inverse],
         });
     }
 
@@ -400,59 +296,6 @@ pub mod motions {
             constraints: [on_floor = tail.position().in_world().z],
             reactions: [floor = world(0, 0, _).at(tail)],
             outputs: [energy, momentum, balance, reactions],
-        });
-    }
-
-    /// Motions in closed form.
-    pub mod flow {
-        newton_euler::rigid_body!(Brick {
-            motion: spatial,
-            mass: 2[kg],
-            inertia: tensor {
-                xx: 1.3,
-                yy: 1.7,
-                zz: 2.1,
-                xy: -0.12,
-                yz: -0.05,
-                zx: 0.07
-            },
-            fields: [weight = mass * world(0, 0, -9.80665)],
-            outputs: [flow],
-        });
-        newton_euler::rigid_body!(Handle {
-            motion: rotation,
-            params: [J],
-            inertia: principal(J, 2 * J, 2.5 * J),
-            outputs: [flow, energy],
-        });
-        newton_euler::rigid_body!(Drum {
-            motion: fixed_point(G),
-            mass: 1,
-            inertia: cylinder(0.1, 0.5).along(body(1, 2, 3)),
-            outputs: [flow],
-        });
-        newton_euler::rigid_body!(Clock {
-            motion: pivot(pin),
-            params: [g = 9.8],
-            mass: 2,
-            inertia: 1,
-            points: [pin = (0.1, 1.25)],
-            fields: [weight = mass * world(0, -g)],
-            outputs: [flow],
-        });
-        newton_euler::rigid_body!(Towed {
-            motion: planar,
-            mass: 2,
-            inertia: 1,
-            points: [hook = (0.1, 1.25)],
-            forces: [rope = world(1, 0).at(hook)],
-            outputs: [flow],
-        });
-        newton_euler::rigid_body!(Baton {
-            motion: rod(body(1, 0, 0)),
-            mass: 2,
-            inertia: 1,
-            outputs: [flow],
         });
     }
 

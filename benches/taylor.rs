@@ -67,9 +67,9 @@ fn least(mut run: impl FnMut()) -> f64 {
 fn step<B: Taylor<State = Rotation, Input = ()>, const N: usize>(body: &B, start: &Rotation) {
     const STEPS: u32 = 4000;
     let time = least(|| {
-        let mut motion = Motion::<B, N>::new(body, 0.0, black_box(start), &());
+        let mut motion = Motion::<B, N>::new(body, 0.0, black_box(start));
         for _ in 0..STEPS {
-            motion.step(0.01).expect("finite");
+            motion.step(0.01, &()).expect("finite");
         }
         black_box(motion.state());
     });
@@ -105,11 +105,11 @@ fn long() {
     let (body, [start, _]) = (AsymmetricFree::default(), ends("asymmetric_free"));
     let (energy, momentum) = (body.kinetic_energy(&start), body.angular_momentum(&start));
     let begin = Instant::now();
-    let mut motion = Motion::<_, 17>::new(&body, 0.0, &start, &());
+    let mut motion = Motion::<_, 17>::new(&body, 0.0, &start);
     let mut taken = 0;
     for steps in [1_000_000, 10_000_000, 100_000_000] {
         for _ in taken..steps {
-            motion.step(0.125).expect("finite");
+            motion.step(0.125, &()).expect("finite");
         }
         taken = steps;
         let end = motion.state();

@@ -70,7 +70,7 @@ pub fn kinematics(
     attitude: &UnitQuaternion<f64>,
     angular_velocity: &Vector3<f64>,
 ) -> Quaternion<f64> {
-    attitude.quaternion() * Quaternion::from_imag(0.5 * angular_velocity)
+    generic::kinematics(attitude, angular_velocity)
 }
 
 /// The unit quaternion next to one that is nearly unit, by one Newton step: `q (3 - |q|²)/2`.

@@ -7,12 +7,15 @@
 
 use core::ops::{Add, Mul, Sub};
 
+mod coordinates;
 mod hinge;
 mod planar;
 mod rod;
 mod rotation;
 mod spatial;
 mod translation;
+
+pub use coordinates::Coordinates;
 
 /// States and accelerations over any [`Scalar`](crate::Scalar); their aliases in [`state`](crate::state) are those of `f64`.
 pub mod generic {

@@ -7,14 +7,13 @@
 //! and with the error that is asked for.
 
 use crate::body::RigidBody;
+use crate::state::Coordinates;
 
 mod arithmetic;
-mod coordinates;
 mod products;
 mod series;
 
 pub use arithmetic::{Arithmetic, Plain};
-pub use coordinates::Coordinates;
 pub use products::Products;
 pub use series::Series;
 pub(crate) use series::{increment, state_after};

@@ -24,9 +24,9 @@ fn events(times: std::ops::Range<f64>, function: fn(f64, &Hinge) -> f64) -> Vec<
         angle: 2.0,
         ..Hinge::default()
     };
-    let mut motion = Motion::<_, 19>::new(&body, times.start, &start, &());
+    let mut motion = Motion::<_, 19>::new(&body, times.start, &start);
     let mut events = Vec::new();
-    while let Some(step) = motion.step_towards(times.end, 1e-13).unwrap() {
+    while let Some(step) = motion.step_towards(times.end, &(), 1e-13).unwrap() {
         events.extend(step.zeros(function));
     }
     events
@@ -81,10 +81,10 @@ fn a_zero_at_an_end_counts_once() {
         angle: 0.3,
         ..Hinge::default()
     };
-    let mut motion = Motion::<_, 13>::new(&body, 0.0, &start, &());
+    let mut motion = Motion::<_, 13>::new(&body, 0.0, &start);
     let mut found = Vec::new();
     for _ in 0..4 {
-        let step = motion.step(0.125).unwrap();
+        let step = motion.step(0.125, &()).unwrap();
         found.extend(step.zeros(|time, _| time - 0.25).map(|event| event.time));
     }
     assert_eq!(found, [0.25]);
@@ -100,9 +100,9 @@ fn between_the_ends() {
     };
     let energy =
         |state: &Hinge| body.kinetic_energy(state) + body.potential_energy(0.0, state, &());
-    let mut motion = Motion::<_, 17>::new(&body, 0.0, &start, &());
+    let mut motion = Motion::<_, 17>::new(&body, 0.0, &start);
     let mut last = start;
-    while let Some(step) = motion.step_towards(3.0, 1e-12).unwrap() {
+    while let Some(step) = motion.step_towards(3.0, &(), 1e-12).unwrap() {
         let (from, to) = (step.start(), step.end());
         assert!((step.at(from).angle - last.angle).abs() < 4e-15);
         for part in [0.25, 0.5, 0.75, 1.0] {

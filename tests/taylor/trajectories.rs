@@ -159,10 +159,9 @@ fn loads_of_time_and_inputs() {
 
     // another input from the middle on
     let first = scenes::DrivenInput { push: 0.0 };
-    let mut motion = Motion::<_, 15>::new(&body, 0.0, &PlanarTranslation::default(), &first);
-    while motion.step_towards(3.0, 1e-12).unwrap().is_some() {}
-    motion.hold(&input);
-    while motion.step_towards(7.0, 1e-12).unwrap().is_some() {}
+    let mut motion = Motion::<_, 15>::new(&body, 0.0, &PlanarTranslation::default());
+    while motion.step_towards(3.0, &first, 1e-12).unwrap().is_some() {}
+    while motion.step_towards(7.0, &input, 1e-12).unwrap().is_some() {}
     assert!((motion.time() - 7.0).abs() < f64::EPSILON);
     assert!((motion.state().position.y - 0.8 * 16.0 / 4.0).abs() < 1e-12);
 }
@@ -175,14 +174,14 @@ fn long_runs_keep_energy_and_momentum() {
         angular_velocity: [3.0, 0.5, -0.9].into(),
         ..Rotation::default()
     };
-    let mut motion = Motion::<_, 17>::new(&body, 0.0, &start, &());
+    let mut motion = Motion::<_, 17>::new(&body, 0.0, &start);
     let steps = if cfg!(debug_assertions) {
         10_000
     } else {
         1_000_000
     };
     for _ in 0..steps {
-        motion.step(0.125).unwrap();
+        motion.step(0.125, &()).unwrap();
     }
     let end = motion.state();
     let energy = body.kinetic_energy(&end) / body.kinetic_energy(&start) - 1.0;

@@ -1,6 +1,6 @@
 //! Attitudes over any [`Scalar`].
 
-use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3, Vector4};
 
 use crate::scalar::{Scalar, either};
 
@@ -81,4 +81,26 @@ fn quaternion<T: Scalar>(components: [T; 4]) -> Quaternion<T> {
 #[inline(always)]
 fn unit<T: Scalar>(components: [T; 4]) -> UnitQuaternion<T> {
     Unit::new_unchecked(quaternion(components))
+}
+
+/// As [`attitude::kinematics`](super::kinematics).
+#[inline(always)]
+#[must_use]
+pub fn kinematics<T: Scalar>(
+    attitude: &UnitQuaternion<T>,
+    angular_velocity: &Vector3<T>,
+) -> Quaternion<T> {
+    let ([x, y, z, w], half): ([T; 4], T) = (
+        attitude.coords.into(),
+        angular_velocity.x.constant(0.5, 0.5),
+    );
+    let [a, b, c]: [T; 3] = (angular_velocity * half).into();
+    Quaternion {
+        coords: Vector4::new(
+            w * a + y * c - z * b,
+            w * b + z * a - x * c,
+            w * c + x * b - y * a,
+            -(x * a + y * b + z * c),
+        ),
+    }
 }

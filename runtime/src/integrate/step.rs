@@ -1,13 +1,14 @@
 //! A step as it was taken: the motion from its start to its end.
 
-use crate::taylor::{Coordinates, state_after};
+use crate::state::Coordinates;
+use crate::taylor::state_after;
 
 /// How often the sign of a function is looked at within a step.
 const SAMPLES: usize = 16;
 
 /// A step of a motion, and the motion within it.
 #[derive(Debug)]
-pub struct Step<'m, S: Coordinates> {
+pub struct Step<'m, S: Coordinates<Scalar = f64>> {
     start: f64,
     length: f64,
     coefficients: &'m [S::Array],
@@ -24,7 +25,7 @@ pub struct Event<S> {
     pub rises: bool,
 }
 
-impl<'m, S: Coordinates> Step<'m, S> {
+impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
     pub(super) fn new(start: f64, length: f64, coefficients: &'m [S::Array]) -> Self {
         Self {
             start,

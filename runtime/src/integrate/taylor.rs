@@ -14,7 +14,8 @@
 use core::fmt;
 use core::ops::Range;
 
-use crate::taylor::{Coordinates, Series, Taylor, increment};
+use crate::state::Coordinates;
+use crate::taylor::{Series, Taylor, increment};
 
 use super::error::IntegrationError;
 use super::exact;
@@ -71,8 +72,8 @@ fn end<B: Taylor, const N: usize>(
     times: Range<f64>,
     tolerance: f64,
 ) -> Result<B::State, IntegrationError<B::State>> {
-    let mut motion = Motion::<B, N>::new(body, times.start, state, input);
-    while motion.step_towards(times.end, tolerance)?.is_some() {}
+    let mut motion = Motion::<B, N>::new(body, times.start, state);
+    while motion.step_towards(times.end, input, tolerance)?.is_some() {}
     Ok(motion.state())
 }
 
@@ -103,9 +104,9 @@ pub fn taylor_step<B: Taylor, const N: usize>(
 ///
 /// let thrown = Translation { velocity: [8.0, 0.0, 12.0].into(), ..Translation::default() };
 /// let stone = Stone::default();
-/// let mut flight = Motion::<_, 17>::new(&stone, 0.0, &thrown, &());
+/// let mut flight = Motion::<_, 17>::new(&stone, 0.0, &thrown);
 /// let mut landing = None;
-/// while let Some(step) = flight.step_towards(10.0, 1e-10)? {
+/// while let Some(step) = flight.step_towards(10.0, &(), 1e-10)? {
 ///     // the motion between the ends of the step, and where it crosses the ground
 ///     if let Some(event) = step.zeros(|_, stone| stone.position.z).next() {
 ///         landing = Some(event.time);
@@ -117,7 +118,6 @@ pub fn taylor_step<B: Taylor, const N: usize>(
 /// ```
 pub struct Motion<'b, B: Taylor, const N: usize> {
     body: &'b B,
-    input: &'b B::Input,
     time: f64,
     /// What was lost in rounding the time and the coordinates.
     late: f64,
@@ -139,13 +139,12 @@ impl<B: Taylor, const N: usize> fmt::Debug for Motion<'_, B, N> {
 impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     /// A motion that begins at a state.
     #[must_use]
-    pub fn new(body: &'b B, time: f64, state: &B::State, input: &'b B::Input) -> Self {
+    pub fn new(body: &'b B, time: f64, state: &B::State) -> Self {
         Self {
             body,
-            input,
             time,
             late: 0.0,
-            lost: B::State::ZERO,
+            lost: Default::default(),
             coordinates: state.coordinates(),
             expander: Expander::best(),
             series: Series::default(),
@@ -164,25 +163,21 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         B::State::from_coordinates(&self.coordinates)
     }
 
-    /// Holds another input from here on.
-    pub fn hold(&mut self, input: &'b B::Input) {
-        self.input = input;
-    }
-
-    /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in [`taylor`]); none if it is reached.
+    /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in [`taylor`]), with the input held; none if it is reached.
     ///
     /// # Errors
     /// [`IntegrationError`]; the motion stays where it is.
     pub fn step_towards(
         &mut self,
         end: f64,
+        input: &B::Input,
         tolerance: f64,
     ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
         let rest = (end - self.time) + self.late;
         if rest == 0.0 {
             return Ok(None);
         }
-        let state = self.expand();
+        let state = self.expand(input);
         let (time, step) = (self.time, self.permitted(tolerance));
         if step.is_nan() {
             return Err(IntegrationError::NotFinite { time, state });
@@ -200,23 +195,27 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         Ok(Some(Step::new(time, step, self.series.coefficients())))
     }
 
-    /// Takes a step of this length \[s\], of whatever error.
+    /// Takes a step of this length \[s\], with the input held, of whatever error.
     ///
     /// # Errors
     /// [`IntegrationError::NotFinite`]; the motion stays where it is.
-    pub fn step(&mut self, step: f64) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
+    pub fn step(
+        &mut self,
+        step: f64,
+        input: &B::Input,
+    ) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
         let time = self.time;
-        self.expand();
+        self.expand(input);
         self.advance(step)?;
         Ok(Step::new(time, step, self.series.coefficients()))
     }
 
     /// The series from here, and where it begins.
     #[inline(always)]
-    fn expand(&mut self) -> B::State {
+    fn expand(&mut self, input: &B::Input) -> B::State {
         let state = B::State::from_coordinates(&self.coordinates);
         let (expander, series) = (&mut self.expander, &mut self.series);
-        expander.expand(self.body, self.time, &state, self.input, series);
+        expander.expand(self.body, self.time, &state, input, series);
         state
     }
 

@@ -1,22 +1,22 @@
 //! The coefficients of a motion.
 
-use super::Coordinates;
+use crate::state::Coordinates;
 
 /// A motion as a polynomial in the time since its start, coordinate by coordinate.
 #[derive(Clone, Debug)]
-pub struct Series<S: Coordinates, const N: usize> {
+pub struct Series<S: Coordinates<Scalar = f64>, const N: usize> {
     coefficients: [S::Array; N],
 }
 
-impl<S: Coordinates, const N: usize> Default for Series<S, N> {
+impl<S: Coordinates<Scalar = f64>, const N: usize> Default for Series<S, N> {
     fn default() -> Self {
         Self {
-            coefficients: [S::ZERO; N],
+            coefficients: [S::Array::default(); N],
         }
     }
 }
 
-impl<S: Coordinates, const N: usize> Series<S, N> {
+impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
     /// The coefficients, lowest first: row n has those of timeⁿ, in the order of [`Coordinates`].
     #[inline]
     #[must_use]
@@ -52,9 +52,9 @@ impl<S: Coordinates, const N: usize> Series<S, N> {
 
 /// The state on a polynomial, so long after its start.
 #[inline]
-pub(crate) fn state_after<S: Coordinates>(coefficients: &[S::Array], time: f64) -> S {
+pub(crate) fn state_after<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) -> S {
     let mut coordinates = evaluate::<S>(coefficients, time);
-    let mut change = S::ZERO;
+    let mut change = S::Array::default();
     S::keep(&coordinates, &mut change);
     for (coordinate, change) in coordinates.as_mut().iter_mut().zip(change.as_ref()) {
         *coordinate += change;
@@ -64,9 +64,9 @@ pub(crate) fn state_after<S: Coordinates>(coefficients: &[S::Array], time: f64) 
 
 /// A polynomial, by Horner's rule for even and odd powers apart: neither waits for the other.
 #[inline(always)]
-fn evaluate<S: Coordinates>(coefficients: &[S::Array], time: f64) -> S::Array {
+fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) -> S::Array {
     let square = time * time;
-    let (mut even, mut odd) = (S::ZERO, S::ZERO);
+    let (mut even, mut odd) = (S::Array::default(), S::Array::default());
     let climb = |sum: &mut S::Array, row: S::Array| {
         for (sum, coefficient) in sum.as_mut().iter_mut().zip(row.as_ref()) {
             *sum = *sum * square + coefficient;
@@ -74,7 +74,7 @@ fn evaluate<S: Coordinates>(coefficients: &[S::Array], time: f64) -> S::Array {
     };
     for rows in coefficients.chunks(2).rev() {
         climb(&mut even, rows[0]);
-        climb(&mut odd, rows.get(1).copied().unwrap_or(S::ZERO));
+        climb(&mut odd, rows.get(1).copied().unwrap_or_default());
     }
     for (even, odd) in even.as_mut().iter_mut().zip(odd.as_ref()) {
         *even += odd * time;
@@ -84,7 +84,10 @@ fn evaluate<S: Coordinates>(coefficients: &[S::Array], time: f64) -> S::Array {
 
 /// What a polynomial adds to its start.
 #[inline(always)]
-pub(crate) fn increment<S: Coordinates>(coefficients: &[S::Array], time: f64) -> S::Array {
+pub(crate) fn increment<S: Coordinates<Scalar = f64>>(
+    coefficients: &[S::Array],
+    time: f64,
+) -> S::Array {
     let mut value = evaluate::<S>(&coefficients[1..], time);
     for part in value.as_mut() {
         *part *= time;

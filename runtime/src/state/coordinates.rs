@@ -1,19 +1,19 @@
 //! States as lists of numbers.
 
+use core::fmt::Debug;
 use core::ops::Range;
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3, Vector4};
 
-use crate::state::{Hinge, Planar, PlanarTranslation, Rod, Rotation, Spatial, State, Translation};
+use super::{State, generic};
+use crate::attitude::generic::kinematics;
+use crate::scalar::Scalar;
 
 /// A state as a list of coordinates: position, attitude or angle or axis, velocity, and their rates, those that there are,
 /// in this order; components x, y, z, of an attitude with the scalar last.
-pub trait Coordinates: State<Scalar = f64> {
-    /// `[f64; COUNT]`
-    type Array: Copy + core::fmt::Debug + AsRef<[f64]> + AsMut<[f64]>;
-
-    /// All coordinates zero.
-    const ZERO: Self::Array;
+pub trait Coordinates: State<Scalar: Scalar> {
+    /// `[Scalar; COUNT]`
+    type Array: Copy + Debug + Default + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
 
     /// How many coordinates belong together: each group is of one unit.
     const GROUPS: &'static [usize];
@@ -24,17 +24,20 @@ pub trait Coordinates: State<Scalar = f64> {
     /// The state with these coordinates, as they are: see [`keep`](Self::keep).
     fn from_coordinates(coordinates: &Self::Array) -> Self;
 
+    /// The derivatives of the coordinates with respect to time, given the acceleration in this state: of an attitude q the components of
+    /// `q (0, ω) / 2`.
+    fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array;
+
     /// Corrects a small change of coordinates, so that attitude and axis stay unit to rounding, and the rate of an axis across it.
     #[inline(always)]
     fn keep(_coordinates: &Self::Array, _change: &mut Self::Array) {}
 }
 
-/// The lists: the fields of a state one after another, and which of its coordinates are a unit vector.
+/// The lists: the fields of a state one after another, its rates, and which of its coordinates are a unit vector.
 macro_rules! plain {
-    ($($state:ident: $count:literal, $groups:expr, $read:expr, $write:expr $(, unit $unit:expr $(, across $rate:expr)?)?;)*) => {$(
-        impl Coordinates for $state {
-            type Array = [f64; $count];
-            const ZERO: Self::Array = [0.0; $count];
+    ($($state:ident: $count:literal, $groups:expr, $read:expr, $write:expr, $rates:expr $(, unit $unit:expr $(, across $rate:expr)?)?;)*) => {$(
+        impl<T: Scalar> Coordinates for generic::$state<T> {
+            type Array = [T; $count];
             const GROUPS: &'static [usize] = &$groups;
 
             #[inline(always)]
@@ -49,6 +52,12 @@ macro_rules! plain {
                 write(*coordinates)
             }
 
+            #[inline(always)]
+            fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array {
+                let rates: fn(&Self, &Self::Acceleration) -> Self::Array = $rates;
+                rates(self, acceleration)
+            }
+
             $(#[inline(always)]
             fn keep(coordinates: &Self::Array, change: &mut Self::Array) {
                 shorten(&coordinates[$unit], &mut change[$unit]);
@@ -61,13 +70,18 @@ macro_rules! plain {
 plain! {
     Hinge: 2, [1, 1],
         |state| [state.angle, state.angular_velocity],
-        |[angle, angular_velocity]| Self { angle, angular_velocity };
+        |[angle, angular_velocity]| Self { angle, angular_velocity },
+        |state, angular| [state.angular_velocity, *angular];
     PlanarTranslation: 4, [2, 2],
         |state| {
             let [p, v] = [state.position, state.velocity];
             [p.x, p.y, v.x, v.y]
         },
-        |[x, y, vx, vy]| Self { position: [x, y].into(), velocity: [vx, vy].into() };
+        |[x, y, vx, vy]| Self { position: [x, y].into(), velocity: [vx, vy].into() },
+        |state, linear| {
+            let [v, a] = [state.velocity, *linear];
+            [v.x, v.y, a.x, a.y]
+        };
     Planar: 6, [2, 1, 2, 1],
         |state| {
             let [p, v] = [state.position, state.velocity];
@@ -78,13 +92,21 @@ plain! {
             angle,
             velocity: [vx, vy].into(),
             angular_velocity,
+        },
+        |state, acceleration| {
+            let [v, a] = [state.velocity, acceleration.linear];
+            [v.x, v.y, state.angular_velocity, a.x, a.y, acceleration.angular]
         };
     Translation: 6, [3, 3],
         |state| {
             let [p, v] = [state.position, state.velocity];
             [p.x, p.y, p.z, v.x, v.y, v.z]
         },
-        |[x, y, z, vx, vy, vz]| Self { position: [x, y, z].into(), velocity: [vx, vy, vz].into() };
+        |[x, y, z, vx, vy, vz]| Self { position: [x, y, z].into(), velocity: [vx, vy, vz].into() },
+        |state, linear| {
+            let [v, a] = [state.velocity, *linear];
+            [v.x, v.y, v.z, a.x, a.y, a.z]
+        };
     Rotation: 7, [4, 3],
         |state| {
             let ([x, y, z, w], r) = (state.attitude.coords.into(), state.angular_velocity);
@@ -93,6 +115,10 @@ plain! {
         |[x, y, z, w, wx, wy, wz]| Self {
             attitude: unit([x, y, z, w]),
             angular_velocity: [wx, wy, wz].into(),
+        },
+        |state, angular| {
+            let ([x, y, z, w], b) = (kinematics(&state.attitude, &state.angular_velocity).coords.into(), *angular);
+            [x, y, z, w, b.x, b.y, b.z]
         },
         unit 0..4;
     Spatial: 13, [3, 4, 3, 3],
@@ -106,6 +132,11 @@ plain! {
             attitude: unit([x, y, z, w]),
             velocity: [vx, vy, vz].into(),
             angular_velocity: [wx, wy, wz].into(),
+        },
+        |state, acceleration| {
+            let [v, a, b] = [state.velocity, acceleration.linear, acceleration.angular];
+            let [x, y, z, w] = kinematics(&state.attitude, &state.angular_velocity).coords.into();
+            [v.x, v.y, v.z, x, y, z, w, a.x, a.y, a.z, b.x, b.y, b.z]
         },
         unit 3..7;
     Rod: 12, [3, 3, 3, 3],
@@ -121,11 +152,15 @@ plain! {
                 axis_rate: [rx, ry, rz].into(),
             }
         },
+        |state, acceleration| {
+            let [v, r, a, b] = [state.velocity, state.axis_rate, acceleration.linear, acceleration.axis];
+            [v.x, v.y, v.z, r.x, r.y, r.z, a.x, a.y, a.z, b.x, b.y, b.z]
+        },
         unit 3..6, across 9..12;
 }
 
 #[inline(always)]
-fn unit([x, y, z, w]: [f64; 4]) -> UnitQuaternion<f64> {
+fn unit<T: Scalar>([x, y, z, w]: [T; 4]) -> UnitQuaternion<T> {
     UnitQuaternion::new_unchecked(Quaternion {
         coords: Vector4::new(x, y, z, w),
     })
@@ -133,20 +168,24 @@ fn unit([x, y, z, w]: [f64; 4]) -> UnitQuaternion<f64> {
 
 /// Corrects the change of a unit vector by a Newton step.
 #[inline(always)]
-fn shorten(vector: &[f64], change: &mut [f64]) {
-    let sums = vector.iter().zip(change.iter()).map(|(x, d)| x + d);
-    let excess = sums.fold(-1.0, |square, sum| square + sum * sum);
+fn shorten<T: Scalar>(vector: &[T], change: &mut [T]) {
+    let [half, one] =
+        [(0.5, 0.5), (1.0, 1.0)].map(|(double, single)| vector[0].constant(double, single));
+    let sums = vector.iter().zip(change.iter()).map(|(x, d)| *x + *d);
+    let excess = sums.fold(-one, |square, sum| square + sum * sum);
     for (change, x) in change.iter_mut().zip(vector) {
-        *change -= 0.5 * excess * (x + *change);
+        *change -= half * excess * (*x + *change);
     }
 }
 
 /// Takes from a change of the rate of a unit vector what is along that vector.
 #[inline(always)]
-fn level(coordinates: &[f64], change: &mut [f64], unit: Range<usize>, rate: Range<usize>) {
-    let sum = |k: usize, change: &[f64]| coordinates[k] + change[k];
+fn level<T: Scalar>(coordinates: &[T], change: &mut [T], unit: Range<usize>, rate: Range<usize>) {
+    let sum = |k: usize, change: &[T]| coordinates[k] + change[k];
     let pairs = unit.clone().zip(rate.clone());
-    let along: f64 = pairs.map(|(u, r)| sum(u, change) * sum(r, change)).sum();
+    let along = pairs.fold(T::default(), |along, (u, r)| {
+        along + sum(u, change) * sum(r, change)
+    });
     for (u, r) in unit.zip(rate) {
         change[r] -= along * sum(u, change);
     }

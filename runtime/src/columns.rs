@@ -9,7 +9,7 @@ use nalgebra::{Unit, Vector2, Vector3, Vector4};
 
 use crate::body::{InvalidBody, RigidBody};
 use crate::scalar::Scalar;
-use crate::state::{State, generic};
+use crate::state::{Coordinates, generic};
 
 /// A type that is nothing but scalars.
 pub trait Columns<T: Scalar>: Clone + Debug + Send + Sync {
@@ -37,15 +37,18 @@ pub trait Sink<T> {
 
 /// A body over a scalar whose parts are all columns.
 pub trait Columnar<T: Scalar>:
-    RigidBody<Scalar = T, State: Columns<T> + State<Acceleration: Columns<T>>, Input: Columns<T>>
-    + Columns<T>
+    RigidBody<
+        Scalar = T,
+        State: Columns<T> + Coordinates<Acceleration: Columns<T>>,
+        Input: Columns<T>,
+    > + Columns<T>
 {
 }
 
 impl<T: Scalar, B: Columns<T>> Columnar<T> for B where
     B: RigidBody<
             Scalar = T,
-            State: Columns<T> + State<Acceleration: Columns<T>>,
+            State: Columns<T> + Coordinates<Acceleration: Columns<T>>,
             Input: Columns<T>,
         >
 {

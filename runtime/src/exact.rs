@@ -47,4 +47,8 @@ pub trait Path {
 
     /// The state at a time \[s\]; the path began at time zero, and negative times are before.
     fn at(&self, time: f64) -> Self::State;
+
+    /// A time \[s\] in which the motion does not change its course more than a few times: about that of a radian; infinite where it never
+    /// does.
+    fn pace(&self) -> f64;
 }

@@ -1,19 +1,64 @@
-//! Integration of the motion, generic over bodies.
+//! Integration of the motion.
 //!
-//! One method of order four with fixed steps, enough to move bodies: [`cf4`], and [`cf4_projected`] for bodies under constraints. Attitudes stay rotations because states are
-//! only ever moved along the group ([`State::moved`](crate::state::State::moved)).
+//! [`Integrate::integrate`] is the one way in: from a body and a state to the state at an end, to samples, steps or events, under inputs that are
+//! held or given by a controller, by the method that is best for the body or by another.
+//!
+//! | method | for | error, and what it keeps |
+//! |---|---|---|
+//! | [`ClosedForm`] | `outputs: [flow]` | rounding |
+//! | [`TaylorSeries`] | `outputs: [taylor]` | below a tolerance; rounding only, if that is small enough |
+//! | [`DormandPrince`] | every body | below a tolerance |
+//! | [`Fixed`]`<`[`DormandPrince8`]`>`, [`Tsitouras5`], [`Classical4`] | every body, ensembles | of order 8, 5, 4 in the step |
+//! | [`Fixed`]`<`[`Midpoint`]`>` | games: long runs in few steps | of order 2; energy does not drift |
+//! | [`Projected`] | bodies under constraints | that of the method it is given |
+//!
+//! Beside it are single steps and whole motions as functions: [`cf4`] on the group of rotations, for any [`RigidBody`](crate::body::RigidBody) over
+//! any scalar, [`taylor()`] and [`Motion`].
 
+#![allow(
+    clippy::float_cmp,
+    reason = "a motion is at a time, or it is not: it is put there"
+)]
+
+mod adaptive;
+mod closed_form;
 mod commutator_free;
+mod control;
+mod course;
+mod equations;
 mod error;
+mod event;
+mod fixed;
 mod instructions;
+mod integration;
+mod method;
+mod point;
+#[cfg(feature = "progress")]
+mod progress;
 mod projected;
+mod runge_kutta;
+mod series;
+mod size;
 mod step;
 mod taylor;
 
+pub use adaptive::{AdaptiveRun, DormandPrince};
+pub use closed_form::{ClosedForm, PathRun};
 pub use commutator_free::{cf4, cf4_step};
+pub use control::{Control, Held, Sampled};
+pub use course::{Events, Sample, Samples, Steps};
+pub use equations::Equations;
 pub use error::IntegrationError;
-pub use projected::cf4_projected;
-pub use step::{Event, Step};
+pub use event::Event;
+pub use fixed::{Fixed, FixedRun};
+pub use integration::{Integrate, Integration};
+pub use method::{Method, Run, Tolerant};
+pub use projected::{Projected, ProjectedRun, cf4_projected};
+pub use runge_kutta::{
+    Classical4, DormandPrince8, Midpoint, RungeKutta, Tsitouras5, runge_kutta_step,
+};
+pub use series::{SeriesRun, TaylorSeries};
+pub use step::Step;
 pub use taylor::{Motion, taylor, taylor_step};
 
 /// A number of steps: exact below 2⁵³.

@@ -6,6 +6,7 @@ pub use crate::body::{
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
 pub use crate::exact::Path as _;
 pub use crate::inertia::InertiaTensor;
+pub use crate::integrate::Integrate;
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::rigid_body;
 pub use crate::state::{

@@ -11,6 +11,7 @@ pub use crate::columns::{Columns, Generic, Sink, Source};
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
 pub use crate::exact::{Flight, FreeRotation, GreatCircle, Parabola, Path, Pendulum};
 use crate::inertia::check_turning;
+pub use crate::integrate::{ClosedForm, DormandPrince, Integrate, Projected, TaylorSeries};
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::operations::{Operations, Stage};
 pub use crate::scalar::Scalar;

@@ -27,7 +27,9 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
     let constrained = outline
         .is_constrained
         .then(|| emit_constrained(outline, functions));
-    core::iter::once(rigid_body)
+    let integrate = emit_integrate(outline);
+    [rigid_body, integrate]
+        .into_iter()
         .chain(constrained)
         .chain(outputs)
         .collect()
@@ -298,6 +300,26 @@ fn emit_inverse(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
             #inverse
         }
     }
+}
+
+/// With the method that is best for what the description asks for.
+fn emit_integrate(outline: &Outline) -> TokenStream {
+    let shapes = Shapes::double(outline);
+    let header = header(outline, &shapes.scalar, "Integrate");
+    let private = &shapes.private;
+    let method = if outline.outputs.contains(&Output::Flow) {
+        quote!(#private::ClosedForm)
+    } else if outline.outputs.contains(&Output::Taylor) {
+        quote!(#private::TaylorSeries)
+    } else {
+        quote!(#private::DormandPrince)
+    };
+    let method = if outline.is_constrained {
+        quote!(#private::Projected<#method>)
+    } else {
+        method
+    };
+    quote!(#header { type Best = #method; })
 }
 
 /// Elliptic functions are those of doubles.

@@ -43,6 +43,10 @@ impl Path for Flight<FreeRotation, 3> {
             angular_velocity,
         }
     }
+
+    fn pace(&self) -> f64 {
+        self.rotation.pace()
+    }
 }
 
 impl<R: Path<State = Hinge>> Path for Flight<R, 2> {
@@ -60,6 +64,10 @@ impl<R: Path<State = Hinge>> Path for Flight<R, 2> {
             angular_velocity,
         }
     }
+
+    fn pace(&self) -> f64 {
+        self.rotation.pace()
+    }
 }
 
 impl Path for Flight<GreatCircle, 3> {
@@ -73,5 +81,9 @@ impl Path for Flight<GreatCircle, 3> {
             axis,
             axis_rate,
         }
+    }
+
+    fn pace(&self) -> f64 {
+        self.rotation.pace()
     }
 }

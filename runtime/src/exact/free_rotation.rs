@@ -145,4 +145,8 @@ impl Path for FreeRotation {
             Motion::Circling(circling) => circling.at(time),
         }
     }
+
+    fn pace(&self) -> f64 {
+        1.0 / self.at(0.0).angular_velocity.norm()
+    }
 }

@@ -60,4 +60,10 @@ impl GreatCircle {
         let direction = self.across * cosine - self.axis * sine;
         (Unit::new_unchecked(axis), direction * self.rate.value())
     }
+
+    /// As [`Path::pace`](super::Path::pace).
+    #[must_use]
+    pub fn pace(&self) -> f64 {
+        1.0 / self.rate.value()
+    }
 }

@@ -48,6 +48,10 @@ impl Path for Parabola<3> {
             velocity: self.velocity_at(time),
         }
     }
+
+    fn pace(&self) -> f64 {
+        f64::INFINITY
+    }
 }
 
 impl Path for Parabola<2> {
@@ -59,6 +63,10 @@ impl Path for Parabola<2> {
             velocity: self.velocity_at(time),
         }
     }
+
+    fn pace(&self) -> f64 {
+        f64::INFINITY
+    }
 }
 
 impl Path for Parabola<1> {
@@ -69,5 +77,9 @@ impl Path for Parabola<1> {
             angle: self.position_at(time).x,
             angular_velocity: self.velocity_at(time).x,
         }
+    }
+
+    fn pace(&self) -> f64 {
+        f64::INFINITY
     }
 }

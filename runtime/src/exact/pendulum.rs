@@ -130,4 +130,8 @@ impl Path for Pendulum {
             angular_velocity: 2.0 * self.rate * speed,
         }
     }
+
+    fn pace(&self) -> f64 {
+        1.0 / self.phase.rate
+    }
 }

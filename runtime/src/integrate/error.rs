@@ -2,8 +2,11 @@
 
 use core::fmt;
 
+use crate::constrained::Inconsistent;
+
 /// The error of an integration, with the last state that is good and its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum IntegrationError<S> {
     /// The motion is not finite from here on: a force grows beyond bounds, or is none.
     NotFinite {
@@ -12,8 +15,8 @@ pub enum IntegrationError<S> {
         /// The state then.
         state: S,
     },
-    /// The step that the tolerance asks for is lost in the rounding of time: a singularity is near, or the tolerance is below
-    /// what doubles can hold.
+    /// The step that is asked for is lost in the rounding of time, or no number: a singularity is near, the tolerance is below what doubles can
+    /// hold, or a step or period that was given is not positive.
     StepTooSmall {
         /// \[s\]
         time: f64,
@@ -22,6 +25,37 @@ pub enum IntegrationError<S> {
         /// The step \[s\].
         step: f64,
     },
+    /// The state does not meet its constraints, and no state near by does: the first, or one after a step that is too long.
+    Inconsistent {
+        /// \[s\]
+        time: f64,
+        /// The last state that was good; the first, if there was none.
+        state: S,
+        /// Which constraint.
+        violated: Inconsistent,
+    },
+}
+
+impl<S> IntegrationError<S> {
+    /// When the last state was good \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::NotFinite { time, .. }
+            | Self::StepTooSmall { time, .. }
+            | Self::Inconsistent { time, .. } => *time,
+        }
+    }
+
+    /// The last state that was good.
+    #[must_use]
+    pub fn state(&self) -> &S {
+        match self {
+            Self::NotFinite { state, .. }
+            | Self::StepTooSmall { state, .. }
+            | Self::Inconsistent { state, .. } => state,
+        }
+    }
 }
 
 impl<S> fmt::Display for IntegrationError<S> {
@@ -30,8 +64,9 @@ impl<S> fmt::Display for IntegrationError<S> {
             Self::NotFinite { time, .. } => write!(f, "the motion is not finite after {time} s"),
             Self::StepTooSmall { time, step, .. } => write!(
                 f,
-                "at {time} s the tolerance asks for a step of {step:e} s, which is lost in rounding"
+                "at {time} s the step is {step:e} s, which is lost in rounding"
             ),
+            Self::Inconsistent { time, violated, .. } => write!(f, "at {time} s: {violated}"),
         }
     }
 }

@@ -1,11 +1,106 @@
-//! CF4 for bodies under constraints: each step ends on them.
+//! Methods for bodies under constraints: each step ends on them.
 
 use core::ops::Range;
 
 use crate::constrained::{Constrained, Inconsistent};
 
 use super::commutator_free::cf4_step;
+use super::error::IntegrationError;
 use super::exact;
+use super::method::{Method, Run, Tolerant};
+
+/// A method for bodies under constraints: the start and the end of every step are put on them by [`Constrained::project`]. What they forbid does not
+/// grow, and the order is that of the method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projected<M>(pub M);
+
+impl<M: Tolerant> Tolerant for Projected<M> {
+    fn with_tolerance(tolerance: f64) -> Self {
+        Self(M::with_tolerance(tolerance))
+    }
+}
+
+impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
+    type Run<'b>
+        = ProjectedRun<'b, B, M::Run<'b>>
+    where
+        B: 'b;
+
+    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
+        ProjectedRun {
+            body,
+            run: self.0.start(body, time, state),
+            is_on_constraints: false,
+        }
+    }
+}
+
+/// A motion that is put on its constraints after every step.
+#[derive(Debug)]
+pub struct ProjectedRun<'b, B, R> {
+    body: &'b B,
+    run: R,
+    is_on_constraints: bool,
+}
+
+impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
+    /// Puts the state of the motion on the constraints; `good` is the last that was there.
+    fn project(
+        &mut self,
+        input: &B::Input,
+        good: (f64, B::State),
+    ) -> Result<(), IntegrationError<B::State>> {
+        let mut state = self.run.state();
+        let projected = self.body.project(self.run.time(), &mut state, input);
+        projected.map_err(|violated| {
+            let (time, state) = good;
+            IntegrationError::Inconsistent {
+                time,
+                state,
+                violated,
+            }
+        })?;
+        self.run.replace(&state);
+        Ok(())
+    }
+}
+
+impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> {
+    const PLACES: usize = R::PLACES;
+
+    fn time(&self) -> f64 {
+        self.run.time()
+    }
+
+    fn state(&self) -> B::State {
+        self.run.state()
+    }
+
+    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+        let good = (self.run.time(), self.run.state());
+        if !self.is_on_constraints {
+            self.project(input, good.clone())?;
+            self.is_on_constraints = true;
+        }
+        self.run.advance(end, input)?;
+        self.project(input, good)
+    }
+
+    /// On the constraints, if a state near by is.
+    fn within(&self, time: f64, input: &B::Input) -> B::State {
+        let along = self.run.within(time, input);
+        let mut state = along.clone();
+        match self.body.project(time, &mut state, input) {
+            Ok(()) => state,
+            Err(_) => along,
+        }
+    }
+
+    fn replace(&mut self, state: &B::State) {
+        self.run.replace(state);
+        self.is_on_constraints = false;
+    }
+}
 
 /// As [`cf4`](super::cf4), with [`Constrained::project`] before the first step and at the end of each: what the constraints
 /// forbid does not grow, and the order is that of CF4.

@@ -20,6 +20,8 @@ use crate::taylor::{Series, Taylor, increment};
 use super::error::IntegrationError;
 use super::exact;
 use super::instructions::Expander;
+use super::method::{Method, Run};
+use super::series::TaylorSeries;
 use super::step::Step;
 
 /// How much of the permitted step is taken: roots are known to a few parts in a hundred.
@@ -57,24 +59,13 @@ pub fn taylor<B: Taylor>(
     times: Range<f64>,
     tolerance: f64,
 ) -> Result<B::State, IntegrationError<B::State>> {
-    match tolerance {
-        1e-4.. => end::<B, 9>(body, state, input, times, tolerance),
-        1e-7.. => end::<B, 13>(body, state, input, times, tolerance),
-        1e-10.. => end::<B, 17>(body, state, input, times, tolerance),
-        _ => end::<B, 21>(body, state, input, times, tolerance),
+    if !times.end.is_finite() {
+        let (time, state) = (times.start, state.clone());
+        return Err(IntegrationError::NotFinite { time, state });
     }
-}
-
-fn end<B: Taylor, const N: usize>(
-    body: &B,
-    state: &B::State,
-    input: &B::Input,
-    times: Range<f64>,
-    tolerance: f64,
-) -> Result<B::State, IntegrationError<B::State>> {
-    let mut motion = Motion::<B, N>::new(body, times.start, state);
-    while motion.step_towards(times.end, input, tolerance)?.is_some() {}
-    Ok(motion.state())
+    let mut run = TaylorSeries { tolerance }.start(body, times.start, state);
+    run.seek(times.end, times.end, input)?;
+    Ok(run.state())
 }
 
 /// The state one step \[s\] later, by N coefficients, which is of order N - 1; the input is held.
@@ -151,6 +142,17 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         }
     }
 
+    /// The step that was taken last, from when it began and how long it was.
+    pub(super) fn last(&self, start: f64, length: f64) -> Step<'_, B::State> {
+        Step::new(start, length, self.series.coefficients())
+    }
+
+    /// Goes on from another state at the same time.
+    pub(super) fn replace(&mut self, state: &B::State) {
+        self.coordinates = state.coordinates();
+        self.lost = Default::default();
+    }
+
     /// The time that the motion has come to \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
@@ -178,7 +180,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             return Ok(None);
         }
         let state = self.expand(input);
-        let (time, step) = (self.time, self.permitted(tolerance));
+        let (time, step) = (self.time, self.permitted(tolerance.max(0.0)));
         if step.is_nan() {
             return Err(IntegrationError::NotFinite { time, state });
         }

@@ -105,6 +105,9 @@ impl ::newton_euler::private::RigidBody for Glider {
         [angular_x, angular_y, angular_z].into()
     }
 }
+impl ::newton_euler::private::Integrate for Glider {
+    type Best = ::newton_euler::private::TaylorSeries;
+}
 impl ::newton_euler::private::Taylor for Glider {
     type Products<A: ::newton_euler::private::Arithmetic, const COUNT: usize> = ::newton_euler::private::Products<
         A,

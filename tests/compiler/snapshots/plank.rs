@@ -115,6 +115,9 @@ impl ::newton_euler::private::RigidBody for Plank {
         }
     }
 }
+impl ::newton_euler::private::Integrate for Plank {
+    type Best = ::newton_euler::private::DormandPrince;
+}
 impl ::newton_euler::private::Energy for Plank {
     fn kinetic_energy(&self, state: &::newton_euler::private::Planar) -> f64 {
         let [vx, vy]: [f64; 2] = state.velocity.into();

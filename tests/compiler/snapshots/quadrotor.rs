@@ -140,6 +140,9 @@ impl ::newton_euler::private::RigidBody for Quadrotor {
         }
     }
 }
+impl ::newton_euler::private::Integrate for Quadrotor {
+    type Best = ::newton_euler::private::DormandPrince;
+}
 impl ::newton_euler::private::Structured for Quadrotor {
     const STRUCTURE: ::newton_euler::private::Structure = ::newton_euler::private::Structure {
         linear: ::newton_euler::private::Dependence {

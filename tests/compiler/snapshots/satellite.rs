@@ -80,6 +80,9 @@ impl ::newton_euler::private::RigidBody for Satellite {
         [angular_x, angular_y, angular_z].into()
     }
 }
+impl ::newton_euler::private::Integrate for Satellite {
+    type Best = ::newton_euler::private::DormandPrince;
+}
 impl ::newton_euler::private::Balance for Satellite {
     type Wrench = ::newton_euler::private::Vector3<f64>;
     type Reactions = ();

@@ -113,6 +113,9 @@ impl<T: ::newton_euler::private::Scalar> ::newton_euler::private::RigidBody for 
         [angular_x, angular_y, zero].into()
     }
 }
+impl ::newton_euler::private::Integrate for Top<f64> {
+    type Best = ::newton_euler::private::DormandPrince;
+}
 impl<T: ::newton_euler::private::Scalar> ::newton_euler::private::Structured for Top<T> {
     const STRUCTURE: ::newton_euler::private::Structure = ::newton_euler::private::Structure {
         linear: ::newton_euler::private::Dependence::NOTHING,

@@ -117,6 +117,9 @@ impl ::newton_euler::private::RigidBody for Towed {
         }
     }
 }
+impl ::newton_euler::private::Integrate for Towed {
+    type Best = ::newton_euler::private::ClosedForm;
+}
 impl ::newton_euler::private::Flow for Towed {
     type Path = ::newton_euler::private::Flight<::newton_euler::private::Pendulum, 2>;
     fn path(

@@ -1,0 +1,189 @@
+//! Steps as long as the tolerance permits, by DOP853.
+
+use core::fmt;
+
+use crate::body::RigidBody;
+use crate::private::math::powf;
+use crate::state::Coordinates;
+
+use super::equations::Equations;
+use super::error::IntegrationError;
+use super::method::{Method, Run, Tolerant};
+use super::point::Point;
+use super::runge_kutta::{DormandPrince8, runge_kutta_step};
+use super::size::relative_size;
+
+/// How much of the step that the last error permits is taken, and how much a step may change.
+const SAFETY: f64 = 0.9;
+const SHRINK: f64 = 1.0 / 3.0;
+const GROW: f64 = 6.0;
+
+/// DOP853: [`DormandPrince8`] with steps as long as the tolerance permits.
+///
+/// For every body, smooth or not: of loads with `if`, `abs` and the like it takes short steps where they switch. Between the ends of a step, states
+/// are those of a shorter step from its start, of the same accuracy as the end.
+///
+/// E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, 1993, II.4, II.5, II.10: the error is estimated from
+/// differences to methods of orders 5 and 3, `e₅² / √(e₅² + e₃²/100)`, and the next step is 0.9 (tolerance / error)^(1/8) times as long.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DormandPrince {
+    /// How large the error of a step may be: see [`Tolerant`].
+    pub tolerance: f64,
+}
+
+impl Tolerant for DormandPrince {
+    fn with_tolerance(tolerance: f64) -> Self {
+        Self { tolerance }
+    }
+}
+
+impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for DormandPrince {
+    type Run<'b>
+        = AdaptiveRun<'b, B>
+    where
+        B: 'b;
+
+    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> AdaptiveRun<'b, B> {
+        let now = Point::new(time, state);
+        AdaptiveRun {
+            body,
+            tolerance: self.tolerance,
+            before: (time, now.coordinates),
+            now,
+            next: None,
+        }
+    }
+}
+
+/// A motion in steps as long as its tolerance permits.
+pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>> {
+    body: &'b B,
+    tolerance: f64,
+    now: Point<B::State>,
+    /// Where the step taken last began.
+    before: (f64, <B::State as Coordinates>::Array),
+    /// How long the next step may be.
+    next: Option<f64>,
+}
+
+impl<B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug for AdaptiveRun<'_, B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AdaptiveRun")
+            .field("tolerance", &self.tolerance)
+            .field("time", &self.now.time)
+            .field("next", &self.next)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, B> {
+    const PLACES: usize = 4;
+
+    fn time(&self) -> f64 {
+        self.now.time
+    }
+
+    fn state(&self) -> B::State {
+        self.now.state()
+    }
+
+    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+        let equations = Equations {
+            body: self.body,
+            input,
+        };
+        let (time, coordinates) = (self.now.time, self.now.coordinates);
+        let rest = self.now.rest(end);
+        let mut permitted = match self.next {
+            Some(next) => next,
+            None => self.first(&equations, rest),
+        };
+        let (mut longest, mut error) = (GROW, 0.0_f64);
+        loop {
+            let is_last = permitted >= rest.abs();
+            let step = if is_last {
+                rest
+            } else {
+                permitted.copysign(rest)
+            };
+            if step.is_nan() {
+                return Err(self.now.not_finite());
+            }
+            if (time + step) - time == 0.0 && !is_last {
+                return Err(if error.is_nan() {
+                    self.now.not_finite()
+                } else {
+                    self.now.step_too_small(step)
+                });
+            }
+            let [change, fifth, third] = DormandPrince8::sums(&equations, time, &coordinates, step);
+            let [fifth, third] =
+                [fifth, third].map(|e| relative_size::<B::State>(&e, &coordinates));
+            error = if fifth == 0.0 {
+                0.0
+            } else {
+                fifth * (fifth / libm::sqrt(fifth * fifth + 0.01 * third * third))
+            };
+            let factor = SAFETY * powf(self.tolerance / error, 0.125);
+            // of no number the shortest step
+            let factor = if factor >= SHRINK {
+                factor.min(longest)
+            } else {
+                SHRINK
+            };
+            if error <= self.tolerance {
+                let next = step.abs() * factor;
+                // a step cut short at the end says little about the next
+                self.next = Some(if is_last { next.max(permitted) } else { next });
+                self.before = (time, coordinates);
+                return if is_last {
+                    self.now.arrive(change, end)
+                } else {
+                    self.now.advance(change, step)
+                };
+            }
+            permitted = step.abs() * factor;
+            longest = 1.0;
+        }
+    }
+
+    fn replace(&mut self, state: &B::State) {
+        self.now.replace(state);
+    }
+
+    fn within(&self, time: f64, input: &B::Input) -> B::State {
+        let (start, coordinates) = &self.before;
+        let before = B::State::from_coordinates(coordinates);
+        runge_kutta_step::<DormandPrince8, B>(self.body, *start, &before, input, time - start)
+    }
+}
+
+impl<B: RigidBody<Scalar = f64, State: Coordinates>> AdaptiveRun<'_, B> {
+    /// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4).
+    fn first(&self, equations: &Equations<'_, B>, rest: f64) -> f64 {
+        let (time, coordinates) = (self.now.time, self.now.coordinates);
+        let size = |change| relative_size::<B::State>(change, &coordinates);
+        let rates = equations.rates(time, &coordinates);
+        let speed = size(&rates);
+        let short = (if speed > 0.0 { 1e-4 / speed } else { 1e-6 })
+            .min(rest.abs())
+            .copysign(rest);
+        let mut there = coordinates;
+        for (coordinate, rate) in there.as_mut().iter_mut().zip(rates.as_ref()) {
+            *coordinate += short * rate;
+        }
+        let mut difference = equations.rates(time + short, &there);
+        for (difference, rate) in difference.as_mut().iter_mut().zip(rates.as_ref()) {
+            *difference = (*difference - rate) / short;
+        }
+        let curvature = libm::sqrt(size(&difference));
+        let pace = if speed >= curvature { speed } else { curvature };
+        if pace > 0.0 {
+            powf(self.tolerance, 0.125) / pace
+        } else if pace == 0.0 {
+            rest.abs()
+        } else {
+            pace
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Motions in closed form, as a method of integration.
+
+use core::fmt;
+
+use crate::body::Flow;
+use crate::exact::Path;
+use crate::state::Coordinates;
+
+use super::error::IntegrationError;
+use super::method::{Method, Run, Tolerant};
+
+/// The closed form of [`Flow`]: no steps at all, and errors of rounding only. A tolerance changes nothing.
+///
+/// Events are looked for in 16 places of every [`Path::pace`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ClosedForm;
+
+impl Tolerant for ClosedForm {
+    fn with_tolerance(_: f64) -> Self {
+        Self
+    }
+}
+
+impl<B: Flow<Scalar = f64, State: Coordinates>> Method<B> for ClosedForm {
+    type Run<'b>
+        = PathRun<'b, B>
+    where
+        B: 'b;
+
+    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> PathRun<'b, B> {
+        PathRun {
+            body,
+            path: body.path(state),
+            start: time,
+            time,
+        }
+    }
+}
+
+/// A motion along its path.
+pub struct PathRun<'b, B: Flow> {
+    body: &'b B,
+    path: B::Path,
+    start: f64,
+    time: f64,
+}
+
+impl<B: Flow> fmt::Debug for PathRun<'_, B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("PathRun")
+            .field("start", &self.start)
+            .field("time", &self.time)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
+    const PLACES: usize = 16;
+
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn state(&self) -> B::State {
+        self.path.at(self.time - self.start)
+    }
+
+    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+        let (time, rest) = (self.time, end - self.time);
+        let step = self.path.pace().min(rest.abs()).copysign(rest);
+        let next = if step == rest { end } else { time + step };
+        if next == time {
+            let state = self.state();
+            return Err(IntegrationError::StepTooSmall { time, state, step });
+        }
+        self.seek(next, end, input)
+    }
+
+    fn within(&self, time: f64, _input: &B::Input) -> B::State {
+        self.path.at(time - self.start)
+    }
+
+    fn replace(&mut self, state: &B::State) {
+        self.path = self.body.path(state);
+        self.start = self.time;
+    }
+
+    fn seek(
+        &mut self,
+        time: f64,
+        _end: f64,
+        _input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>> {
+        let state = self.path.at(time - self.start);
+        if !state.coordinates().as_ref().iter().sum::<f64>().is_finite() {
+            let (time, state) = (self.time, self.state());
+            return Err(IntegrationError::NotFinite { time, state });
+        }
+        self.time = time;
+        Ok(())
+    }
+}

@@ -1,0 +1,113 @@
+//! Where a function of time and state is zero along a motion.
+
+/// A zero of a function of time and state along a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event<S> {
+    /// \[s\]
+    pub time: f64,
+    /// The state then.
+    pub state: S,
+    /// Whether the function grows with time.
+    pub rises: bool,
+}
+
+/// A search for zeros within one step, in the order of the motion: the start does not count, the end does.
+///
+/// The sign is looked at in some places; of zeros closer to each other than these, an even number is not seen. A zero is found to
+/// the rounding of the function and of time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Search {
+    start: f64,
+    length: f64,
+    places: usize,
+    /// How many places have been looked at, and the value at the last of them.
+    seen: usize,
+    before: f64,
+}
+
+impl Search {
+    /// In a step, from the value of the function at its start.
+    pub(super) fn new(start: f64, length: f64, places: usize, value: f64) -> Self {
+        Self {
+            start,
+            length,
+            places,
+            seen: 0,
+            before: value,
+        }
+    }
+
+    /// The next zero, of a function of time and state along the states of a step.
+    pub(super) fn next<S>(
+        &mut self,
+        state: impl Fn(f64) -> S,
+        function: impl Fn(f64, &S) -> f64,
+    ) -> Option<Event<S>> {
+        let place = |k: usize| self.length * (super::exact(k) / super::exact(self.places));
+        let value = |after: f64| function(self.start + after, &state(self.start + after));
+        while self.seen < self.places {
+            let [from, to] = [place(self.seen), place(self.seen + 1)];
+            let (last, next) = (self.before, value(to));
+            self.seen += 1;
+            self.before = next;
+            let crosses = last != 0.0 && (next == 0.0 || (last < 0.0) != (next < 0.0));
+            if crosses && !next.is_nan() && !last.is_nan() {
+                let time = self.start + bracketed(value, [from, to], [last, next]);
+                return Some(Event {
+                    time,
+                    state: state(time),
+                    rises: (last < 0.0) == (self.length > 0.0),
+                });
+            }
+        }
+        None
+    }
+}
+
+/// The zero of a function between two places where it has different signs, by the method ITP.
+///
+/// I. F. D. Oliveira, R. H. C. Takahashi, An enhancement of the bisection method average performance preserving minmax
+/// optimality, ACM Transactions on Mathematical Software 47 (2020) 5: regula falsi, truncated and kept so near to the middle that
+/// no more steps are taken than by bisection and one.
+fn bracketed(
+    value: impl Fn(f64) -> f64,
+    [mut a, mut b]: [f64; 2],
+    [mut of_a, mut of_b]: [f64; 2],
+) -> f64 {
+    if of_b == 0.0 {
+        return b;
+    }
+    let width = (b - a).abs();
+    let finest = 0.5 * f64::EPSILON * width;
+    // what bisection would have left after so many steps, and one more
+    let mut permitted = width;
+    while (b - a).abs() > 2.0 * finest {
+        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+        let secant = (of_b * a - of_a * b) / (of_b - of_a);
+        let side = 1.0_f64.copysign(middle - secant);
+        let truncation = 0.2 / width * (b - a) * (b - a);
+        let truncated = if truncation <= (middle - secant).abs() {
+            secant + side * truncation
+        } else {
+            middle
+        };
+        let reach = (permitted - half.abs()).max(0.0);
+        let next = if (truncated - middle).abs() <= reach {
+            truncated
+        } else {
+            middle - side * reach
+        };
+        permitted *= 0.5;
+        let of_next = value(next);
+        let is_between = a.min(b) < next && next < a.max(b);
+        if of_next == 0.0 || !is_between {
+            return next;
+        }
+        if (of_next < 0.0) == (of_a < 0.0) {
+            (a, of_a) = (next, of_next);
+        } else {
+            (b, of_b) = (next, of_next);
+        }
+    }
+    0.5 * (a + b)
+}

@@ -1,0 +1,263 @@
+//! One way to integrate: what is to be known beside a body and a state, and what comes out.
+
+use core::fmt;
+
+use crate::body::RigidBody;
+
+use super::control::{Control, Held, Sampled};
+use super::course::{Course, Events, Samples, Steps};
+use super::error::IntegrationError;
+use super::method::{Method, Run, Tolerant};
+
+/// How large the error of a step may be where nobody says.
+const TOLERANCE: f64 = 1e-9;
+
+/// A body whose motion can be integrated, with the method that is best for it.
+///
+/// [`rigid_body!`](crate::rigid_body) implements it: the [`ClosedForm`](super::ClosedForm) with `outputs: [flow]`, Taylor series
+/// ([`TaylorSeries`](super::TaylorSeries)) with `outputs: [taylor]`, for all others [`DormandPrince`](super::DormandPrince), under constraints
+/// [`Projected`](super::Projected). By hand it is one line:
+///
+/// ```
+/// use newton_euler::{integrate::DormandPrince, prelude::*};
+/// use nalgebra::Vector2;
+///
+/// struct Thrown { drag: f64 }
+///
+/// impl RigidBody for Thrown {
+///     type Scalar = f64;
+///     type State = PlanarTranslation;
+///     type Input = ();
+///
+///     fn acceleration(&self, _: f64, state: &PlanarTranslation, (): &()) -> Vector2<f64> {
+///         Vector2::new(0.0, -9.8) - state.velocity * (self.drag * state.velocity.norm())
+///     }
+/// }
+///
+/// impl Integrate for Thrown {
+///     type Best = DormandPrince;
+/// }
+///
+/// let start = PlanarTranslation { velocity: [20.0, 20.0].into(), ..PlanarTranslation::default() };
+/// let thrown = Thrown { drag: 0.01 };
+/// let mut ground = thrown.integrate(&start).events(10.0, |_, state| state.position.y);
+/// let landing = ground.next().expect("it falls")?;
+/// assert!((3.0..4.0).contains(&landing.time) && !landing.rises);
+/// # Ok::<(), newton_euler::integrate::IntegrationError<PlanarTranslation>>(())
+/// ```
+pub trait Integrate: RigidBody<Scalar = f64> + Sized {
+    /// The method that is best for it.
+    type Best: Method<Self> + Tolerant;
+
+    /// Integrates the motion from a state on: at time zero, under the default input, with errors of 1e-9 a step, by [`Self::Best`], all of which
+    /// [`Integration`] can change.
+    fn integrate(
+        &self,
+        state: &Self::State,
+    ) -> Integration<'_, Self, Self::Best, Held<Self::Input>> {
+        Integration {
+            body: self,
+            start: 0.0,
+            state: state.clone(),
+            method: Self::Best::with_tolerance(TOLERANCE),
+            control: Held(Self::Input::default()),
+            #[cfg(feature = "progress")]
+            shows_progress: false,
+        }
+    }
+}
+
+/// A motion that is to be integrated.
+///
+/// First what is to be known ([`starting_at`](Self::starting_at), [`tolerance`](Self::tolerance), [`method`](Self::method), [`input`](Self::input),
+/// [`control`](Self::control)), then what is asked: the state at the end ([`to`](Self::to)), or an iterator of [`samples`](Self::samples), of
+/// [`steps`](Self::steps), of [`events`](Self::events). Time may run backwards. What ends a motion before its time is an
+/// [`IntegrationError`], with the last state that is good; an iterator gives it as its last item.
+///
+/// ```
+/// use newton_euler::prelude::*;
+///
+/// rigid_body!(Elevator {
+///     motion: translation,
+///     inputs: [pull[N]],
+///     mass: 800[kg],
+///     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+///     forces: [rope = world(0, 0, pull)],
+///     outputs: [taylor],
+/// });
+///
+/// // a controller that is asked a hundred times a second, and drives to 12 m
+/// let pull = |_time, state: &Translation| {
+///     let (high, rises) = (state.position.z, state.velocity.z);
+///     ElevatorInput { pull: 800.0 * (9.80665 + (12.0 - high) - 2.0 * rises) }
+/// };
+/// let (elevator, ground) = (Elevator::default(), Translation::default());
+/// let motion = elevator.integrate(&ground).control(0.01, pull);
+/// for sample in motion.samples(15.0, 1.0) {
+///     let Sample { time, state } = sample?;
+///     println!("{time} s: {} m", state.position.z);
+/// }
+/// let end = elevator.integrate(&ground).control(0.01, pull).tolerance(1e-12).to(15.0)?;
+/// assert!((end.position.z - 12.0).abs() < 1e-4);
+/// # use newton_euler::integrate::Sample;
+/// # Ok::<(), newton_euler::integrate::IntegrationError<Translation>>(())
+/// ```
+#[must_use = "nothing moves until an end is given"]
+pub struct Integration<'b, B: RigidBody, M, C> {
+    body: &'b B,
+    start: f64,
+    state: B::State,
+    method: M,
+    control: C,
+    #[cfg(feature = "progress")]
+    shows_progress: bool,
+}
+
+impl<B: RigidBody, M: fmt::Debug, C> fmt::Debug for Integration<'_, B, M, C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Integration")
+            .field("start", &self.start)
+            .field("method", &self.method)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'b, B, M, C> Integration<'b, B, M, C>
+where
+    B: RigidBody<Scalar = f64>,
+    M: Method<B>,
+    C: Control<B::State, B::Input>,
+{
+    /// Begins at this time \[s\] and not at zero.
+    pub fn starting_at(self, time: f64) -> Self {
+        Self {
+            start: time,
+            ..self
+        }
+    }
+
+    /// With this tolerance: see [`Tolerant::with_tolerance`].
+    pub fn tolerance(self, tolerance: f64) -> Self
+    where
+        M: Tolerant,
+    {
+        self.method(M::with_tolerance(tolerance))
+    }
+
+    /// By another method, such as [`Fixed`](super::Fixed).
+    pub fn method<N: Method<B>>(self, method: N) -> Integration<'b, B, N, C> {
+        let Self {
+            body,
+            start,
+            state,
+            control,
+            ..
+        } = self;
+        Integration {
+            body,
+            start,
+            state,
+            method,
+            control,
+            #[cfg(feature = "progress")]
+            shows_progress: self.shows_progress,
+        }
+    }
+
+    /// Under an input that is held from the start to the end.
+    pub fn input(self, input: B::Input) -> Integration<'b, B, M, Held<B::Input>> {
+        self.under(Held(input))
+    }
+
+    /// Under inputs that a function of time and state gives at the start and every so many seconds after, each held until the next (zero-order
+    /// hold), as by a controller.
+    pub fn control<F: FnMut(f64, &B::State) -> B::Input>(
+        self,
+        period: f64,
+        function: F,
+    ) -> Integration<'b, B, M, Sampled<F>> {
+        self.under(Sampled::new(period, function))
+    }
+
+    fn under<D>(self, control: D) -> Integration<'b, B, M, D> {
+        let Self {
+            body,
+            start,
+            state,
+            method,
+            ..
+        } = self;
+        Integration {
+            body,
+            start,
+            state,
+            method,
+            control,
+            #[cfg(feature = "progress")]
+            shows_progress: self.shows_progress,
+        }
+    }
+
+    /// Shows a bar on standard error, with how far the motion has come and the time that it will take. Nothing is shown where standard error is
+    /// no terminal.
+    #[cfg(feature = "progress")]
+    pub fn progress(self) -> Self {
+        Self {
+            shows_progress: true,
+            ..self
+        }
+    }
+
+    /// The state at the end \[s\].
+    ///
+    /// # Errors
+    /// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers.
+    pub fn to(self, end: f64) -> Result<B::State, IntegrationError<B::State>> {
+        let mut course = self.course(end);
+        course.seek(end)?;
+        Ok(course.run.state())
+    }
+
+    /// The states at the start and every so many seconds after, up to the end \[s\], that included. Steps are as long as they would be otherwise.
+    pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B> {
+        Samples::new(self.course(end), period)
+    }
+
+    /// The state at the end of every step, up to the end \[s\].
+    pub fn steps(self, end: f64) -> Steps<M::Run<'b>, C, B> {
+        Steps {
+            course: self.course(end),
+            is_over: false,
+        }
+    }
+
+    /// Where a function of time and state changes its sign, up to the end \[s\], in both directions, as the motion comes to it; a zero at the
+    /// start is none.
+    ///
+    /// The sign is looked at in some places of every step: of zeros closer to each other than these, an even number is not seen. A zero is found
+    /// to the rounding of the function and of time.
+    pub fn events<F: Fn(f64, &B::State) -> f64>(
+        self,
+        end: f64,
+        function: F,
+    ) -> Events<M::Run<'b>, C, B, F> {
+        Events {
+            course: self.course(end),
+            function,
+            search: None,
+            is_over: false,
+        }
+    }
+
+    fn course(self, end: f64) -> Course<M::Run<'b>, C, B> {
+        #[cfg(feature = "progress")]
+        let bar = self
+            .shows_progress
+            .then(|| super::progress::Bar::new(self.start..end));
+        let start = (self.start, &self.state);
+        let course = Course::new(self.body, self.method, self.control, start, end);
+        #[cfg(feature = "progress")]
+        let course = Course { bar, ..course };
+        course
+    }
+}

@@ -1,0 +1,98 @@
+//! How far a motion has come.
+
+use crate::scalar::Scalar;
+use crate::state::Coordinates;
+
+use super::error::IntegrationError;
+
+/// A time and a state to which others are added, with what was lost in rounding them: over long runs rounding grows with the square root
+/// of the number of steps and not with the number (W. Kahan, Comm. ACM 8 (1965) 40).
+pub(super) struct Point<S: Coordinates<Scalar = f64>> {
+    pub(super) time: f64,
+    pub(super) coordinates: S::Array,
+    late: f64,
+    lost: S::Array,
+}
+
+impl<S: Coordinates<Scalar = f64>> Point<S> {
+    pub(super) fn new(time: f64, state: &S) -> Self {
+        Self {
+            time,
+            coordinates: state.coordinates(),
+            late: 0.0,
+            lost: S::Array::default(),
+        }
+    }
+
+    pub(super) fn state(&self) -> S {
+        S::from_coordinates(&self.coordinates)
+    }
+
+    /// Another state at the same time.
+    pub(super) fn replace(&mut self, state: &S) {
+        self.coordinates = state.coordinates();
+        self.lost = S::Array::default();
+    }
+
+    /// The time left until another.
+    #[inline(always)]
+    pub(super) fn rest(&self, end: f64) -> f64 {
+        (end - self.time) + self.late
+    }
+
+    /// Moves on by a change of coordinates in a step \[s\].
+    #[inline(always)]
+    pub(super) fn advance(
+        &mut self,
+        mut change: S::Array,
+        step: f64,
+    ) -> Result<(), IntegrationError<S>> {
+        S::keep(&self.coordinates, &mut change);
+        if !change.as_ref().iter().sum::<f64>().is_finite() {
+            return Err(self.not_finite());
+        }
+        add(&mut self.coordinates, &mut self.lost, &change);
+        (self.time, self.late) = compensated(self.time, self.late, step);
+        Ok(())
+    }
+
+    /// The same, to a time that is known.
+    #[inline(always)]
+    pub(super) fn arrive(&mut self, change: S::Array, end: f64) -> Result<(), IntegrationError<S>> {
+        self.advance(change, 0.0)?;
+        (self.time, self.late) = (end, 0.0);
+        Ok(())
+    }
+
+    pub(super) fn not_finite(&self) -> IntegrationError<S> {
+        IntegrationError::NotFinite {
+            time: self.time,
+            state: self.state(),
+        }
+    }
+
+    pub(super) fn step_too_small(&self, step: f64) -> IntegrationError<S> {
+        IntegrationError::StepTooSmall {
+            time: self.time,
+            state: self.state(),
+            step,
+        }
+    }
+}
+
+/// Adds to all coordinates, with what was lost of each.
+#[inline(always)]
+pub(crate) fn add<T: Scalar, A: AsRef<[T]> + AsMut<[T]>>(sums: &mut A, lost: &mut A, change: &A) {
+    let places = sums.as_mut().iter_mut().zip(lost.as_mut());
+    for ((sum, lost), change) in places.zip(change.as_ref()) {
+        (*sum, *lost) = compensated(*sum, *lost, *change);
+    }
+}
+
+/// A sum, and what was lost in rounding it.
+#[inline(always)]
+pub(super) fn compensated<T: Scalar>(sum: T, lost: T, change: T) -> (T, T) {
+    let change = change + lost;
+    let next = sum + change;
+    (next, change - (next - sum))
+}

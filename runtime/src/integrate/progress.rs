@@ -1,0 +1,50 @@
+//! A bar on standard error that shows how far a motion has come.
+
+use core::cell::Cell;
+use core::ops::Range;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// In how many parts a motion is shown.
+const PARTS: u32 = 1000;
+
+/// A bar for a span of time.
+#[derive(Debug)]
+pub(super) struct Bar {
+    shown_as: ProgressBar,
+    span: Range<f64>,
+    /// The part that is shown.
+    shown: Cell<u64>,
+}
+
+impl Bar {
+    pub(super) fn new(span: Range<f64>) -> Self {
+        let style = ProgressStyle::with_template("{bar:40} {percent} %, {eta} left");
+        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+        Self {
+            shown_as: ProgressBar::new(u64::from(PARTS)).with_style(style),
+            span,
+            shown: Cell::new(0),
+        }
+    }
+
+    /// Shows a time.
+    pub(super) fn show(&self, time: f64) {
+        let part = (time - self.span.start) / (self.span.end - self.span.start);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "what is no part is shown as zero"
+        )]
+        let part = (part * f64::from(PARTS)) as u64;
+        if part != self.shown.replace(part) {
+            self.shown_as.set_position(part);
+        }
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.shown_as.finish_and_clear();
+    }
+}

@@ -1,0 +1,106 @@
+//! Taylor series as a method of integration.
+
+use core::fmt;
+
+use crate::taylor::Taylor;
+
+use super::error::IntegrationError;
+use super::method::{Method, Run, Tolerant};
+use super::step;
+use super::taylor::Motion;
+
+/// Taylor series, of the order that belongs to the tolerance: see [`taylor()`](super::taylor()). States between the ends of a step cost next to
+/// nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TaylorSeries {
+    /// How large the error of a step may be: see [`Tolerant`].
+    pub tolerance: f64,
+}
+
+impl Tolerant for TaylorSeries {
+    fn with_tolerance(tolerance: f64) -> Self {
+        Self { tolerance }
+    }
+}
+
+/// Motions of the orders that there are, and what is done with any of them.
+macro_rules! orders {
+    ($($least:pat => $order:ident $count:literal,)*) => {
+        enum Motions<'b, B: Taylor> {
+            $($order(Motion<'b, B, $count>),)*
+        }
+
+        impl<B: Taylor> Method<B> for TaylorSeries {
+            type Run<'b> = SeriesRun<'b, B> where B: 'b;
+
+            fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> SeriesRun<'b, B> {
+                let motion = match self.tolerance {
+                    $($least => Motions::$order(Motion::new(body, time, state)),)*
+                };
+                SeriesRun { motion, tolerance: self.tolerance, start: time, length: 0.0 }
+            }
+        }
+
+        /// Does something with the motion, of whatever order.
+        macro_rules! with {
+            ($of:expr, $motion:ident => $what:expr) => {
+                match $of {
+                    $(Motions::$order($motion) => $what,)*
+                }
+            };
+        }
+    };
+}
+
+orders! {
+    1e-4.. => Eight 9,
+    1e-7.. => Twelve 13,
+    1e-10.. => Sixteen 17,
+    _ => Twenty 21,
+}
+
+/// A motion along its series.
+pub struct SeriesRun<'b, B: Taylor> {
+    motion: Motions<'b, B>,
+    tolerance: f64,
+    /// Where the step taken last began \[s\], and how long it was.
+    start: f64,
+    length: f64,
+}
+
+impl<B: Taylor> fmt::Debug for SeriesRun<'_, B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        with!(&self.motion, motion => motion.fmt(f))
+    }
+}
+
+impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
+    const PLACES: usize = step::PLACES;
+
+    fn time(&self) -> f64 {
+        with!(&self.motion, motion => motion.time())
+    }
+
+    fn state(&self) -> B::State {
+        with!(&self.motion, motion => motion.state())
+    }
+
+    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+        let step = with!(&mut self.motion, motion => {
+            let step = motion.step_towards(end, input, self.tolerance)?;
+            step.map(|step| (step.start(), step.end() - step.start()))
+        });
+        if let Some(step) = step {
+            (self.start, self.length) = step;
+        }
+        Ok(())
+    }
+
+    fn within(&self, time: f64, _input: &B::Input) -> B::State {
+        with!(&self.motion, motion => motion.last(self.start, self.length).at(time))
+    }
+
+    fn replace(&mut self, state: &B::State) {
+        with!(&mut self.motion, motion => motion.replace(state));
+    }
+}

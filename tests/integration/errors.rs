@@ -1,0 +1,175 @@
+//! What ends a motion, with the last state that is good: values, no panics, and nothing runs for ever.
+
+use newton_euler::integrate::{Classical4, DormandPrince8, Fixed, IntegrationError, Midpoint};
+use newton_euler::prelude::*;
+
+use crate::scenes::{
+    Cart, CartInput, Collapse, ExactPendulum, Pendulum, SeriesCollapse, SeriesPendulum,
+};
+
+const START: Hinge = Hinge {
+    angle: 2.0,
+    angular_velocity: 0.0,
+};
+
+/// From rest at 1 m the origin is reached after π/2 √(1/2) s.
+#[test]
+fn a_singularity() {
+    let start = Translation {
+        position: [1.0, 0.0, 0.0].into(),
+        ..Translation::default()
+    };
+    let collapse = std::f64::consts::PI / 2.0 * 0.5_f64.sqrt();
+    let by_stages = Collapse::default().integrate(&start).to(3.0).unwrap_err();
+    let by_series = SeriesCollapse::default()
+        .integrate(&start)
+        .to(3.0)
+        .unwrap_err();
+    for error in [by_stages, by_series] {
+        let (time, state) = (error.time(), error.state());
+        assert!((time - collapse).abs() < 1e-3, "{time}");
+        assert!(
+            state.position.x.abs() < 0.02 && state.velocity.x < -10.0,
+            "{state:?}"
+        );
+    }
+}
+
+/// The last item of an iterator is the error, and after it there is none.
+#[test]
+fn iterators_end_with_the_error() {
+    let start = Translation {
+        position: [1.0, 0.0, 0.0].into(),
+        ..Translation::default()
+    };
+    let body = Collapse::default();
+    let samples: Vec<_> = body.integrate(&start).samples(3.0, 0.1).collect();
+    assert_eq!(samples.len(), 13);
+    assert!(samples[..12].iter().all(Result::is_ok) && samples[12].is_err());
+    let mut steps = body.integrate(&start).steps(3.0).skip_while(Result::is_ok);
+    assert!(steps.next().unwrap().is_err() && steps.next().is_none());
+    let mut events = body
+        .integrate(&start)
+        .events(3.0, |_, state| state.position.x - 0.5);
+    assert!((events.next().unwrap().unwrap().state.position.x - 0.5).abs() < 1e-12);
+    assert!(events.next().unwrap().is_err() && events.next().is_none());
+}
+
+/// Numbers that are none, everywhere.
+#[test]
+fn what_is_no_number() {
+    let (body, series, exact) = (
+        Pendulum::default(),
+        SeriesPendulum::default(),
+        ExactPendulum::default(),
+    );
+    for end in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(body.integrate(&START).to(end).is_err());
+        assert!(series.integrate(&START).to(end).is_err());
+        assert!(exact.integrate(&START).to(end).is_err());
+        assert!(
+            body.integrate(&START)
+                .samples(end, 0.1)
+                .any(|sample| sample.is_err())
+        );
+        assert!(
+            body.integrate(&START)
+                .events(end, |_, _| 1.0)
+                .any(|event| event.is_err())
+        );
+    }
+    for tolerance in [f64::NAN, 0.0, -1.0] {
+        assert!(
+            body.integrate(&START).tolerance(tolerance).to(1.0).is_err(),
+            "{tolerance}"
+        );
+        assert!(
+            series
+                .integrate(&START)
+                .tolerance(tolerance)
+                .to(1.0)
+                .is_err(),
+            "{tolerance}"
+        );
+    }
+    for step in [f64::NAN, 0.0, -0.1] {
+        assert!(
+            body.integrate(&START)
+                .method(Fixed {
+                    method: Classical4,
+                    step
+                })
+                .to(1.0)
+                .is_err()
+        );
+    }
+    for every in [f64::NAN, 0.0, -0.1] {
+        assert!(
+            body.integrate(&START)
+                .samples(1.0, every)
+                .any(|sample| sample.is_err())
+        );
+    }
+    for state in [f64::NAN, f64::INFINITY] {
+        let start = Hinge {
+            angle: state,
+            angular_velocity: 0.0,
+        };
+        assert!(matches!(
+            body.integrate(&start).to(1.0),
+            Err(IntegrationError::NotFinite { time: 0.0, .. })
+        ));
+        assert!(
+            series.integrate(&start).to(1.0).is_err() && exact.integrate(&start).to(1.0).is_err()
+        );
+        assert!(
+            body.integrate(&start)
+                .method(Fixed {
+                    method: DormandPrince8,
+                    step: 0.1
+                })
+                .to(1.0)
+                .is_err()
+        );
+        assert!(
+            body.integrate(&start)
+                .method(Fixed {
+                    method: Midpoint,
+                    step: 0.1
+                })
+                .to(1.0)
+                .is_err()
+        );
+    }
+    let (cart, rest) = (Cart::default(), Translation::default());
+    for period in [f64::NAN, 0.0, -0.1] {
+        let control = |_: f64, _: &Translation| CartInput { push: 1.0 };
+        assert!(
+            cart.integrate(&rest)
+                .control(period, control)
+                .to(1.0)
+                .is_err()
+        );
+    }
+    assert!(
+        cart.integrate(&rest)
+            .input(CartInput { push: f64::NAN })
+            .to(1.0)
+            .is_err()
+    );
+}
+
+/// No time, no motion.
+#[test]
+fn no_time() {
+    let body = Pendulum::default();
+    assert_eq!(body.integrate(&START).starting_at(2.0).to(2.0), Ok(START));
+    assert_eq!(body.integrate(&START).steps(0.0).count(), 0);
+    assert_eq!(
+        body.integrate(&START)
+            .events(0.0, |_, state| state.angle)
+            .count(),
+        0
+    );
+    assert_eq!(body.integrate(&START).samples(0.0, 0.1).count(), 1);
+}

@@ -1,0 +1,12 @@
+//! `body.integrate(state)`: every method against closed forms and 40-digit trajectories, samples, events, inputs, errors.
+
+#![allow(clippy::float_cmp, reason = "the same to the bit")]
+
+mod errors;
+mod inputs;
+mod midpoint;
+mod observations;
+mod orders;
+#[path = "../reference/mod.rs"]
+mod reference;
+mod scenes;

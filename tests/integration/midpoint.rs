@@ -1,0 +1,108 @@
+//! What the midpoint rule keeps: for a hundred thousand frames, in steps that are not small.
+
+use newton_euler::integrate::{Classical4, Fixed, Midpoint};
+use newton_euler::prelude::*;
+
+use crate::scenes::{Collapse, FreeBody, HeavyTop, ends};
+
+const FRAME: f64 = 1.0 / 30.0;
+
+#[test]
+fn energy_and_angular_momentum_of_a_free_body() {
+    let (body, [start, _]) = (FreeBody::default(), ends("asymmetric_free"));
+    let end = body
+        .integrate(&start)
+        .method(Fixed {
+            method: Midpoint,
+            step: FRAME,
+        })
+        .to(1e5 * FRAME)
+        .unwrap();
+    let size = |state| body.angular_momentum(state).norm();
+    let energy = body.kinetic_energy(&end) / body.kinetic_energy(&start) - 1.0;
+    let momentum = size(&end) / size(&start) - 1.0;
+    assert!(
+        energy.abs() < 1e-11 && momentum.abs() < 1e-11,
+        "{energy:e} {momentum:e}"
+    );
+    assert!((end.attitude.norm() - 1.0).abs() < 1e-15);
+}
+
+/// Of a quaternion, the height of a point of the body is a quadratic function.
+#[test]
+fn energy_of_a_heavy_top() {
+    let (top, [start, _]) = (HeavyTop::default(), ends("heavy_asym"));
+    let energy = |state: &Rotation| {
+        let w = state.angular_velocity;
+        let kinetic = 0.5 * (0.6 * w.x * w.x + 0.8 * w.y * w.y + w.z * w.z);
+        kinetic + (state.attitude * nalgebra::Vector3::z()).z
+    };
+    let method = Fixed {
+        method: Midpoint,
+        step: FRAME,
+    };
+    let end = top
+        .integrate(&start)
+        .method(method)
+        .to(1e5 * FRAME)
+        .unwrap();
+    assert!((energy(&end) / energy(&start) - 1.0).abs() < 1e-11);
+
+    let coarse = Fixed {
+        method: Classical4,
+        step: 0.2,
+    };
+    let end = top
+        .integrate(&start)
+        .method(coarse)
+        .to(1e5 * FRAME)
+        .unwrap();
+    assert!((energy(&end) / energy(&start) - 1.0).abs() > 0.01);
+}
+
+/// Of a planet, it is not: the error of the energy is bounded by that of the first rounds, over thousands of them.
+#[test]
+fn energy_of_a_planet_is_bounded() {
+    let start = Translation {
+        position: [1.0, 0.0, 0.0].into(),
+        velocity: [0.0, 1.1, 0.1].into(),
+    };
+    let energy =
+        |state: &Translation| 0.5 * state.velocity.norm_squared() - 1.0 / state.position.norm();
+    let planet = Collapse::default();
+    let worst = |from: f64, to: f64| {
+        let method = Fixed {
+            method: Midpoint,
+            step: 0.05,
+        };
+        let samples = planet.integrate(&start).method(method).samples(to, 0.35);
+        let late = samples
+            .map(Result::unwrap)
+            .filter(|sample| sample.time >= from);
+        late.map(|sample| (energy(&sample.state) - energy(&start)).abs())
+            .fold(0.0, f64::max)
+    };
+    let (early, late) = (worst(0.0, 50.0), worst(19_000.0, 20_000.0));
+    assert!(1e-6 < early && early < 1e-3, "{early:e}");
+    assert!(late < 1.01 * early, "{early:e} {late:e}");
+}
+
+/// Where the search for the midpoint does not come to rest, the motion ends with an error.
+#[test]
+fn too_long_a_step() {
+    let [start, _] = ends("heavy_asym");
+    let fast = Rotation {
+        angular_velocity: start.angular_velocity * 1e3,
+        ..start
+    };
+    assert!(
+        HeavyTop::default()
+            .integrate(&fast)
+            .method(Fixed {
+                method: Midpoint,
+                step: 0.5
+            })
+            .to(10.0)
+            .is_err()
+    );
+}

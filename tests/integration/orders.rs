@@ -1,0 +1,144 @@
+//! Each method has its order, and every body comes to the same end by each of them.
+
+use newton_euler::integrate::{
+    Classical4, DormandPrince, DormandPrince8, Fixed, Midpoint, RungeKutta, TaylorSeries,
+    Tsitouras5, taylor,
+};
+use newton_euler::prelude::*;
+
+use crate::scenes::{ExactBody, FreeBody, HeavyTop, SeriesTop, ends, error};
+
+/// The order that shows between two lengths of steps is that of the method.
+fn shows<M: RungeKutta>(method: M, steps: [f64; 2]) {
+    let [start, expected] = ends("heavy_asym");
+    let top = HeavyTop::default();
+    let [coarse, fine] = steps.map(|step| {
+        let end = top
+            .integrate(&start)
+            .method(Fixed { method, step })
+            .to(10.0);
+        error(&end.unwrap(), &expected)
+    });
+    let order = (coarse / fine).log2() / (steps[0] / steps[1]).log2();
+    #[expect(clippy::cast_precision_loss, reason = "a small number")]
+    let expected = M::ORDER as f64;
+    assert!(
+        (expected - 0.3..expected + 0.7).contains(&order),
+        "{method:?}: {order}, {coarse:e} {fine:e}"
+    );
+}
+
+#[test]
+fn fixed_methods() {
+    shows(Midpoint, [0.01, 0.005]);
+    shows(Classical4, [0.02, 0.01]);
+    shows(Tsitouras5, [0.025, 0.0125]);
+    shows(DormandPrince8, [0.2, 0.1]);
+}
+
+/// In small steps nothing but rounding is left.
+#[test]
+fn order_eight_comes_to_rounding() {
+    for name in ["heavy_asym", "asymmetric_free"] {
+        let [start, expected] = ends(name);
+        let fine = Fixed {
+            method: DormandPrince8,
+            step: 0.02,
+        };
+        let end = if name == "heavy_asym" {
+            HeavyTop::default().integrate(&start).method(fine).to(10.0)
+        } else {
+            FreeBody::default().integrate(&start).method(fine).to(10.0)
+        };
+        let error = error(&end.unwrap(), &expected);
+        assert!(error < 5e-14, "{name}: {error:e}");
+    }
+}
+
+/// The error at the end follows the tolerance, within what ten seconds make of the errors of the steps.
+#[test]
+fn tolerances() {
+    let [start, expected] = ends("heavy_asym");
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+        let by_stages = HeavyTop::default()
+            .integrate(&start)
+            .tolerance(tolerance)
+            .to(10.0);
+        let by_series = SeriesTop::default()
+            .integrate(&start)
+            .tolerance(tolerance)
+            .to(10.0);
+        for (method, end) in [("DOP853", by_stages), ("series", by_series)] {
+            let error = error(&end.unwrap(), &expected);
+            assert!(
+                error < 200.0 * tolerance,
+                "{method} at {tolerance:e}: {error:e}"
+            );
+        }
+    }
+}
+
+/// The best of a body is what its description asks for, to the bit.
+#[test]
+fn the_best_method() {
+    let [start, expected] = ends("heavy_asym");
+    let (plain, series) = (HeavyTop::default(), SeriesTop::default());
+    let by = |tolerance| DormandPrince { tolerance };
+    let best = plain.integrate(&start).tolerance(1e-11).to(10.0).unwrap();
+    assert_eq!(
+        best,
+        plain.integrate(&start).method(by(1e-11)).to(10.0).unwrap()
+    );
+    let best = series.integrate(&start).tolerance(1e-11).to(10.0).unwrap();
+    let other = TaylorSeries { tolerance: 1e-11 };
+    assert_eq!(
+        best,
+        series.integrate(&start).method(other).to(10.0).unwrap()
+    );
+    assert_eq!(
+        best,
+        taylor(&series, &start, &(), 0.0..10.0, 1e-11).unwrap()
+    );
+    assert!(error(&best, &expected) < 1e-9);
+
+    let [start, expected] = ends("asymmetric_free");
+    let exact = ExactBody::default();
+    let end = exact.integrate(&start).to(10.0).unwrap();
+    assert_eq!(end, exact.flow(&start, 10.0));
+    assert!(error(&end, &expected) < 2e-14);
+}
+
+/// There and back again.
+#[test]
+fn backwards() {
+    let [start, _] = ends("heavy_asym");
+    let top = HeavyTop::default();
+    let there = top
+        .integrate(&start)
+        .starting_at(3.0)
+        .tolerance(1e-13)
+        .to(8.0)
+        .unwrap();
+    let back = top
+        .integrate(&there)
+        .starting_at(8.0)
+        .tolerance(1e-13)
+        .to(3.0)
+        .unwrap();
+    assert!(error(&back, &start) < 1e-11);
+    let there = top
+        .integrate(&start)
+        .method(Fixed {
+            method: Tsitouras5,
+            step: 1e-3,
+        })
+        .to(-2.0)
+        .unwrap();
+    let back = top
+        .integrate(&there)
+        .starting_at(-2.0)
+        .tolerance(1e-13)
+        .to(0.0)
+        .unwrap();
+    assert!(error(&back, &start) < 1e-11);
+}

@@ -1,7 +1,7 @@
 //! A step as it was taken: the motion from its start to its end.
 
 use crate::state::Coordinates;
-use crate::taylor::state_after;
+use crate::taylor::{Axes, after};
 
 /// How often the sign of a function is looked at within a step.
 const SAMPLES: usize = 16;
@@ -11,6 +11,7 @@ const SAMPLES: usize = 16;
 pub struct Step<'m, S: Coordinates<Scalar = f64>> {
     start: f64,
     length: f64,
+    axes: Axes,
     coefficients: &'m [S::Array],
 }
 
@@ -26,10 +27,11 @@ pub struct Event<S> {
 }
 
 impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
-    pub(super) fn new(start: f64, length: f64, coefficients: &'m [S::Array]) -> Self {
+    pub(super) fn new(start: f64, length: f64, axes: Axes, coefficients: &'m [S::Array]) -> Self {
         Self {
             start,
             length,
+            axes,
             coefficients,
         }
     }
@@ -50,7 +52,8 @@ impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
     #[inline]
     #[must_use]
     pub fn at(&self, time: f64) -> S {
-        state_after(self.coefficients, time - self.start)
+        let coordinates = after::<S>(self.coefficients, time - self.start);
+        self.axes.state(&coordinates, time)
     }
 
     /// Where a function of time and state changes its sign within the step, in the order of the motion: the start does not count, the
@@ -62,10 +65,11 @@ impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
         let Self {
             start,
             length,
+            axes,
             coefficients,
         } = *self;
         let place = move |k: usize| length * (super::exact(k) / super::exact(SAMPLES));
-        let state = move |after| state_after::<S>(coefficients, after);
+        let state = move |rest| axes.state::<S>(&after::<S>(coefficients, rest), start + rest);
         let value = move |after: f64| function(start + after, &state(after));
         let mut before = value(0.0);
         (0..SAMPLES).filter_map(move |k| {

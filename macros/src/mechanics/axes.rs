@@ -28,6 +28,8 @@ pub struct Axes {
     pub direction: [Number; 3],
     /// sigma: at which the body turns against them about e.
     pub spin: Id,
+    /// Their angular velocity: `w - sigma e`.
+    pub rate: Components,
     e: Components,
 }
 
@@ -48,21 +50,25 @@ pub fn derive_axes(model: &mut Model, structure: &Structure) -> Option<Axes> {
     let twice_across = graph.subtract(trace, along);
     let part = graph.divide(along, twice_across);
     let one = graph.one();
-    let part = graph.subtract(one, part);
+    let rest = graph.subtract(one, part);
     let whole = graph.dot(e, model.state.angular_velocity);
-    let spin = graph.multiply(part, whole);
-    model.frames.labels.name(spin, "spin");
-    Some(Axes { direction, spin, e })
+    let [axes_spin, spin] = [part, rest].map(|part| graph.multiply(part, whole));
+    let labels = &mut model.frames.labels;
+    labels.name(axes_spin, "axes_spin");
+    labels.name(spin, "spin");
+    let whole = graph.scale_vector(whole, e);
+    let across = graph.subtract_vectors(model.state.angular_velocity, whole);
+    let along = graph.scale_vector(axes_spin, e);
+    let rate = graph.add_vectors(across, along);
+    Some(Axes {
+        direction,
+        spin,
+        rate,
+        e,
+    })
 }
 
 impl Axes {
-    /// The angular velocity of the axes: `w - sigma e`.
-    pub fn rate(&self, model: &mut Model) -> Components {
-        let graph = &mut model.frames.graph;
-        let turning = graph.scale_vector(self.spin, self.e);
-        graph.subtract_vectors(model.state.angular_velocity, turning)
-    }
-
     /// The rate of w in them: `alpha + sigma e x w`, without what vanishes along e.
     pub fn acceleration(&self, model: &mut Model, angular: &Components) -> Components {
         let graph = &mut model.frames.graph;

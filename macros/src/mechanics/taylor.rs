@@ -46,7 +46,7 @@ pub fn derive_taylor(
     let asked = model.taylor?;
     let axes = axes::derive_axes(model, structure);
     let (turning, angular) = match &axes {
-        Some(axes) => (axes.rate(model), axes.acceleration(model, angular)),
+        Some(axes) => (axes.rate, axes.acceleration(model, angular)),
         None => (model.state.angular_velocity, *angular),
     };
     let coordinates = coordinates(model, linear, &angular, turning);

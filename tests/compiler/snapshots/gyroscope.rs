@@ -1,7 +1,7 @@
 /// A heavy symmetric top, with the series of its motion in axes that do not spin with it.
 ///
 /// Operations:
-/// - `new`: 1 mul + 7 add + 4 div
+/// - `new`: 1 mul + 6 add + 4 div
 /// - `acceleration`: 9 mul + 4 add
 ///
 /// Skipped:
@@ -31,10 +31,10 @@ pub struct GyroscopeParams {
 }
 impl Gyroscope {
     /// The equations of motion, as they are evaluated.
-    pub const EQUATIONS: &str = "# once, in the constructor\ninertia_about_support_xx = 0.0005 + across\nfrom_rotor_across = 1.0 - rotor / (rotor + 2.0 * inertia_about_support_xx - rotor)\ncoupling_x = (across - rotor + 0.0005) / inertia_about_support_xx\nfrom_across = 0.196133 / inertia_about_support_xx\nfrom_across_1 = -0.196133 / inertia_about_support_xx\nfrom_rotor_across_1 = 1.0 - from_rotor_across\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_across * (qy * qz + qw * qx)\nangular_y = from_across_1 * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";
+    pub const EQUATIONS: &str = "# once, in the constructor\ninertia_about_support_xx = 0.0005 + across\nfrom_rotor_across = rotor / (rotor + 2.0 * inertia_about_support_xx - rotor)\ncoupling_x = (across - rotor + 0.0005) / inertia_about_support_xx\nfrom_across = 0.196133 / inertia_about_support_xx\nfrom_across_1 = -0.196133 / inertia_about_support_xx\nfrom_rotor_across_1 = 1.0 - from_rotor_across\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_across * (qy * qz + qw * qx)\nangular_y = from_across_1 * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";
     /// What they cost, by function and stage.
     pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
-        ::newton_euler::private::Operations::parameter("new", [1, 7, 4, 0, 0, 0]),
+        ::newton_euler::private::Operations::parameter("new", [1, 6, 4, 0, 0, 0]),
         ::newton_euler::private::Operations::state("acceleration", [9, 4, 0, 0, 0, 0]),
     ];
     /// What they do not contain, and why.
@@ -58,8 +58,7 @@ impl Gyroscope {
         )?;
         let GyroscopeParams { rotor, across } = params;
         let inertia_about_support_xx = 0.0005 + across;
-        let from_rotor_across = 1.0
-            - rotor / (rotor + 2.0 * inertia_about_support_xx - rotor);
+        let from_rotor_across = rotor / (rotor + 2.0 * inertia_about_support_xx - rotor);
         ::newton_euler::private::check_inertia([across, across, rotor, 0.0, 0.0, 0.0])?;
         let coupling_x = (across - rotor + 0.0005) / inertia_about_support_xx;
         let from_across = 0.196133 / inertia_about_support_xx;
@@ -140,9 +139,10 @@ impl ::newton_euler::private::Taylor for Gyroscope {
         ::newton_euler::private::Axes::despun(
             time,
             [0.0, 0.0, 1.0],
-            self.from_rotor_across * wz,
+            self.from_rotor_across_1 * wz,
         )
     }
+    #[allow(unused_doc_comments)]
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn expand<A: ::newton_euler::private::Arithmetic, const COUNT: usize>(
@@ -160,6 +160,10 @@ impl ::newton_euler::private::Taylor for Gyroscope {
         let [wx, wy, wz]: [f64; 3] = state.angular_velocity.into();
         let wx_wz = wx * wz;
         let wy_wz = wy * wz;
+        /// rate at which w turns in the body: (J_1 - J_3) / J_1 w_3
+        let precession = self.coupling_x * wz;
+        let spin = self.from_rotor_across_1 * wz;
+        let axes_spin = self.from_rotor_across * wz;
         products
             .start([
                 (qx, qz),
@@ -177,20 +181,18 @@ impl ::newton_euler::private::Taylor for Gyroscope {
             ]);
         series.start(state);
         let mut rates = [
-            0.5 * (self.from_rotor_across_1 * (qy * wz) - qz * wy + qw * wx),
-            0.5 * (qz * wx - self.from_rotor_across_1 * (qx * wz) + qw * wy),
-            0.5 * (qx * wy - qy * wx + self.from_rotor_across_1 * (qw * wz)),
-            -0.5 * (qx * wx + qy * wy + self.from_rotor_across_1 * (qz * wz)),
+            0.5 * (self.from_rotor_across * (qy * wz) - qz * wy + qw * wx),
+            0.5 * (qz * wx - self.from_rotor_across * (qx * wz) + qw * wy),
+            0.5 * (qx * wy - qy * wx + self.from_rotor_across * (qw * wz)),
+            -0.5 * (qx * wx + qy * wy + self.from_rotor_across * (qz * wz)),
             self.from_across * (qy * qz + qw * qx) + self.coupling_x * wy_wz
-                - self.from_rotor_across * wy_wz,
+                - self.from_rotor_across_1 * wy_wz,
             self.from_across_1 * (qx * qz - qw * qy) - self.coupling_x * wx_wz
-                + self.from_rotor_across * wx_wz,
+                + self.from_rotor_across_1 * wx_wz,
             0.0,
         ];
         for n in 1..COUNT - 1 {
             let [qx_n, qy_n, qz_n, qw_n, wx_n, wy_n, _] = series.extend(n, rates);
-            let wz_wx_n = wz * wx_n;
-            let wz_wy_n = wz * wy_n;
             let [qx_qz_n, qy_qz_n, qw_qx_n, qw_qy_n, qz_wy_n, qz_wx_n, qx_wy_n, qy_wx_n,
             qw_wx_n, qw_wy_n, qx_wx_n, qy_wy_n] = products
                 .terms::<
@@ -214,14 +216,13 @@ impl ::newton_euler::private::Taylor for Gyroscope {
                     ],
                 );
             rates = [
-                0.5 * (self.from_rotor_across_1 * (wz * qy_n) - qz_wy_n + qw_wx_n),
-                0.5 * (qz_wx_n - self.from_rotor_across_1 * (wz * qx_n) + qw_wy_n),
-                0.5 * (qx_wy_n - qy_wx_n + self.from_rotor_across_1 * (wz * qw_n)),
-                -0.5 * (qx_wx_n + qy_wy_n + self.from_rotor_across_1 * (wz * qz_n)),
-                self.from_across * (qy_qz_n + qw_qx_n) + self.coupling_x * wz_wy_n
-                    - self.from_rotor_across * wz_wy_n,
-                self.from_across_1 * (qx_qz_n - qw_qy_n) - self.coupling_x * wz_wx_n
-                    + self.from_rotor_across * wz_wx_n,
+                0.5 * (qy_n * axes_spin - qz_wy_n + qw_wx_n),
+                0.5 * (qz_wx_n - qx_n * axes_spin + qw_wy_n),
+                0.5 * (qx_wy_n - qy_wx_n + qw_n * axes_spin),
+                -0.5 * (qx_wx_n + qy_wy_n + qz_n * axes_spin),
+                self.from_across * (qy_qz_n + qw_qx_n) + precession * wy_n - wy_n * spin,
+                self.from_across_1 * (qx_qz_n - qw_qy_n) - precession * wx_n
+                    + wx_n * spin,
                 0.0,
             ];
         }

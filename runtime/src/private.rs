@@ -20,7 +20,7 @@ pub use crate::state::{
     SpatialAcceleration, State, Translation,
 };
 pub use crate::structure::{Dependence, Structure, Structured, Symmetry};
-pub use crate::taylor::{Arithmetic, Products, Series, Taylor};
+pub use crate::taylor::{Arithmetic, Axes, Products, Series, Taylor};
 pub use crate::wrench::{PlanarWrench, Wrench};
 
 pub mod math;

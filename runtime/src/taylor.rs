@@ -10,22 +10,31 @@ use crate::body::RigidBody;
 use crate::state::Coordinates;
 
 mod arithmetic;
+mod axes;
 mod products;
 mod series;
 
 pub use arithmetic::{Arithmetic, Plain};
+pub use axes::Axes;
 pub use products::Products;
 pub use series::Series;
-pub(crate) use series::{increment, state_after};
+pub(crate) use series::{after, increment};
 
 /// A body whose motion has Taylor series.
 pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
     /// What is needed on the way, to be used again: see [`Products`].
     type Products<A: Arithmetic, const N: usize>: From<A>;
 
+    /// The axes that [`expand`](Self::expand) sees a motion in, from a state on, where they are along those of the body: for all of it.
+    #[inline]
+    #[must_use]
+    fn axes(&self, _time: f64, _state: &Self::State) -> Axes {
+        Axes::BODY
+    }
+
     /// Writes the first N coefficients of the motion through `state` at `time`, with the input held; N is at least 2.
     ///
-    /// `products` may be in any state.
+    /// State and series are in [`axes`](Self::axes) that may not be those of the body. `products` may be in any state.
     fn expand<A: Arithmetic, const N: usize>(
         &self,
         time: f64,
@@ -35,7 +44,8 @@ pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
         series: &mut Series<Self::State, N>,
     );
 
-    /// The first N coefficients of the motion through `state` at `time`, with the input held: all powers of time below N.
+    /// The first N coefficients of the motion through `state` at `time`, in the axes of the body and with the input held: all powers
+    /// of time below N.
     ///
     /// # Panics
     /// If N is less than 2.
@@ -54,6 +64,7 @@ pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
             &mut Self::Products::from(Plain),
             &mut series,
         );
+        series.turn(&self.axes(time, state));
         series
     }
 }

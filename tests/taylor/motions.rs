@@ -8,7 +8,7 @@ use newton_euler::prelude::*;
 use crate::scenes;
 
 /// The rates of the coordinates of a state, in the order of `Coordinates`, from the definitions of the states.
-trait Moving: State {
+pub trait Moving: State {
     fn rates(&self, acceleration: &Self::Acceleration) -> Vec<f64>;
 }
 
@@ -73,7 +73,7 @@ impl Moving for Rod {
     }
 }
 
-fn check<B>(name: &str, body: &B, state: &B::State, input: &B::Input)
+pub fn check<B>(name: &str, body: &B, state: &B::State, input: &B::Input)
 where
     B: Taylor<State: Moving>,
 {
@@ -95,7 +95,7 @@ where
     }
 }
 
-fn tilted() -> UnitQuaternion<f64> {
+pub fn tilted() -> UnitQuaternion<f64> {
     UnitQuaternion::new_normalize(Quaternion::new(0.7, -0.2, 0.4, 0.5))
 }
 

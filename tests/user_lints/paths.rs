@@ -32,6 +32,20 @@ pub mod smooth {
     });
 }
 
+/// With series in axes of their own.
+pub mod spun {
+    newton_euler::rigid_body!(Wheel {
+        motion: spatial,
+        params: [spin = 0.2, axes = 0.3, time = 1],
+        inputs: [series],
+        mass: 1,
+        inertia: principal(spin, axes, axes),
+        fields: [weight = mass * world(0, 0, -9.81)],
+        forces: [push = body(time * series, 0, 0)],
+        outputs: [taylor],
+    });
+}
+
 /// With series that end, and without products.
 pub mod thrown {
     newton_euler::rigid_body!(Stone {

@@ -14,7 +14,7 @@ use super::lints::allow_constants;
 use super::paths::private;
 use super::scalar::Scalar;
 use super::shapes::{Shapes, Values};
-use super::taylor::Expansion;
+use super::taylor::{Expansion, write_axes};
 
 /// The generated functions; those that are not asked for are empty.
 #[derive(Default)]
@@ -36,6 +36,8 @@ pub struct Functions {
     pub violations: Function,
     pub project: Function,
     pub expand: Function,
+    /// If they are not those of the body.
+    pub axes: Option<Function>,
     /// Number of products of series.
     pub product_count: usize,
     /// Number of scalar constraints.
@@ -158,6 +160,7 @@ impl Functions {
             let expansion = Expansion::write(&double, taylor);
             functions.product_count = expansion.width;
             functions.expand = expansion.function;
+            functions.axes = taylor.axes.as_ref().map(|axes| write_axes(&double, axes));
         }
         if outline.is_constrained {
             functions.violations = write_violations(&double, &double_shapes, equations);
@@ -212,6 +215,7 @@ impl Functions {
             violations: never(),
             project: never(),
             expand: never(),
+            axes: None,
             product_count: 0,
             constraint_count: 0,
         }

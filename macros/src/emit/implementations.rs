@@ -353,9 +353,18 @@ fn emit_taylor(outline: &Outline, functions: &Functions) -> TokenStream {
         "products"
     });
     let (lints, body) = (function.lints(), &function.body);
+    let axes = functions.axes.as_ref().map(|axes| {
+        let (state, time) = (
+            state_argument(&shapes, axes),
+            axes.argument(Source::Time, "time"),
+        );
+        let kind = quote!(#private::Axes);
+        method("axes", &quote!(#time: f64, #state), &kind, axes)
+    });
     quote! {
         #header {
             type Products<A: #private::Arithmetic, const COUNT: usize> = #private::Products<A, #width, COUNT>;
+            #axes
             #lints
             #[allow(clippy::inline_always)]
             #[inline(always)]

@@ -17,14 +17,14 @@ use std::collections::{BTreeSet, HashMap};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use crate::mechanics::Taylor;
+use crate::mechanics::{Axes, Taylor};
 use crate::symbolic::{Graph, Id, Node, Product, Program, Recurrences, Stage};
 
 use super::code::{Body, Fields, Source, Writer};
 use super::expression::Precedence;
 use super::functions::Function;
 use super::naming::local;
-use super::scalar::Scalar;
+use super::scalar::{Scalar, number_literal};
 
 /// The most products of one call: their sums stay in registers.
 const BATCH: usize = 24;
@@ -86,6 +86,22 @@ impl Expansion {
         };
         Self { function, width }
     }
+}
+
+/// `Axes::despun(time, [0.0, 0.0, 1.0], spin)`
+pub fn write_axes(writer: &Writer<'_>, axes: &Axes) -> Function {
+    let (private, time) = (&writer.private, local("time"));
+    let direction = axes
+        .direction
+        .each_ref()
+        .map(|part| number_literal(part.to_f64()));
+    let mut function = Function::write(
+        writer,
+        &[axes.spin],
+        |values| quote!(#private::Axes::despun(#time, [#(#direction),*], #(#values)*)),
+    );
+    function.reads.push(Source::Time);
+    function
 }
 
 fn batches(products: &[Product]) -> Vec<Batch<'_>> {

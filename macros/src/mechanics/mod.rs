@@ -3,6 +3,7 @@
 //! Conventions as in EQUATIONS: position, velocity and linear acceleration of G in world axes;
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
+mod axes;
 mod balance;
 mod charges;
 mod consistency;
@@ -34,6 +35,7 @@ use crate::errors::Errors;
 use crate::model::{Model, Output};
 use crate::symbolic::{Components, Id};
 
+pub use axes::Axes;
 pub use balance::{Balance, LoadExpressions, Resultant};
 pub use consistency::Consistency;
 pub use energy::Energy;
@@ -89,7 +91,8 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         Some(place) => Some(flow::derive_flow(model, place, &linear, &angular, errors)?),
         None => None,
     };
-    let taylor = taylor::derive_taylor(model, &linear, &angular, errors);
+    let structure = structure::derive_structure(model, &linear, &angular);
+    let taylor = taylor::derive_taylor(model, &linear, &angular, &structure, errors);
     let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));
     let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model));
     let mut balance = asked(Output::Balance, model).then(|| balance::derive_balance(model));
@@ -103,7 +106,6 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
     } else {
         Vec::new()
     };
-    let structure = structure::derive_structure(model, &linear, &angular);
     let skipped = skipped::list_skipped(model, &linear, &angular, &structure);
     Some(Equations {
         linear,
@@ -213,11 +215,7 @@ impl Equations {
                 .flat_map(|reaction| reaction.vector),
         );
         roots.extend(self.flow.iter().flat_map(Flow::roots));
-        roots.extend(
-            self.taylor
-                .iter()
-                .flat_map(|taylor| taylor.recurrences.roots()),
-        );
+        roots.extend(self.taylor.iter().flat_map(Taylor::roots));
         roots.extend(self.constraints.iter().flat_map(Consistency::roots));
         roots
     }

@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 
 use crate::model::{Inertia, Meaning, Model, Motion};
-use crate::symbolic::{Components, Id, Node};
+use crate::symbolic::{Components, Id, Node, Number};
 
 use super::newton_euler::inertia_about_center;
 use super::samples::vanish;
@@ -20,6 +20,8 @@ pub struct Structure {
     pub is_torque_free: bool,
     /// Nothing turns the body about the axes of its symmetry.
     pub keeps_spin: bool,
+    /// The axis of symmetry, a unit vector in body axes, if the body may be turned about it and keeps its spin.
+    pub spin_axis: Option<[Number; 3]>,
     /// In the plane across which of the axes a motion stays.
     pub planes: [bool; 3],
 }
@@ -52,12 +54,19 @@ pub fn derive_structure(model: &mut Model, linear: &Components, angular: &Compon
         world: spaces[0].symmetry(),
         body: spaces[1].symmetry(),
     };
+    let (linear_dependence, angular_dependence) = (
+        dependence(linear, &linear_spaces),
+        dependence(angular, &angular_spaces),
+    );
+    let both = [Symmetry::Every, angular_dependence.body];
+    let spins = keeps_spin && both.contains(&linear_dependence.body);
     Structure {
-        linear: dependence(linear, &linear_spaces),
-        angular: dependence(angular, &angular_spaces),
+        linear: linear_dependence,
+        angular: angular_dependence,
         is_force_free: all_vanish(model, linear),
         is_torque_free: is_torque_free(model, angular),
         keeps_spin,
+        spin_axis: angular_spaces[1].axis().filter(|_| spins),
         planes: [0, 1, 2].map(|axis| stays_in_plane(model, linear, angular, axis)),
     }
 }

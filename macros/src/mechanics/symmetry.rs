@@ -68,29 +68,32 @@ impl Space {
     pub fn symmetry(&self) -> Symmetry {
         match self.basis.as_slice() {
             [_, _, _] => Symmetry::Every,
-            [direction] => unit(direction).map_or(Symmetry::None, Symmetry::About),
-            _ => Symmetry::None,
+            _ => self.axis().map_or(Symmetry::None, |axis| {
+                Symmetry::About(axis.map(|part| part.to_f64()))
+            }),
+        }
+    }
+
+    /// The unit vector along the only direction, its first component that is not zero positive.
+    pub fn axis(&self) -> Option<[Number; 3]> {
+        match self.basis.as_slice() {
+            [direction] => unit(direction),
+            _ => None,
         }
     }
 }
 
-/// The unit vector along a direction, its first component that is not zero positive.
-fn unit(direction: &[Number; 3]) -> Option<[f64; 3]> {
+fn unit(direction: &[Number; 3]) -> Option<[Number; 3]> {
     let square = direction.iter().fold(Number::zero(), |sum, part| {
         sum + part.clone() * part.clone()
     });
     let length = Number::apply(Function::Sqrt, &[square])?;
     let leads_with_minus = direction.iter().find(|part| !part.is_zero())?.is_negative();
-    let mut unit = [0.0; 3];
-    for (part, of_direction) in unit.iter_mut().zip(direction) {
-        let of_direction = if leads_with_minus {
-            -of_direction.clone()
-        } else {
-            of_direction.clone()
-        };
-        *part = of_direction.checked_div(&length)?.to_f64();
-    }
-    Some(unit)
+    let length = if leads_with_minus { -length } else { length };
+    let [x, y, z] = direction
+        .each_ref()
+        .map(|part| part.clone().checked_div(&length));
+    Some([x?, y?, z?])
 }
 
 /// The directions about which the world, and the axes of the body, may be turned: of the linear

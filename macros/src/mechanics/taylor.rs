@@ -5,11 +5,16 @@
 //! velocity' = a             w' = alpha             inputs are held
 //! ```
 //!
+//! They are those of axes that do not spin with a symmetric body, where there are such: [`super::axes`].
+//!
 //! A series exists where the equations are smooth; what is not is reported by the load that it stands in.
 
 use crate::errors::{Errors, Extent};
 use crate::model::{Attitude, Meaning, Model};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
+
+use super::axes::{self, Axes};
+use super::structure::Structure;
 
 /// The recurrences of a motion, with its coordinates in the order in which the runtime lists them.
 #[derive(Debug)]
@@ -17,6 +22,17 @@ pub struct Taylor {
     /// The coordinates, and then time.
     pub symbols: Vec<Id>,
     pub recurrences: Recurrences,
+    /// The axes that they hold in, if these are not those of the body.
+    pub axes: Option<Axes>,
+}
+
+impl Taylor {
+    /// All expressions that code is generated for.
+    pub fn roots(&self) -> Vec<Id> {
+        let mut roots = self.recurrences.roots();
+        roots.extend(self.axes.as_ref().map(|axes| axes.spin));
+        roots
+    }
 }
 
 /// The recurrences, if they were asked for and exist.
@@ -24,10 +40,16 @@ pub fn derive_taylor(
     model: &mut Model,
     linear: &Components,
     angular: &Components,
+    structure: &Structure,
     errors: &mut Errors,
 ) -> Option<Taylor> {
     let asked = model.taylor?;
-    let coordinates = coordinates(model, linear, angular);
+    let axes = axes::derive_axes(model, structure);
+    let (turning, angular) = match &axes {
+        Some(axes) => (axes.rate, axes.acceleration(model, angular)),
+        None => (model.state.angular_velocity, *angular),
+    };
+    let coordinates = coordinates(model, linear, &angular, turning);
     let symbols: Vec<Id> = coordinates
         .iter()
         .map(|coordinate| coordinate.symbol)
@@ -37,15 +59,21 @@ pub fn derive_taylor(
     Some(Taylor {
         symbols,
         recurrences,
+        axes,
     })
 }
 
-/// The coordinates of the state, and time; those of a kind of motion are together.
-fn coordinates(model: &mut Model, linear: &Components, angular: &Components) -> Vec<Coordinate> {
+/// The coordinates of the state, and time; those of a kind of motion are together. `turning` is the angular velocity of the axes.
+fn coordinates(
+    model: &mut Model,
+    linear: &Components,
+    angular: &Components,
+    turning: Components,
+) -> Vec<Coordinate> {
     let motion = model.motion;
     let (axes, state) = (motion.axes(), &model.state);
     let [position, velocity] = [state.position.world, state.velocity.world];
-    let turning = state.angular_velocity;
+    let angular_velocity = state.angular_velocity;
     let mut list = Vec::new();
     let mut push = |symbols: &[Id], rates: &[Id]| {
         let pairs = symbols.iter().zip(rates);
@@ -79,7 +107,7 @@ fn coordinates(model: &mut Model, linear: &Components, angular: &Components) -> 
     } else if one_angle {
         push(&one(model, Meaning::AngularVelocity(2)), &angular[2..]);
     } else if motion.has_attitude() {
-        push(&turning, angular);
+        push(&angular_velocity, angular);
     }
     let unit = model.frames.graph.one();
     push(&[model.state.time], &[unit]);

@@ -102,14 +102,25 @@ impl Expansion<'_> {
         (sum, level + 1)
     }
 
-    /// What is held is a number along the step.
+    /// What is held is a number along the step, and so is the product of two of them.
     fn scaled(&mut self, held: Id, coefficient: Id) -> Id {
+        let (held, coefficient) = match *self.graph.node(coefficient) {
+            Node::Multiply(a, b) if self.is_held(a) => (self.graph.multiply(held, a), b),
+            Node::Multiply(a, b) if self.is_held(b) => (self.graph.multiply(held, b), a),
+            _ => (held, coefficient),
+        };
         let held = if self.graph.is_early(held) {
             held
         } else {
             self.graph.quantity(held)
         };
         self.graph.multiply(held, coefficient)
+    }
+
+    /// Whether a factor of a coefficient is the same for all orders.
+    fn is_held(&self, factor: Id) -> bool {
+        let stands = matches!(self.graph.node(factor), Node::Quantity(_));
+        stands || self.moves.get(factor.index()) == Some(&false)
     }
 
     /// `z[n] = (a[n] - b* * z) / b[0]`

@@ -97,7 +97,7 @@ impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
     }
 
     fn within(&self, time: f64, _input: &B::Input) -> B::State {
-        with!(&self.motion, motion => motion.last(self.start, self.length).at(time))
+        with!(&self.motion, motion => motion.taken(self.start, self.length).at(time))
     }
 
     fn replace(&mut self, state: &B::State) {

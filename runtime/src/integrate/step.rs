@@ -1,7 +1,7 @@
 //! A step as it was taken: the motion from its start to its end.
 
 use crate::state::Coordinates;
-use crate::taylor::state_after;
+use crate::taylor::{Axes, after};
 
 use super::event::{Event, Search};
 
@@ -13,14 +13,16 @@ pub(super) const PLACES: usize = 16;
 pub struct Step<'m, S: Coordinates<Scalar = f64>> {
     start: f64,
     length: f64,
+    axes: Axes,
     coefficients: &'m [S::Array],
 }
 
 impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
-    pub(super) fn new(start: f64, length: f64, coefficients: &'m [S::Array]) -> Self {
+    pub(super) fn new(start: f64, length: f64, axes: Axes, coefficients: &'m [S::Array]) -> Self {
         Self {
             start,
             length,
+            axes,
             coefficients,
         }
     }
@@ -41,7 +43,8 @@ impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
     #[inline]
     #[must_use]
     pub fn at(&self, time: f64) -> S {
-        state_after(self.coefficients, time - self.start)
+        let coordinates = after::<S>(self.coefficients, time - self.start);
+        self.axes.state(&coordinates, time)
     }
 
     /// Where a function of time and state changes its sign within the step, in the order of the motion: the start does not count, the
@@ -53,9 +56,10 @@ impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
         let Self {
             start,
             length,
+            axes,
             coefficients,
         } = *self;
-        let state = move |time: f64| state_after::<S>(coefficients, time - start);
+        let state = move |time| axes.state::<S>(&after::<S>(coefficients, time - start), time);
         let value = function(start, &state(start));
         let mut search = Search::new(start, length, PLACES, value);
         core::iter::from_fn(move || search.next(state, &function))

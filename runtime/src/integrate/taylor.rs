@@ -8,6 +8,9 @@
 //! step = 0.9 min (tolerance / |c_k|)^(1/k),   k = N - 1, N - 2
 //! ```
 //!
+//! A symmetric body is followed in [`Axes`] that do not spin with it, from the start of a motion to its end; only what is handed out is
+//! turned back, so that this costs the steps nothing and no rounding adds up.
+//!
 //! What a step adds is summed with compensation (W. Kahan, Comm. ACM 8 (1965) 40), so that over long runs rounding grows with
 //! the square root of the number of steps and not with the number.
 
@@ -15,7 +18,7 @@ use core::fmt;
 use core::ops::Range;
 
 use crate::state::Coordinates;
-use crate::taylor::{Series, Taylor, increment};
+use crate::taylor::{Axes, Plain, Series, Taylor, after, increment};
 
 use super::error::IntegrationError;
 use super::exact;
@@ -77,7 +80,10 @@ pub fn taylor_step<B: Taylor, const N: usize>(
     input: &B::Input,
     step: f64,
 ) -> B::State {
-    body.series::<N>(time, state, input).after(step)
+    let (mut series, mut products) = (Series::<_, N>::default(), B::Products::from(Plain));
+    body.expand(time, state, input, &mut products, &mut series);
+    let coordinates = after::<B::State>(series.coefficients(), step);
+    body.axes(time, state).state(&coordinates, time + step)
 }
 
 /// A motion under way, by series of N coefficients: of order N - 1.
@@ -113,6 +119,8 @@ pub struct Motion<'b, B: Taylor, const N: usize> {
     /// What was lost in rounding the time and the coordinates.
     late: f64,
     lost: <B::State as Coordinates>::Array,
+    /// From start to end the coordinates are those in these axes.
+    axes: Axes,
     coordinates: <B::State as Coordinates>::Array,
     expander: Expander<B, N>,
     series: Series<B::State, N>,
@@ -136,19 +144,16 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             time,
             late: 0.0,
             lost: Default::default(),
+            axes: body.axes(time, state),
             coordinates: state.coordinates(),
             expander: Expander::best(),
             series: Series::default(),
         }
     }
 
-    /// The step that was taken last, from when it began and how long it was.
-    pub(super) fn last(&self, start: f64, length: f64) -> Step<'_, B::State> {
-        Step::new(start, length, self.series.coefficients())
-    }
-
     /// Goes on from another state at the same time.
     pub(super) fn replace(&mut self, state: &B::State) {
+        self.axes = self.body.axes(self.time, state);
         self.coordinates = state.coordinates();
         self.lost = Default::default();
     }
@@ -162,7 +167,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     /// The state that it has come to.
     #[must_use]
     pub fn state(&self) -> B::State {
-        B::State::from_coordinates(&self.coordinates)
+        self.axes.state(&self.coordinates, self.time)
     }
 
     /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in [`taylor`]), with the input held; none if it is reached.
@@ -179,22 +184,29 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         if rest == 0.0 {
             return Ok(None);
         }
-        let state = self.expand(input);
+        self.expand(input);
         let (time, step) = (self.time, self.permitted(tolerance.max(0.0)));
         if step.is_nan() {
-            return Err(IntegrationError::NotFinite { time, state });
+            return Err(IntegrationError::NotFinite {
+                time,
+                state: self.state(),
+            });
         }
         if step >= rest.abs() {
             self.advance(rest)?;
             (self.time, self.late) = (end, 0.0);
-            return Ok(Some(Step::new(time, rest, self.series.coefficients())));
+            return Ok(Some(self.taken(time, rest)));
         }
         let step = step.copysign(rest);
         if (time + step) - time == 0.0 {
-            return Err(IntegrationError::StepTooSmall { time, state, step });
+            return Err(IntegrationError::StepTooSmall {
+                time,
+                state: self.state(),
+                step,
+            });
         }
         self.advance(step)?;
-        Ok(Some(Step::new(time, step, self.series.coefficients())))
+        Ok(Some(self.taken(time, step)))
     }
 
     /// Takes a step of this length \[s\], with the input held, of whatever error.
@@ -209,16 +221,21 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         let time = self.time;
         self.expand(input);
         self.advance(step)?;
-        Ok(Step::new(time, step, self.series.coefficients()))
+        Ok(self.taken(time, step))
     }
 
-    /// The series from here, and where it begins.
+    /// The series from here.
     #[inline(always)]
-    fn expand(&mut self, input: &B::Input) -> B::State {
+    fn expand(&mut self, input: &B::Input) {
         let state = B::State::from_coordinates(&self.coordinates);
         let (expander, series) = (&mut self.expander, &mut self.series);
         expander.expand(self.body, self.time, &state, input, series);
-        state
+    }
+
+    /// A step that was taken by the series.
+    #[inline(always)]
+    pub(super) fn taken(&self, start: f64, length: f64) -> Step<'_, B::State> {
+        Step::new(start, length, self.axes, self.series.coefficients())
     }
 
     /// The longest step of which the last two terms are below `tolerance`.

@@ -18,6 +18,9 @@ pub trait Coordinates: State<Scalar: Scalar> {
     /// How many coordinates belong together: each group is of one unit.
     const GROUPS: &'static [usize];
 
+    /// Where the coordinates of an attitude quaternion begin, and those of the angular velocity in body axes, if there are such axes.
+    const AXES: Option<[usize; 2]> = None;
+
     /// The coordinates of this state.
     fn coordinates(&self) -> Self::Array;
 
@@ -35,10 +38,11 @@ pub trait Coordinates: State<Scalar: Scalar> {
 
 /// The lists: the fields of a state one after another, its rates, and which of its coordinates are a unit vector.
 macro_rules! plain {
-    ($($state:ident: $count:literal, $groups:expr, $read:expr, $write:expr, $rates:expr $(, unit $unit:expr $(, across $rate:expr)?)?;)*) => {$(
+    ($($state:ident: $count:literal, $groups:expr, $read:expr, $write:expr, $rates:expr $(, unit $unit:expr $(, across $rate:expr)?)? $(, axes $axes:expr)?;)*) => {$(
         impl<T: Scalar> Coordinates for generic::$state<T> {
             type Array = [T; $count];
             const GROUPS: &'static [usize] = &$groups;
+            $(const AXES: Option<[usize; 2]> = Some($axes);)?
 
             #[inline(always)]
             fn coordinates(&self) -> Self::Array {
@@ -120,7 +124,7 @@ plain! {
             let ([x, y, z, w], b) = (kinematics(&state.attitude, &state.angular_velocity).coords.into(), *angular);
             [x, y, z, w, b.x, b.y, b.z]
         },
-        unit 0..4;
+        unit 0..4, axes [0, 4];
     Spatial: 13, [3, 4, 3, 3],
         |state| {
             let [p, v, r] = [state.position, state.velocity, state.angular_velocity];
@@ -138,7 +142,7 @@ plain! {
             let [x, y, z, w] = kinematics(&state.attitude, &state.angular_velocity).coords.into();
             [v.x, v.y, v.z, x, y, z, w, a.x, a.y, a.z, b.x, b.y, b.z]
         },
-        unit 3..7;
+        unit 3..7, axes [3, 10];
     Rod: 12, [3, 3, 3, 3],
         |state| {
             let [p, v, u, r] = [state.position, state.velocity, *state.axis, state.axis_rate];

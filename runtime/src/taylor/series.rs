@@ -1,5 +1,6 @@
 //! The coefficients of a motion.
 
+use super::Axes;
 use crate::state::Coordinates;
 
 /// A motion as a polynomial in the time since its start, coordinate by coordinate.
@@ -28,7 +29,12 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
     #[inline]
     #[must_use]
     pub fn after(&self, time: f64) -> S {
-        state_after(&self.coefficients, time)
+        S::from_coordinates(&after::<S>(&self.coefficients, time))
+    }
+
+    /// Brings series from other axes into those of the body.
+    pub(crate) fn turn(&mut self, axes: &Axes) {
+        axes.turn::<S, N>(&mut self.coefficients);
     }
 
     /// Begins at a state.
@@ -50,16 +56,19 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
     }
 }
 
-/// The state on a polynomial, so long after its start.
+/// The coordinates on a polynomial, so long after its start.
 #[inline]
-pub(crate) fn state_after<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) -> S {
+pub(crate) fn after<S: Coordinates<Scalar = f64>>(
+    coefficients: &[S::Array],
+    time: f64,
+) -> S::Array {
     let mut coordinates = evaluate::<S>(coefficients, time);
     let mut change = S::Array::default();
     S::keep(&coordinates, &mut change);
     for (coordinate, change) in coordinates.as_mut().iter_mut().zip(change.as_ref()) {
         *coordinate += change;
     }
-    S::from_coordinates(&coordinates)
+    coordinates
 }
 
 /// A polynomial, by Horner's rule for even and odd powers apart: neither waits for the other.

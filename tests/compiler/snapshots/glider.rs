@@ -142,6 +142,7 @@ impl ::newton_euler::private::Taylor for Glider {
                 (qy, qz),
                 (qw, qx),
                 (qw, qy),
+                (wx, wy),
                 (qy, wz),
                 (qz, wy),
                 (qz, wx),
@@ -154,7 +155,6 @@ impl ::newton_euler::private::Taylor for Glider {
                 (qx, wx),
                 (qy, wy),
                 (qz, wz),
-                (wx, wy),
                 (0.0, 0.0),
                 (0.0, 0.0),
                 (wx, norm),
@@ -176,9 +176,9 @@ impl ::newton_euler::private::Taylor for Glider {
         for n in 1..COUNT - 1 {
             let [qx_n, qy_n, qz_n, qw_n, wx_n, wy_n, wz_n] = series.extend(n, rates);
             let [wy_wz_n, wx_squared_n, wy_squared_n, wz_squared_n, norm_terms_n,
-            qx_qz_n, qy_qz_n, qw_qx_n, qw_qy_n, qy_wz_n, qz_wy_n, qz_wx_n, qx_wz_n,
-            qx_wy_n, qy_wx_n, qw_wx_n, qw_wy_n, qw_wz_n, qx_wx_n, qy_wy_n, qz_wz_n,
-            wx_wy_n, ..] = products
+            qx_qz_n, qy_qz_n, qw_qx_n, qw_qy_n, wx_wy_n, qy_wz_n, qz_wy_n, qz_wx_n,
+            qx_wz_n, qx_wy_n, qy_wx_n, qw_wx_n, qw_wy_n, qw_wz_n, qx_wx_n, qy_wy_n,
+            qz_wz_n, ..] = products
                 .terms::<
                     0,
                     24,
@@ -194,6 +194,7 @@ impl ::newton_euler::private::Taylor for Glider {
                         (qy_n, qz_n),
                         (qw_n, qx_n),
                         (qw_n, qy_n),
+                        (wx_n, wy_n),
                         (qy_n, wz_n),
                         (qz_n, wy_n),
                         (qz_n, wx_n),
@@ -206,7 +207,6 @@ impl ::newton_euler::private::Taylor for Glider {
                         (qx_n, wx_n),
                         (qy_n, wy_n),
                         (qz_n, wz_n),
-                        (wx_n, wy_n),
                         (0.0, 0.0),
                         (0.0, 0.0),
                     ],

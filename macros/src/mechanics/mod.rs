@@ -3,6 +3,7 @@
 //! Conventions as in EQUATIONS: position, velocity and linear acceleration of G in world axes;
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
+mod about_axis;
 mod balance;
 mod charges;
 mod consistency;
@@ -11,8 +12,10 @@ mod dyadic;
 mod energy;
 mod euler_equations;
 mod flow;
+mod free_rotation;
 mod inertia_class;
 mod inverse;
+mod lagrange_top;
 mod momentum;
 mod newton_euler;
 mod potential;
@@ -37,7 +40,8 @@ use crate::symbolic::{Components, Id};
 pub use balance::{Balance, LoadExpressions, Resultant};
 pub use consistency::Consistency;
 pub use energy::Energy;
-pub use flow::{Flow, Free, Turning};
+pub use flow::{Flow, Turning};
+pub use free_rotation::Free;
 pub use momentum::Momentum;
 pub use reactions::ReactionExpressions;
 pub use structure::{Dependence, QUANTITIES, Structure};

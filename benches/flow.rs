@@ -5,8 +5,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use newton_euler::integrate;
 use newton_euler::prelude::*;
+use newton_euler::{attitude, integrate};
 
 rigid_body!(Symmetric {
     motion: rotation,
@@ -44,6 +44,15 @@ rigid_body!(Tilted {
         yz: -0.05,
         zx: 0.07
     },
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    outputs: [flow],
+});
+
+rigid_body!(Top {
+    motion: fixed_point(tip),
+    mass: 2[kg],
+    inertia: principal(0.2, 0.2, 0.1),
+    points: [tip = (0, 0, -0.1[m])],
     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
     outputs: [flow],
 });
@@ -118,11 +127,22 @@ fn main() {
         ..Spatial::default()
     };
     measure(
-        "thrown, principal axes found in the set-up",
+        "thrown, principal axes found in `new`",
         &Tilted::default(),
         &thrown,
         10.0,
     );
+    for (what, tilt, rates) in [
+        ("Lagrange's top", 1.0, [0.5, 0.3, 20.0]),
+        ("sleeping top", 1e-3, [0.0, 0.0, 40.0]),
+        ("falling top", 1e-3, [0.0, 0.0, 1.0]),
+    ] {
+        let start = Rotation {
+            attitude: attitude::exp(&[tilt, 0.0, 0.0].into()),
+            angular_velocity: rates.into(),
+        };
+        measure(what, &Top::default(), &start, 100.0);
+    }
     for (what, angular_velocity) in [("pendulum, swinging", 3.0), ("pendulum, going round", 9.0)] {
         let start = Hinge {
             angle: 0.5,

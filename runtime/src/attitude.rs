@@ -73,6 +73,13 @@ pub fn kinematics(
     generic::kinematics(attitude, angular_velocity)
 }
 
+/// The shortest rotation of a unit vector, not opposite to it, to the third axis.
+pub(crate) fn to_third_axis(unit: &Vector3<f64>) -> Quaternion<f64> {
+    let above = 1.0 + unit.z;
+    let norm = 1.0 / math::sqrt(2.0 * above);
+    Quaternion::new(above * norm, unit.y * norm, -unit.x * norm, 0.0)
+}
+
 /// The unit quaternion next to one that is nearly unit, by one Newton step: `q (3 - |q|²)/2`.
 ///
 /// No root and no division; a deviation d of |q| from 1 becomes `3d²/2`, so what is below 1e-8 vanishes. For quaternions

@@ -6,6 +6,7 @@
 //! | what | from |
 //! |---|---|
 //! | [`FreeRotation`] | an inertia tensor and a state that turns |
+//! | [`LagrangeTop`] | moments of inertia and axis of a symmetric body, a couple, and a state that turns |
 //! | [`GreatCircle`] | the axis of a rod |
 //! | [`Pendulum`] | its rate of small oscillations, where it hangs at rest, and a state |
 //! | [`Parabola`] | constant acceleration |
@@ -19,15 +20,18 @@ mod flight;
 mod free_rotation;
 mod great_circle;
 mod jacobi;
+mod lagrange_top;
 mod parabola;
 mod pendulum;
 mod phase;
+mod third_kind;
 
 pub use carlson::r_j;
 pub use flight::Flight;
 pub use free_rotation::FreeRotation;
 pub use great_circle::GreatCircle;
 pub use jacobi::{Elliptic, Jacobi};
+pub use lagrange_top::LagrangeTop;
 pub use parabola::Parabola;
 pub use pendulum::Pendulum;
 

@@ -9,7 +9,7 @@ pub use crate::body::{
 };
 pub use crate::columns::{Columns, Generic, Sink, Source};
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
-pub use crate::exact::{Flight, FreeRotation, GreatCircle, Parabola, Path, Pendulum};
+pub use crate::exact::{Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Path, Pendulum};
 use crate::inertia::check_turning;
 pub use crate::integrate::{ClosedForm, DormandPrince, Integrate, Projected, TaylorSeries};
 pub use crate::load::{Family, Load, PlanarLoad};
@@ -35,7 +35,11 @@ pub mod generic {
 mod path;
 mod projection;
 
-pub use path::{free_rotation, principal_rotation, symmetric_rotation};
+pub use crate::principal::PrincipalAxes;
+pub use path::{
+    lagrange_top, principal_axes, principal_rotation, rotation_about, rotation_along,
+    symmetric_rotation,
+};
 pub use projection::{Row, project};
 
 /// Every parameter by its name: all must be finite.

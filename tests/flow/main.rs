@@ -152,6 +152,32 @@ fn bodies_that_turn() {
 }
 
 #[test]
+fn tops() {
+    for rates in RATES {
+        check(&Top::default(), &spun(rates));
+        check(&Gyroscope::default(), &spun(rates));
+        check(&Magnet::default(), &spun(rates));
+        check(&Weighted::default(), &thrown(rates));
+    }
+}
+
+/// Parameters that are the constants, about another axis: the same motion.
+#[test]
+fn a_top_of_parameters() {
+    let start = spun([1.0, -1.6, 30.0]);
+    let turn = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::FRAC_PI_2);
+    let other = Rotation {
+        attitude: start.attitude * turn.inverse(),
+        angular_velocity: turn * start.angular_velocity,
+    };
+    for time in [-3.0, 0.1, 8.0] {
+        let expected = Top::default().flow(&start, time);
+        let end = Gyroscope::default().flow(&other, time);
+        assert!(between(&(end.attitude * turn), &expected.attitude) < 1e-12);
+    }
+}
+
+#[test]
 fn bodies_in_the_plane() {
     let start = Planar {
         position: [1.0, 2.0].into(),
@@ -209,13 +235,16 @@ fn rods() {
     );
 }
 
-/// A constant tensor is brought to its principal axes at expansion, one of parameters when the path begins.
+/// A constant tensor is brought to its principal axes at expansion, one of parameters when the body is built.
 #[test]
 fn constants_and_parameters_agree() {
     let start = thrown([1.0, -1.6, 0.7]);
     let (constant, open) = (Tilted::default(), Loaded::default());
+    let (skewed, turning) = (Skewed::<f64>::default(), spun([1.0, -1.6, 0.7]));
     for time in [-40.0, 0.1, 40.0] {
         assert!(constant.flow(&start, time).apart(&open.flow(&start, time)) < 2e-13);
+        let attitude = skewed.flow(&turning, time).attitude;
+        assert!(between(&attitude, &constant.flow(&start, time).attitude) < 2e-13);
     }
 }
 
@@ -236,9 +265,11 @@ fn zeros_stay() {
 /// The type of the path says which motion it is.
 #[test]
 fn the_motion_is_chosen_at_expansion() {
-    use newton_euler::exact::{Flight, FreeRotation, GreatCircle, Parabola, Pendulum};
+    use newton_euler::exact::{Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Pendulum};
     let _: fn(&Brick, &Spatial) -> Flight<FreeRotation, 3> = Flow::path;
     let _: fn(&Handle, &Rotation) -> FreeRotation = Flow::path;
+    let _: fn(&Top, &Rotation) -> LagrangeTop = Flow::path;
+    let _: fn(&Weighted, &Spatial) -> Flight<LagrangeTop, 3> = Flow::path;
     let _: fn(&Plank, &Planar) -> Flight<Parabola<1>, 2> = Flow::path;
     let _: fn(&Towed, &Planar) -> Flight<Pendulum, 2> = Flow::path;
     let _: fn(&Swing, &Hinge) -> Pendulum = Flow::path;

@@ -83,6 +83,21 @@ rigid_body!(Loaded {
     outputs: [flow],
 });
 
+rigid_body!(Skewed::<T> {
+    doc: "The same over any scalar, which keeps no principal axes.",
+    motion: rotation,
+    params: [xx = 1.3, xy = -0.12],
+    inertia: tensor {
+        xx: xx,
+        yy: 1.7,
+        zz: 2.1,
+        xy: xy,
+        yz: -0.05,
+        zx: 0.07
+    },
+    outputs: [flow],
+});
+
 rigid_body!(Handle {
     doc: "Parameters without products.",
     motion: rotation,
@@ -196,5 +211,52 @@ rigid_body!(Baton {
     mass: 0.2[kg],
     inertia: mass * length.powi(2) / 12,
     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    outputs: [flow],
+});
+
+rigid_body!(Top {
+    doc: "A heavy symmetric top, held at a point of its axis.",
+    motion: fixed_point(tip),
+    mass: 2[kg],
+    inertia: principal(0.2, 0.2, 0.1),
+    points: [tip = (0, 0, -0.1[m])],
+    fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
+    outputs: [energy, flow],
+});
+
+rigid_body!(Gyroscope {
+    doc: "The same of parameters, and about another axis.",
+    motion: fixed_point(tip),
+    params: [
+        m = 2[kg],
+        across = 0.2,
+        along = 0.1,
+        arm = 0.1[m],
+        gravity = world(0, 0, -9.81)[m / s ^ 2]
+    ],
+    mass: m,
+    inertia: principal(along, across, across),
+    points: [tip = (-arm, 0, 0)],
+    fields: [weight = mass * gravity],
+    outputs: [energy, flow],
+});
+
+rigid_body!(Magnet {
+    doc: "A couple on an axis of symmetry that is no axis of the user's.",
+    motion: rotation,
+    mass: 2[kg],
+    inertia: cylinder(0.1[m], 0.7[m]).along(body(0, 3, 4)),
+    moments: [field = body(0, 0.6, 0.8).cross(world(0.3, -0.2, 0.5))],
+    outputs: [flow],
+});
+
+rigid_body!(Weighted {
+    doc: "A ball that a force pulls beside its center, while it falls.",
+    motion: spatial,
+    mass: 2[kg],
+    inertia: sphere(0.1[m]),
+    points: [ear = (0.02, 0.03, -0.06)],
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    forces: [string = world(0.1, 0.4, 1)[N].at(ear)],
     outputs: [flow],
 });

@@ -4,20 +4,25 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use crate::mechanics::Equations;
+use crate::mechanics::{Equations, Flow};
 use crate::model::{Inertia, Meaning, Model, Outline};
 use crate::symbolic::{Cost, Id, Node, Stage};
 
 use super::code::{Fields, Writer};
-use super::naming::local_name;
+use super::naming::{local, local_name};
 use super::paths::private;
 use super::scalar::Scalar;
 use super::text::to_text;
+
+/// The field of principal axes.
+pub const PRINCIPAL_AXES: &str = "principal_axes";
 
 /// What a body is built from and keeps.
 pub struct Constructor {
     /// Fields beside `params`: what depends on the parameters alone.
     pub stored: Vec<Ident>,
+    /// The field of principal axes, where a closed form needs them.
+    pub axes: Option<Ident>,
     /// Checks and computations of `new`.
     pub body: TokenStream,
     pub cost: Cost,
@@ -38,8 +43,13 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
         scalar: Scalar::of(outline),
         private: private(outline),
     };
-    let hoisted = writer.schedule(&equations.roots()).hoisted;
-    let mut taken: Vec<String> = vec!["params".to_owned()];
+    let mut roots = equations.roots();
+    // for any scalar there are no principal axes to be stored
+    if outline.scalar.is_some() {
+        roots.extend(equations.flow.iter().filter_map(Flow::tensor).flatten());
+    }
+    let hoisted = writer.schedule(&roots).hoisted;
+    let mut taken = vec!["params".to_owned(), PRINCIPAL_AXES.to_owned()];
     let fields = hoisted.into_iter().map(|id| {
         let labels = &model.frames.labels;
         let label = labels.get(id).map(str::to_owned);
@@ -82,7 +92,7 @@ fn field_name(outline: &Outline, model: &Model, id: Id) -> String {
 
 impl Constructor {
     /// `new` checks the parameters, and computes and stores what depends on them alone.
-    pub fn write(outline: &Outline, model: &Model, fields: &Fields) -> Self {
+    pub fn write(outline: &Outline, model: &Model, equations: &Equations, fields: &Fields) -> Self {
         let private = private(outline);
         let none = Fields::default();
         let writer = Writer {
@@ -102,15 +112,18 @@ impl Constructor {
         } else {
             Vec::new()
         };
+        let tensor = stored_tensor(outline, equations).unwrap_or_default();
         let outputs: Vec<Id> = mass
             .iter()
             .chain(&inertia)
+            .chain(&tensor)
             .copied()
             .chain(fields.0.iter().map(|(id, _)| *id))
             .collect();
         let code = writer.function(&outputs);
         let (mass_value, rest) = code.outputs.split_at(mass.len());
-        let (inertia_values, values) = rest.split_at(inertia.len());
+        let (inertia_values, rest) = rest.split_at(inertia.len());
+        let (tensor_values, values) = rest.split_at(tensor.len());
 
         let given = finite_checks(outline, model);
         let mass_check = mass_value
@@ -125,6 +138,10 @@ impl Constructor {
         let words = stored.iter().map(ToString::to_string);
         let derived = (!stored.is_empty())
             .then(|| quote!(#private::check_finite(&[#((#words, #stored)),*])?;));
+        let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
+        let set_axes = axes
+            .iter()
+            .map(|axes| quote!(let #axes = #private::principal_axes([#(#tensor_values),*]);));
         let statements = &code.statements;
         let mut text = code.text;
         let mut rest = TokenStream::new();
@@ -143,10 +160,12 @@ impl Constructor {
             #inertia_check
             #rest
             #derived
-            ::core::result::Result::Ok(Self { params, #(#stored),* })
+            #(#set_axes)*
+            ::core::result::Result::Ok(Self { params, #(#stored,)* #axes })
         };
         Self {
             stored,
+            axes,
             body,
             cost: code.cost,
             text,
@@ -156,11 +175,18 @@ impl Constructor {
     pub fn stub() -> Self {
         Self {
             stored: Vec::new(),
+            axes: None,
             body: quote!(::core::result::Result::Ok(Self { params })),
             cost: Cost::default(),
             text: Vec::new(),
         }
     }
+}
+
+/// The tensor of which a body of doubles stores the principal axes.
+pub fn stored_tensor(outline: &Outline, equations: &Equations) -> Option<Vec<Id>> {
+    let tensor = equations.flow.as_ref()?.tensor()?;
+    outline.scalar.is_none().then(|| tensor.to_vec())
 }
 
 /// `("arm", params.arm)` of every parameter, by component.

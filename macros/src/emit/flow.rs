@@ -5,8 +5,10 @@ use quote::{format_ident, quote};
 
 use crate::mechanics::{Flow, Free, Turning};
 use crate::model::{Motion, Outline};
+use crate::symbolic::Id;
 
 use super::code::Writer;
+use super::constructor::PRINCIPAL_AXES;
 use super::functions::Function;
 use super::naming::local;
 use super::shapes::{Shapes, Values};
@@ -19,6 +21,7 @@ pub fn path_type(shapes: &Shapes, turning: &Turning) -> TokenStream {
         match turning {
             Turning::None => None,
             Turning::Free(_) => Some(quote!(#private::FreeRotation)),
+            Turning::Top(_) => Some(quote!(#private::LagrangeTop)),
             Turning::GreatCircle => Some(quote!(#private::GreatCircle)),
             Turning::Uniform(_) => Some(quote!(#private::Parabola<1>)),
             Turning::Pendulum { .. } => Some(quote!(#private::Pendulum)),
@@ -60,7 +63,7 @@ pub fn write_path(writer: &Writer<'_>, shapes: &Shapes, flow: &Flow) -> Function
     } else {
         &[]
     };
-    let outputs = [linear, &flow.turning.roots()].concat();
+    let outputs = [linear, &path_roots(writer.outline, &flow.turning)].concat();
     Function::write(writer, &outputs, |values| {
         let center = shapes.motion.translates().then(|| center(shapes, values));
         let rotation = rotation(shapes, &flow.turning, values);
@@ -72,6 +75,14 @@ pub fn write_path(writer: &Writer<'_>, shapes: &Shapes, flow: &Flow) -> Function
             (center, rotation) => quote!(#center #rotation),
         }
     })
+}
+
+/// What the path reads of a body: entries of a tensor only where it has no principal axes.
+fn path_roots(outline: &Outline, turning: &Turning) -> Vec<Id> {
+    match turning {
+        Turning::Free(Free::Tensor(entries)) if outline.scalar.is_some() => entries.to_vec(),
+        _ => turning.roots(),
+    }
 }
 
 /// `Parabola { position: state.position, velocity: state.velocity, acceleration: [..].into() }`
@@ -99,6 +110,7 @@ fn rotation(shapes: &Shapes, turning: &Turning, values: &mut Values<'_>) -> Opti
             quote!(#private::Pendulum::new(#rate, #hanging, #state))
         }
         Turning::Free(free) => free_rotation(shapes, free, values),
+        Turning::Top(_) => lagrange_top(shapes, values),
     })
 }
 
@@ -117,23 +129,43 @@ fn turning_state(shapes: &Shapes, kind: &str, coordinate: &str) -> TokenStream {
 fn free_rotation(shapes: &Shapes, free: &Free, values: &mut Values<'_>) -> TokenStream {
     let private = &shapes.private;
     let state = turning_state(shapes, "Rotation", "attitude");
-    let mut next = |count: usize| {
-        let part = values.take(count);
-        quote!([#(#part),*])
-    };
+    let is_stored = values.len() == 0;
+    let mut next = |count| list(values, count);
     match free {
         Free::Steady => quote!(#private::FreeRotation::steady(#state)),
         Free::Symmetric(..) => {
             let (moments, axis) = (next(2), next(3));
             quote!(#private::symmetric_rotation(#moments, #axis, #state))
         }
+        Free::Along(_) => {
+            let moments = next(3);
+            quote!(#private::rotation_along(#moments, #state))
+        }
         Free::Principal(..) => {
             let (moments, axes) = (next(3), [next(3), next(3), next(3)]);
             quote!(#private::principal_rotation(#moments, [#(#axes),*], #state))
         }
+        Free::Tensor(_) if is_stored => {
+            let axes = local(PRINCIPAL_AXES);
+            quote!(#private::rotation_about(&self.#axes, #state))
+        }
         Free::Tensor(_) => {
             let entries = next(6);
-            quote!(#private::free_rotation(#entries, #state))
+            quote!(#private::rotation_about(&#private::principal_axes(#entries), #state))
         }
     }
+}
+
+/// `lagrange_top([..], [..], [..], state)`
+fn lagrange_top(shapes: &Shapes, values: &mut Values<'_>) -> TokenStream {
+    let private = &shapes.private;
+    let state = turning_state(shapes, "Rotation", "attitude");
+    let (moments, axis, couple) = (list(values, 2), list(values, 3), list(values, 3));
+    quote!(#private::lagrange_top(#moments, #axis, #couple, #state))
+}
+
+/// `[..]` of the values that follow.
+fn list(values: &mut Values<'_>, count: usize) -> TokenStream {
+    let part = values.take(count);
+    quote!([#(#part),*])
 }

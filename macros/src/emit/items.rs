@@ -146,14 +146,17 @@ pub fn emit_items(
         &outline.params,
     );
     let private = private(outline);
-    let Constructor { stored, body, .. } = constructor;
+    let Constructor {
+        stored, axes, body, ..
+    } = constructor;
+    let axes = axes.iter();
     let constants_of_new = allow_constants(body);
     let default = outline.has_default().then(|| emit_default(outline));
     let new_doc = " Checks the parameters, and computes what depends on them alone.";
     quote! {
         #documentation_lines
         #[derive(Clone, Debug)]
-        pub struct #name #declared { params: #params #applied, #(#stored: #kind),* }
+        pub struct #name #declared { params: #params #applied, #(#stored: #kind,)* #(#axes: #private::PrincipalAxes)* }
         #param_struct
         #inputs
         #reactions

@@ -36,7 +36,7 @@ use functions::Functions;
 pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> TokenStream {
     let fields = constructor::stored_fields(outline, model, equations);
     let functions = Functions::write(outline, model, equations, &fields);
-    let constructor = Constructor::write(outline, model, &fields);
+    let constructor = Constructor::write(outline, model, equations, &fields);
     let documentation = docs::Documentation::write(outline, &functions, &constructor, equations);
     let items = items::emit_items(outline, &constructor, &documentation);
     let implementations = implementations::emit_implementations(outline, &functions);

@@ -5,16 +5,19 @@
 //!
 //! ```text
 //! in space        freely: no moment about G, or about the point that is held
+//!                 as Lagrange's top: a couple k x e, of a body that is symmetric about e
 //! about an axis   with constant acceleration, or as a pendulum: w' = a sin theta + b cos theta
 //! as a rod        freely, along a great circle
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Frame, Inertia, Meaning, Model, Motion, Vector};
-use crate::symbolic::{Components, Function, Id, Node, Spectrum, Symmetry};
+use crate::model::{Frame, Meaning, Model, Motion, Vector};
+use crate::symbolic::{Components, Id, Node};
 
-use super::dyadic::constant;
-use super::newton_euler::{inertia_about_center, moments_about};
+use super::about_axis::about_axis;
+use super::free_rotation::{Free, free};
+use super::lagrange_top::{Top, lagrange_top};
+use super::newton_euler::moments_about;
 use super::reactions::given_parts;
 use super::samples::vanish;
 
@@ -31,6 +34,8 @@ pub enum Turning {
     None,
     /// In space, without a moment.
     Free(Free),
+    /// In space, under a couple.
+    Top(Top),
     /// As a rod, without a moment.
     GreatCircle,
     /// About an axis, with a constant acceleration.
@@ -39,23 +44,20 @@ pub enum Turning {
     Pendulum { rate: Id, hanging: Id },
 }
 
-/// What the free rotation of a body depends on.
-pub enum Free {
-    /// All moments of inertia are equal.
-    Steady,
-    /// The moments across an axis and along it, and its unit vector, body axes.
-    Symmetric([Id; 2], Components),
-    /// Three principal moments, and unit vectors of their axes, body axes.
-    Principal([Id; 3], [Components; 3]),
-    /// The entries xx, yy, zz, xy, yz, zx of a tensor that is known when the body is built.
-    Tensor([Id; 6]),
-}
-
 impl Flow {
+    /// What the start of a path reads: all but the entries of a tensor.
     pub fn roots(&self) -> Vec<Id> {
         let mut roots = self.linear.to_vec();
         roots.extend(self.turning.roots());
         roots
+    }
+
+    /// The entries of a tensor of which the principal axes are found when the body is built.
+    pub fn tensor(&self) -> Option<[Id; 6]> {
+        match self.turning {
+            Turning::Free(Free::Tensor(entries)) => Some(entries),
+            _ => None,
+        }
     }
 
     /// Which motion it is, line by line.
@@ -66,9 +68,10 @@ impl Flow {
             Turning::Free(Free::Steady) => Some("the body turns at a constant rate"),
             Turning::Free(Free::Symmetric(..)) => Some("the body precesses steadily"),
             Turning::Free(Free::Principal(..)) => Some("the body turns by elliptic functions"),
-            Turning::Free(Free::Tensor(_)) => {
+            Turning::Free(Free::Along(_) | Free::Tensor(_)) => {
                 Some("the body turns freely, in a way that its moments of inertia decide")
             }
+            Turning::Top(_) => Some("the body turns as Lagrange's top, by elliptic functions"),
             Turning::GreatCircle => Some("the axis turns along a great circle"),
             Turning::Uniform(_) => Some("the angle is quadratic in time"),
             Turning::Pendulum { .. } => {
@@ -83,12 +86,9 @@ impl Flow {
 impl Turning {
     pub fn roots(&self) -> Vec<Id> {
         match self {
-            Self::None | Self::GreatCircle | Self::Free(Free::Steady) => Vec::new(),
-            Self::Free(Free::Symmetric(moments, axis)) => [&moments[..], &axis[..]].concat(),
-            Self::Free(Free::Principal(moments, axes)) => {
-                [&moments[..], &axes.concat()[..]].concat()
-            }
-            Self::Free(Free::Tensor(entries)) => entries.to_vec(),
+            Self::None | Self::GreatCircle => Vec::new(),
+            Self::Free(free) => free.roots(),
+            Self::Top(top) => top.roots(),
             Self::Uniform(acceleration) => vec![*acceleration],
             Self::Pendulum { rate, hanging } => vec![*rate, *hanging],
         }
@@ -128,12 +128,12 @@ pub fn derive_flow(
 }
 
 /// What a load does, without unknown components.
-struct Contribution {
-    name: String,
+pub struct Contribution {
+    pub name: String,
     /// World axes.
-    force: Components,
+    pub force: Components,
     /// About G, or the point that is held; body axes, of a rod world axes.
-    moment: Components,
+    pub moment: Components,
 }
 
 fn contributions(model: &mut Model) -> Vec<Contribution> {
@@ -184,7 +184,7 @@ fn unsteady_forces(model: &Model, contributions: &[Contribution]) -> Vec<String>
 }
 
 /// What expressions depend on: of several things, the one that is furthest from a constant.
-fn dependence(model: &Model, roots: &[Id]) -> &'static str {
+pub fn dependence(model: &Model, roots: &[Id]) -> &'static str {
     let graph = &model.frames.graph;
     let causes = graph
         .reachable(roots, |_| true)
@@ -227,154 +227,38 @@ fn turning(
     let total = moments.into_iter().fold(zeros, |sum, moment| {
         model.frames.graph.add_vectors(sum, moment)
     });
-    if !vanish(model, &total).into_iter().all(|zero| zero) {
-        let center = if model.motion.is_supported() {
-            "the point that is held"
-        } else {
-            "G"
-        };
-        for load in contributions {
-            if !vanish(model, &load.moment).into_iter().all(|zero| zero) {
-                obstacles.push(format!(
-                    "`{}` has a moment about {center}, and only rotation without a moment has one",
-                    load.name
-                ));
-            }
-        }
-        return None;
-    }
+    let is_free = vanish(model, &total).into_iter().all(|zero| zero);
     if model.motion == Motion::Rod {
-        return Some(Turning::GreatCircle);
-    }
-    free(model).map(Turning::Free)
-}
-
-/// The principal axes of a tensor of numbers are found here, at any precision.
-fn free(model: &mut Model) -> Option<Free> {
-    let Inertia::Spatial(rows) = inertia_about_center(model) else {
-        return None;
-    };
-    let graph = &mut model.frames.graph;
-    let Some(tensor) = constant(graph, &rows) else {
-        let [xx, yy, zz] = [0, 1, 2].map(|i| rows[i][i]);
-        return Some(Free::Tensor([
-            xx, yy, zz, rows[0][1], rows[1][2], rows[2][0],
-        ]));
-    };
-    Some(match Spectrum::of(&tensor) {
-        Spectrum::Spherical(_) => Free::Steady,
-        Spectrum::Symmetric(symmetry) => {
-            let Symmetry {
-                across,
-                along,
-                axis,
-            } = *symmetry;
-            let axis = axis.map(|component| graph.number(component));
-            let (norm, one) = (graph.norm(axis), graph.one());
-            let inverse = graph.divide(one, norm);
-            let unit = graph.scale_vector(inverse, axis);
-            Free::Symmetric([across, along].map(|moment| graph.number(moment)), unit)
+        if is_free {
+            return Some(Turning::GreatCircle);
         }
-        Spectrum::General(principal) => Free::Principal(
-            principal.moments.map(|moment| graph.number(moment)),
-            principal
-                .axes
-                .map(|axis| axis.map(|component| graph.number(component))),
-        ),
-    })
-}
-
-/// What a load makes of the motion about an axis.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Constant,
-    /// `a sin theta + b cos theta`
-    Swinging,
-    Other,
-}
-
-fn about_axis(
-    model: &mut Model,
-    acceleration: Id,
-    contributions: &[Contribution],
-    obstacles: &mut Vec<String>,
-) -> Option<Turning> {
-    if model.frames.graph.is_early(acceleration) {
-        return Some(Turning::Uniform(acceleration));
+    } else if is_free {
+        return free(model).map(Turning::Free);
+    } else if let Some(top) = lagrange_top(model, total) {
+        return Some(Turning::Top(top));
     }
-    if let Some((sine, cosine)) = swinging(model, acceleration) {
-        let graph = &mut model.frames.graph;
-        let square = graph.apply(Function::Hypot, &[sine, cosine]);
-        let rate = graph.apply(Function::Sqrt, &[square]);
-        let opposite = graph.negate(sine);
-        let hanging = graph.apply(Function::Atan2, &[cosine, opposite]);
-        let labels = &mut model.frames.labels;
-        labels.name(rate, "swing_rate");
-        labels.name(hanging, "hanging");
-        return Some(Turning::Pendulum { rate, hanging });
-    }
-    let axis = match model.hinge() {
-        Some(axis) => axis,
-        None => [0, 0, 1].map(|component| model.frames.graph.integer(component)),
-    };
-    let kinds: Vec<(&Contribution, Id, Kind)> = contributions
-        .iter()
-        .filter_map(|load| {
-            let moment = model.frames.graph.dot(axis, load.moment);
-            if model.frames.graph.is_zero(moment) {
-                return None;
-            }
-            let kind = if model.frames.graph.is_early(moment) {
-                Kind::Constant
-            } else if swinging(model, moment).is_some() {
-                Kind::Swinging
-            } else {
-                Kind::Other
-            };
-            Some((load, moment, kind))
-        })
-        .collect();
-    let of = |wanted: Kind| kinds.iter().filter(move |(_, _, kind)| *kind == wanted);
-    let others = of(Kind::Other).map(|(load, moment, _)| {
-        format!(
-            "the moment of `{}` depends on {}, and only constant moments, or those of constant forces \
-             in world axes, which make a pendulum, have one",
-            load.name,
-            dependence(model, &[*moment])
-        )
-    });
-    let before = obstacles.len();
-    obstacles.extend(others);
-    if let (true, Some((steady, ..)), Some((weight, ..))) = (
-        obstacles.len() == before,
-        of(Kind::Constant).next(),
-        of(Kind::Swinging).next(),
-    ) {
-        obstacles.push(format!(
-            "the moment of `{}` is constant and that of `{}` makes a pendulum: either has one, both \
-             together have not",
-            steady.name, weight.name
-        ));
-    }
+    report_moments(model, contributions, obstacles);
     None
 }
 
-/// `(a, b)` of `a sin theta + b cos theta`.
-fn swinging(model: &mut Model, expression: Id) -> Option<(Id, Id)> {
-    let angle = model.angle()?;
-    let graph = &mut model.frames.graph;
-    let of_late = |id: Id| !graph.is_early(id) && id != angle;
-    if graph.depends_on(&[expression], of_late) {
-        return None;
+/// What is in the way of free rotation, and does not make a top either.
+fn report_moments(model: &mut Model, contributions: &[Contribution], obstacles: &mut Vec<String>) {
+    let center = if model.motion.is_supported() {
+        "the point that is held"
+    } else {
+        "G"
+    };
+    let others = if model.motion == Motion::Rod {
+        ""
+    } else {
+        ", or with that of a constant force on the axis of a symmetric body"
+    };
+    for load in contributions {
+        if !vanish(model, &load.moment).into_iter().all(|zero| zero) {
+            obstacles.push(format!(
+                "`{}` has a moment about {center}, and only rotation without a moment has one{others}",
+                load.name
+            ));
+        }
     }
-    let slope = graph.derivative(&[expression], angle)[0];
-    let zero = graph.zero();
-    let at_zero = graph.substitute(&[slope, expression], |id| (id == angle).then_some(zero));
-    let (a, b) = (at_zero[0], at_zero[1]);
-    let sine = graph.apply(Function::Sin, &[angle]);
-    let cosine = graph.apply(Function::Cos, &[angle]);
-    let (first, second) = (graph.multiply(a, sine), graph.multiply(b, cosine));
-    let harmonic = graph.add(first, second);
-    let rest = graph.subtract(expression, harmonic);
-    vanish(model, &[rest])[0].then_some((a, b))
 }

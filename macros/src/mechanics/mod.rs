@@ -3,6 +3,7 @@
 //! Conventions as in EQUATIONS: position, velocity and linear acceleration of G in world axes;
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
+mod about_axis;
 mod axes;
 mod balance;
 mod charges;
@@ -12,8 +13,10 @@ mod dyadic;
 mod energy;
 mod euler_equations;
 mod flow;
+mod free_rotation;
 mod inertia_class;
 mod inverse;
+mod lagrange_top;
 mod momentum;
 mod newton_euler;
 mod potential;
@@ -39,7 +42,8 @@ pub use axes::Axes;
 pub use balance::{Balance, LoadExpressions, Resultant};
 pub use consistency::Consistency;
 pub use energy::Energy;
-pub use flow::{Flow, Free, Turning};
+pub use flow::{Flow, Turning};
+pub use free_rotation::Free;
 pub use momentum::Momentum;
 pub use reactions::ReactionExpressions;
 pub use structure::{Dependence, QUANTITIES, Structure};

@@ -29,6 +29,11 @@ impl Graph {
         a.map(|component| self.negate(component))
     }
 
+    /// Along the three axes.
+    pub fn unit_vectors(&mut self) -> [Components; 3] {
+        [0, 1, 2].map(|place| [0, 1, 2].map(|part| self.integer(i64::from(part == place))))
+    }
+
     pub fn add_vectors(&mut self, a: Components, b: Components) -> Components {
         [0, 1, 2].map(|i| self.add(a[i], b[i]))
     }

@@ -1,6 +1,6 @@
 //! Bodies that move and turn, neither depending on the other.
 
-use super::{FreeRotation, GreatCircle, Parabola, Path};
+use super::{GreatCircle, Parabola, Path};
 use crate::state::{Hinge, Planar, Rod, Rotation, Spatial};
 
 /// A parabola of G and a rotation.
@@ -23,12 +23,12 @@ use crate::state::{Hinge, Planar, Rod, Rotation, Spatial};
 pub struct Flight<R, const D: usize> {
     /// Of G, world axes.
     pub center: Parabola<D>,
-    /// A [`FreeRotation`], of a rod a [`GreatCircle`], in the plane a path of the angle: a [`Parabola`] or a
+    /// A [`FreeRotation`](super::FreeRotation) or a [`LagrangeTop`](super::LagrangeTop), of a rod a [`GreatCircle`], in the plane a path of the angle: a [`Parabola`] or a
     /// [`Pendulum`](super::Pendulum).
     pub rotation: R,
 }
 
-impl Path for Flight<FreeRotation, 3> {
+impl<R: Path<State = Rotation>> Path for Flight<R, 3> {
     type State = Spatial;
 
     fn at(&self, time: f64) -> Spatial {

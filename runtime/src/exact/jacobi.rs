@@ -137,7 +137,12 @@ impl Jacobi {
         let sn = (a.sn * b.cn * b.dn + b.sn * a.cn * a.dn) / scale;
         let cn = if sines > 0.5 {
             let [near, far] = [a.cn * b.dn, complement * b.sn.abs()];
-            (near - far) * (near + far) / (cosines + sines * rest)
+            let divisor = cosines + sines * rest; // for k = 1 it comes to nothing
+            if divisor == 0.0 {
+                0.0
+            } else {
+                (near - far) * (near + far) / divisor
+            }
         } else {
             (cosines - sines * rest) / scale
         };

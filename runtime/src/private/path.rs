@@ -1,21 +1,42 @@
 //! Closed forms from the numbers of a description.
 
-use nalgebra::{Matrix3, Unit};
+use nalgebra::{Matrix3, Unit, UnitQuaternion};
 
-use crate::exact::FreeRotation;
+use crate::exact::{FreeRotation, LagrangeTop};
 use crate::inertia::InertiaTensor;
+use crate::principal::PrincipalAxes;
 use crate::state::Rotation;
 
-/// Of a tensor that the constructor has checked: its entries xx, yy, zz, xy, yz, zx.
+/// Of a tensor that the constructor has checked: its entries xx, yy, zz, xy, yz, zx. Axes that are principal stay, in any order.
 #[must_use]
-pub fn free_rotation(entries: [f64; 6], state: &Rotation) -> FreeRotation {
-    FreeRotation::new(&InertiaTensor::checked(entries), state)
+pub fn principal_axes(entries: [f64; 6]) -> PrincipalAxes {
+    let inertia = InertiaTensor::checked(entries);
+    if inertia.off_diagonals().iter().all(|entry| *entry == 0.0) {
+        return PrincipalAxes {
+            moments: inertia.moments().into(),
+            axes: UnitQuaternion::identity(),
+        };
+    }
+    inertia.principal_axes()
+}
+
+/// Of a body with these principal axes.
+#[must_use]
+pub fn rotation_about(principal: &PrincipalAxes, state: &Rotation) -> FreeRotation {
+    let axes = principal.axes.to_rotation_matrix().into_inner();
+    FreeRotation::principal(principal.moments.into(), &axes, state)
 }
 
 /// Of the moments across an axis and along it, and its unit vector.
 #[must_use]
 pub fn symmetric_rotation(moments: [f64; 2], axis: [f64; 3], state: &Rotation) -> FreeRotation {
     FreeRotation::symmetric(moments, Unit::new_unchecked(axis.into()), state)
+}
+
+/// Of principal moments along the axes of the body.
+#[must_use]
+pub fn rotation_along(moments: [f64; 3], state: &Rotation) -> FreeRotation {
+    FreeRotation::principal(moments, &Matrix3::identity(), state)
 }
 
 /// Of principal moments and the unit vectors of their axes.
@@ -26,4 +47,20 @@ pub fn principal_rotation(
     state: &Rotation,
 ) -> FreeRotation {
     FreeRotation::principal(moments, &Matrix3::from(axes), state)
+}
+
+/// Of the moments across an axis and about it, its unit vector, and the couple per unit of its arm, world axes.
+#[must_use]
+pub fn lagrange_top(
+    moments: [f64; 2],
+    axis: [f64; 3],
+    couple: [f64; 3],
+    state: &Rotation,
+) -> LagrangeTop {
+    LagrangeTop::new(
+        moments,
+        Unit::new_unchecked(axis.into()),
+        couple.into(),
+        state,
+    )
 }

@@ -28,22 +28,14 @@
 //! C = 2 k₁ W₃ E₃/((G + I₃ W₃)² |λ|/(1 + k₁))
 //! ```
 //!
-//! What is added to u₁ in the time t is v, of which whole half periods are taken off, and R is added by the addition
-//! theorem (P. F. Byrd, M. D. Friedman, Handbook of Elliptic Integrals, 116), so that a short time brings no error of a long one:
-//!
-//! ```text
-//! R(u + v) - R(u) = R(v) + atan(g s(u) s(v) s/(1 + p² (s² - s(u) s(v) cn dn)))/g      s, cn, dn of u + v
-//! g² = p² (1 + p²) (p² + k₁²)
-//! ```
-
-use core::f64::consts::FRAC_2_PI;
+//! [`ThirdKind`] has R, and how it grows.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::attitude;
-use crate::exact::carlson::r_j;
 use crate::exact::jacobi::{Elliptic, Jacobi};
 use crate::exact::phase::Phase;
+use crate::exact::third_kind::ThirdKind;
 use crate::private::math;
 use crate::scale;
 use crate::state::Rotation;
@@ -70,9 +62,8 @@ pub(super) struct Circling {
     precession: f64,
     /// C
     amplitude: f64,
+    /// R
     third: ThirdKind,
-    /// `R(K)`
-    quarter: f64,
 }
 
 /// The axes 1, 2, 3, and what is known along them.
@@ -176,20 +167,10 @@ impl Circling {
         let slant = momenta.x / whole;
         let parameter = modulus * slant * slant;
         let square = parameter * (1.0 + parameter) * (parameter + modulus * modulus);
-        let third = ThirdKind {
-            parameter,
-            scale: root(square),
-        };
-        let quarter = third.quarter(&jacobi);
+        let third = ThirdKind::new(&jacobi, [parameter, 1.0 + parameter, root(square)]);
         let amplitude = 2.0 * modulus * momenta.z * h3 * h3 / (i3 * whole * whole * rate.abs());
-        // C R, and its mean with u₁
-        let mean = if jacobi.is_hyperbolic() {
-            phase.rate / (1.0 + parameter)
-        } else {
-            phase.rate * FRAC_2_PI * quarter
-        };
-        let precession = (energy + size * rates.z) / whole + amplitude * mean;
-        let swing = shortest(&(Vector3::new(i1, i2, i3).component_mul(&w) / size));
+        let precession = (energy + size * rates.z) / whole + amplitude * third.rate(&phase);
+        let swing = attitude::to_third_axis(&(Vector3::new(i1, i2, i3).component_mul(&w) / size));
         let back = mapped(&axes, &swing.conjugate());
         let back = state.attitude.quaternion() * back;
 
@@ -204,7 +185,6 @@ impl Circling {
             precession: libm::scalbn(precession, exponent),
             amplitude,
             third,
-            quarter,
         }
     }
 
@@ -212,14 +192,11 @@ impl Circling {
         let reading = self.phase.at(time);
         let Elliptic { sn, cn, dn } = doubled(reading.elliptic(), self.modulus, self.complement);
         let functions = Vector3::new(cn, sn, dn);
-        let jacobi = &self.phase.jacobi;
-        let periodic = self.third.of(jacobi, reading.rest)
-            + self.third.step(self.phase.start, reading.rest, reading.sum)
-            - FRAC_2_PI * self.quarter * reading.angle;
+        let periodic = self.third.periodic(&self.phase, &reading);
         let turned =
             Twofold::product(self.precession, time) + Twofold::from(self.amplitude * periodic);
         let (sine, cosine) = turned.scaled(-1).sin_cos();
-        let swing = shortest(&self.directions.component_mul(&functions));
+        let swing = attitude::to_third_axis(&self.directions.component_mul(&functions));
         let turn = Quaternion::new(cosine, 0.0, 0.0, sine) * swing;
         let attitude = self.start.quaternion() * mapped(&self.axes, &turn);
         Rotation {
@@ -255,56 +232,6 @@ fn doubled(Elliptic { sn, cn, dn }: Elliptic, modulus: f64, complement: f64) -> 
         cn: cn * dn * scale,
         dn: (cn * cn + rest * square) * scale,
     }
-}
-
-/// R, an integral of the third kind.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct ThirdKind {
-    /// p²
-    parameter: f64,
-    /// g
-    scale: f64,
-}
-
-impl ThirdKind {
-    /// R within a quarter period of zero; on the separatrix without its part `u₁/(1 + p²)`.
-    fn of(&self, jacobi: &Jacobi, Elliptic { sn, cn, dn }: Elliptic) -> f64 {
-        let square = sn * sn;
-        if jacobi.is_hyperbolic() {
-            let p = math::sqrt(self.parameter);
-            return -sn * arctangent_ratio(p * sn) / (1.0 + self.parameter);
-        }
-        sn * square / 3.0 * r_j(cn * cn, dn * dn, 1.0, 1.0 + self.parameter * square)
-    }
-
-    /// R(K); on the separatrix nothing is periodic.
-    fn quarter(&self, jacobi: &Jacobi) -> f64 {
-        if jacobi.is_hyperbolic() {
-            return 0.0;
-        }
-        let last = jacobi.complement();
-        r_j(0.0, last * last, 1.0, 1.0 + self.parameter) / 3.0
-    }
-
-    /// `R(u + v) - R(u) - R(v)`
-    fn step(&self, first: Elliptic, second: Elliptic, sum: Elliptic) -> f64 {
-        let sines = first.sn * second.sn;
-        let rest = sum.sn * sum.sn - sines * sum.cn * sum.dn;
-        let product = sines * sum.sn / (1.0 + self.parameter * rest);
-        product * arctangent_ratio(self.scale * product)
-    }
-}
-
-/// `atan(x)/x`
-fn arctangent_ratio(x: f64) -> f64 {
-    if x == 0.0 { 1.0 } else { math::atan(x) / x }
-}
-
-/// The shortest rotation of a unit vector, not opposite to it, to the third axis.
-fn shortest(unit: &Vector3<f64>) -> Quaternion<f64> {
-    let above = 1.0 + unit.z;
-    let norm = 1.0 / math::sqrt(2.0 * above);
-    Quaternion::new(above * norm, unit.y * norm, -unit.x * norm, 0.0)
 }
 
 /// The same rotation in other axes.

@@ -44,7 +44,7 @@ impl Regular {
         let part = axis * axis.dot(&w);
         let rest = w - part;
         let momentum = rest + part * ratio.value();
-        let (length, direction) = unit(&momentum);
+        let (length, direction) = scale::direction(&momentum);
         Self {
             start: state.attitude,
             momentum: direction,
@@ -58,7 +58,7 @@ impl Regular {
 
     /// About an axis that stays where it is.
     pub fn steady(state: &Rotation) -> Self {
-        let (rate, direction) = unit(&state.angular_velocity);
+        let (rate, direction) = scale::direction(&state.angular_velocity);
         Self {
             start: state.attitude,
             momentum: direction,
@@ -87,20 +87,6 @@ impl Regular {
         let rate = self.spin.value().abs();
         (rate > 0.0 && self.across != Vector3::zeros()).then(|| core::f64::consts::TAU / rate)
     }
-}
-
-/// Length and direction of a vector, at any scale; the length in twice the precision.
-fn unit(vector: &Vector3<f64>) -> (Twofold, Vector3<f64>) {
-    let exponent = scale::exponent(vector.amax());
-    let scaled = scale::scaled(vector, -exponent);
-    let square = |component: f64| Twofold::product(component, component);
-    let length = (square(scaled.x) + square(scaled.y) + square(scaled.z)).sqrt();
-    let direction = if length.value() == 0.0 {
-        scaled
-    } else {
-        scaled / length.value()
-    };
-    (length.scaled(exponent), direction)
 }
 
 /// The unit quaternion of a turn by this angle about a unit vector.

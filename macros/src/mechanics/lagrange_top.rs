@@ -1,0 +1,160 @@
+//! Lagrange's top: a body that is symmetric about an axis e, under a couple `k x e` with k constant in the world.
+//!
+//! The moment of forces that are constant in the world is `sum r_l x W_l`, of the world's axes `r_l` as the body sees them and vectors
+//! `W_l` of the body. The twelve rotations of a tetrahedron tell these: over them the mean of the dyad `r_l r_m` is 1/3 of unity for
+//! l = m, and zero otherwise.
+//!
+//! ```text
+//! W_l = 1/8 sum over rotations of M x r_l        k_l = W_l . e
+//! ```
+//!
+//! Whether `k x e` is the moment is tried at random states.
+
+use crate::model::{Attitude, Frame, Inertia, Model, Vector};
+use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
+
+use super::dyadic::constant;
+use super::free_rotation::unit;
+use super::newton_euler::inertia_about_center;
+use super::samples::vanish;
+
+/// What the motion of a top depends on.
+pub struct Top {
+    /// Across the axis and about it.
+    pub moments: [Id; 2],
+    /// Unit vector, body axes.
+    pub axis: Components,
+    /// k, world axes.
+    pub couple: Components,
+}
+
+impl Top {
+    pub fn roots(&self) -> Vec<Id> {
+        [&self.moments[..], &self.axis[..], &self.couple[..]].concat()
+    }
+}
+
+/// The top that a body is under a moment, body axes; none if it is no top.
+pub fn lagrange_top(model: &mut Model, moment: Components) -> Option<Top> {
+    let arms = arms(model, moment)?;
+    for (moments, axis) in axes_of_symmetry(model, &arms) {
+        let couple = model.frames.graph.transform(&arms, axis);
+        let expected = couple_on(model, couple, axis);
+        let graph = &mut model.frames.graph;
+        let rest = [0, 1, 2].map(|i| graph.subtract(moment[i], expected[i]));
+        if vanish(model, &rest).into_iter().all(|zero| zero) {
+            model.frames.labels.vector("couple", couple);
+            return Some(Top {
+                moments,
+                axis,
+                couple,
+            });
+        }
+    }
+    None
+}
+
+/// `k x e` in body axes.
+fn couple_on(model: &mut Model, couple: Components, axis: Components) -> Components {
+    let seen = seen_from_body(model, couple);
+    model.frames.graph.cross(seen, axis)
+}
+
+/// A vector in world axes, in those of the body.
+fn seen_from_body(model: &mut Model, world: Components) -> Components {
+    let body = model.frames.graph.zeros();
+    model.frames.components(Vector { body, world }, Frame::Body)
+}
+
+/// The vectors `W_l`, if the moment depends on nothing but the attitude.
+fn arms(model: &mut Model, moment: Components) -> Option<[Components; 3]> {
+    let Attitude::Quaternion { scalar, vector } = model.frames.attitude else {
+        return None;
+    };
+    let parts = [[scalar].as_slice(), vector.as_slice()].concat();
+    let graph = &model.frames.graph;
+    if graph.depends_on(&moment, |id| !graph.is_early(id) && !parts.contains(&id)) {
+        return None;
+    }
+    let mut roots = moment.to_vec();
+    for axis in model.frames.graph.unit_vectors() {
+        roots.extend(seen_from_body(model, axis));
+    }
+    let graph = &mut model.frames.graph;
+    let mut arms = [graph.zeros(); 3];
+    for quaternion in tetrahedral() {
+        let values = quaternion.map(|part| graph.number(part));
+        let value = |id: Id| Some(values[parts.iter().position(|part| *part == id)?]);
+        let images = graph.substitute(&roots, value);
+        let (there, seen) = images.split_at(3);
+        for (arm, axis) in arms.iter_mut().zip(seen.chunks_exact(3)) {
+            let swept = graph.cross([there[0], there[1], there[2]], [axis[0], axis[1], axis[2]]);
+            *arm = graph.add_vectors(*arm, swept);
+        }
+    }
+    let share = graph.number(Number::ratio(1, 8));
+    Some(arms.map(|arm| graph.scale_vector(share, arm)))
+}
+
+/// The rotations of a tetrahedron: the unit quaternions that are whole, or halves throughout, up to their sign.
+fn tetrahedral() -> impl Iterator<Item = [Number; 4]> {
+    let whole =
+        (0..4).map(|place| [0, 1, 2, 3].map(|part| Number::integer(i64::from(part == place))));
+    let halves = (0..8).map(|signs| {
+        [0, 1, 2, 4].map(|bit| Number::ratio(if signs & bit == 0 { 1 } else { -1 }, 2))
+    });
+    whole.chain(halves)
+}
+
+/// Moments of inertia across and along axes about which the body is symmetric: of a spherical one, those that the moment may be about.
+fn axes_of_symmetry(model: &mut Model, arms: &[Components; 3]) -> Vec<([Id; 2], Components)> {
+    let Inertia::Spatial(rows) = inertia_about_center(model) else {
+        return Vec::new();
+    };
+    let graph = &mut model.frames.graph;
+    let units = graph.unit_vectors();
+    let Some(tensor) = constant(graph, &rows) else {
+        return (0..3)
+            .filter(|axis| is_symmetric(model, &rows, *axis))
+            .map(|axis| {
+                (
+                    [rows[(axis + 1) % 3][(axis + 1) % 3], rows[axis][axis]],
+                    units[axis],
+                )
+            })
+            .collect();
+    };
+    match Spectrum::of(&tensor) {
+        Spectrum::General(_) => Vec::new(),
+        Spectrum::Symmetric(symmetry) => {
+            let moments =
+                [&symmetry.across, &symmetry.along].map(|moment| graph.number(moment.clone()));
+            vec![(moments, unit(graph, &symmetry.axis))]
+        }
+        Spectrum::Spherical(moment) => {
+            let moments = [graph.number(moment); 2];
+            let known = arms.iter().find_map(|arm| known_direction(graph, arm));
+            known
+                .into_iter()
+                .chain(units)
+                .map(|axis| (moments, axis))
+                .collect()
+        }
+    }
+}
+
+/// Of a tensor of parameters, whether it is symmetric about a coordinate axis.
+fn is_symmetric(model: &mut Model, rows: &[Components; 3], axis: usize) -> bool {
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let difference = model.frames.graph.subtract(rows[i][i], rows[j][j]);
+    let roots = [difference, rows[0][1], rows[1][2], rows[2][0]];
+    vanish(model, &roots).into_iter().all(|zero| zero)
+}
+
+/// The unit vector along a vector of numbers that is not zero.
+fn known_direction(graph: &mut Graph, vector: &Components) -> Option<Components> {
+    let number = |i: usize| graph.as_number(vector[i]).cloned();
+    let components = [number(0)?, number(1)?, number(2)?];
+    let is_zero = components.iter().all(Number::is_zero);
+    (!is_zero).then(|| unit(graph, &components))
+}

@@ -2,7 +2,7 @@
 
     pip install heyoka mujoco
     taskset --cpu-list 0 python3 benches/peers/work_precision.py target/measures/peers.csv
-    cargo run --release --example work_precision -- --full target/measures/peers.csv
+    taskset --cpu-list 0 target/release/examples/work_precision --full target/measures/peers.csv
 
 heyoka: error control with its default order for each tolerance, `compact_mode` off, one integrator for all runs of a tolerance; building it
 is not timed. In batches each member has its own steps. MuJoCo: fixed steps, what it can describe: bodies that turn freely or on

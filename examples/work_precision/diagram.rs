@@ -15,10 +15,10 @@ const ERRORS: [i32; 2] = [0, -16];
 /// A line of the legend.
 const LINE: f64 = 20.0;
 
-/// Strong colours for these methods, and those of the lists after them in turn.
+/// Of the methods, in the order in which they first come; more begin again.
 const COLOURS: [&str; 16] = [
-    "#d62728", "#1f77b4", "#2ca02c", "#9467bd", "#ff7f0e", "#8c564b", "#e377c2", "#17becf",
-    "#7f7f7f", "#bcbd22", "#000000", "#1b9e77", "#aec7e8", "#98df8a", "#c49c94", "#dbdb8d",
+    "#d62728", "#1f77b4", "#17becf", "#9467bd", "#ff7f0e", "#7f7f7f", "#c7c7c7", "#bcbd22",
+    "#8c564b", "#e7ba52", "#ff7f0e", "#843c39", "#000000", "#2ca02c", "#98df8a", "#e377c2",
 ];
 
 /// All problems in one picture.

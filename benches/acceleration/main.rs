@@ -5,7 +5,13 @@
 
 mod bodies;
 mod by_hand;
+#[path = "../measure/clock.rs"]
+mod clock;
+#[path = "../measure/drawing.rs"]
+mod drawing;
 mod ensemble;
+#[path = "../measure/folder.rs"]
+mod folder;
 mod memory;
 mod one_by_one;
 mod pair;
@@ -13,8 +19,8 @@ mod paired;
 mod picture;
 mod table;
 
+use std::io;
 use std::path::Path;
-use std::{fs, io};
 
 use table::Table;
 
@@ -24,14 +30,12 @@ fn main() -> io::Result<()> {
     ensemble::measure(&mut table);
     println!("{table}");
 
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("measures");
-    fs::create_dir_all(&folder)?;
-    for (name, text) in [
-        ("acceleration.csv", table.csv()),
-        ("acceleration.svg", picture::bars(&table)),
-    ] {
-        fs::write(folder.join(name), text)?;
-        println!("{}", folder.join(name).display());
-    }
-    Ok(())
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent();
+    folder::keep(
+        target.expect("a folder of the target"),
+        &[
+            ("acceleration.csv", table.csv()),
+            ("acceleration.svg", picture::bars(&table)),
+        ],
+    )
 }

@@ -1,6 +1,6 @@
 //! Times of two things, taken in turn.
 
-use std::time::Instant;
+use crate::clock::{quartiles, repeats, time};
 
 /// Rounds of which the medians are taken.
 const ROUNDS: usize = 101;
@@ -21,7 +21,10 @@ pub struct Paired {
 
 /// Both are run in turn; each run makes a number of evaluations.
 pub fn paired(evaluations: u32, mut ours: impl FnMut(), mut against: impl FnMut()) -> Paired {
-    let repeats = [repeats(&mut ours), repeats(&mut against)];
+    let repeats = [
+        repeats(SHORTEST, &mut ours),
+        repeats(SHORTEST, &mut against),
+    ];
     let mut first = || time(repeats[0], &mut ours);
     let mut second = || time(repeats[1], &mut against);
     let rounds: Vec<[f64; 2]> = (0..ROUNDS)
@@ -44,30 +47,7 @@ pub fn paired(evaluations: u32, mut ours: impl FnMut(), mut against: impl FnMut(
 
 /// The median time of one thing, in ns for each of its evaluations.
 pub fn alone(evaluations: u32, mut work: impl FnMut()) -> f64 {
-    let repeats = repeats(&mut work);
+    let repeats = repeats(SHORTEST, &mut work);
     let times = (0..ROUNDS).map(|_| time(repeats, &mut work)).collect();
     quartiles(times)[1] * 1e9 / f64::from(evaluations)
-}
-
-/// Seconds that one run takes, as the mean of some.
-fn time(repeats: u32, run: &mut impl FnMut()) -> f64 {
-    let start = Instant::now();
-    for _ in 0..repeats {
-        run();
-    }
-    start.elapsed().as_secs_f64() / f64::from(repeats)
-}
-
-/// How many runs take long enough to be timed.
-fn repeats(run: &mut impl FnMut()) -> u32 {
-    let mut repeats = 1;
-    while time(repeats, run) * f64::from(repeats) < SHORTEST {
-        repeats *= 2;
-    }
-    repeats
-}
-
-fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
-    values.sort_by(f64::total_cmp);
-    [1, 2, 3].map(|quarter| values[(values.len() - 1) * quarter / 4])
 }

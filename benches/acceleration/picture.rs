@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::drawing::{line, picture, text};
 use crate::table::{Row, Table};
 
 const LINE: f64 = 20.0;
@@ -22,36 +23,28 @@ pub fn bars(table: &Table) -> String {
     }
     let ratios = table.rows.iter().map(|row| row.times.ratio[1]);
     let (one, width) = (LEFT + ONE, LEFT + ratios.fold(1.0, f64::max) * ONE + MARGIN);
-    format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{}\" font-family=\"sans-serif\" font-size=\"13\">\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
-         <text x=\"{LEFT}\" y=\"{LINE}\">time of generated code over hand-written; red: what is asked for</text>\n\
-         <line x1=\"{one}\" y1=\"{}\" x2=\"{one}\" y2=\"{bottom}\" stroke=\"gray\"/>\n\
-         {bars}</svg>\n",
-        bottom + LINE / 2.0,
-        1.5 * LINE,
-    )
+    let title = "time of generated code over hand-written; red: what is asked for";
+    let drawn = [
+        text(LEFT, LINE, "start", title),
+        line([one, 1.5 * LINE], [one, bottom], "gray", 1.0),
+        bars,
+    ];
+    picture(width, bottom + LINE / 2.0, &drawn.concat())
 }
 
 fn bar(row: &Row, top: f64) -> String {
     let [_, ratio, _] = row.times.ratio;
     let (length, middle, height) = (ratio * ONE, top + 0.7 * LINE, 0.8 * LINE);
-    let mut bar = format!(
-        "<text x=\"{NAMES}\" y=\"{middle}\" text-anchor=\"end\">{}</text>\n\
-         <text x=\"{}\" y=\"{middle}\" text-anchor=\"end\">{ratio:.2}</text>\n\
-         <rect x=\"{LEFT}\" y=\"{top}\" width=\"{length:.1}\" height=\"{height}\" fill=\"steelblue\"/>\n",
-        row.what,
-        LEFT - 8.0,
-    );
+    let mut bar = text(NAMES, middle, "end", &row.what);
+    bar += &text(LEFT - 8.0, middle, "end", format_args!("{ratio:.2}"));
+    writeln!(
+        bar,
+        "<rect x=\"{LEFT}\" y=\"{top}\" width=\"{length:.1}\" height=\"{height}\" fill=\"steelblue\"/>"
+    )
+    .expect("a string takes all");
     if let Some(reach) = row.reach {
         let x = LEFT + reach * ONE;
-        writeln!(
-            bar,
-            "<line x1=\"{x:.1}\" y1=\"{}\" x2=\"{x:.1}\" y2=\"{}\" stroke=\"red\" stroke-width=\"2\"/>",
-            top - 1.0,
-            top + height + 1.0,
-        )
-        .expect("a string takes all");
+        bar += &line([x, top - 1.0], [x, top + height + 1.0], "red", 2.0);
     }
     bar
 }

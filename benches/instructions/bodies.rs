@@ -64,11 +64,13 @@ pub const BODIES: &[Body] = bodies![
     t_handle::Handle,
 ];
 
-/// Examples of which no body is in the list.
+/// Examples of which no body is in the list; folders are measurements themselves.
 pub fn missing() -> Vec<String> {
     let examples = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/examples"));
-    let names = examples.expect("the folder of examples").map(|entry| {
-        let path = entry.expect("an example").path();
+    let paths = examples
+        .expect("the folder of examples")
+        .map(|entry| entry.expect("an example").path());
+    let names = paths.filter(|path| path.is_file()).map(|path| {
         let name = path.file_stem().expect("a name").to_string_lossy();
         name.into_owned()
     });

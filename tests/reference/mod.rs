@@ -24,6 +24,11 @@ pub fn trajectory(name: &str) -> Value {
     file(include_str!("trajectories.json"))["problems"][name].take()
 }
 
+/// A flight, by name.
+pub fn flight(name: &str) -> Value {
+    file(include_str!("flights.json"))["problems"][name].take()
+}
+
 /// A number, written as one, as a decimal string or as a fraction.
 pub fn number(value: &Value) -> f64 {
     match value {

@@ -6,6 +6,8 @@ mod bodies;
 #[allow(dead_code)]
 #[path = "../../acceleration/by_hand.rs"]
 mod by_hand;
+#[path = "../../measure/clock.rs"]
+mod clock;
 mod differential_equations;
 #[allow(dead_code)]
 #[path = "../../acceleration/pair.rs"]

@@ -1,0 +1,328 @@
+"""heyoka and MuJoCo on the problems of the example `work_precision`, one core, in the same columns:
+
+    pip install heyoka mujoco
+    taskset --cpu-list 0 python3 benches/peers/work_precision.py target/measures/peers.csv
+    taskset --cpu-list 0 target/release/examples/work_precision --full target/measures/peers.csv
+
+heyoka: error control with its default order for each tolerance, `compact_mode` off, one integrator for all runs of a tolerance; building it
+is not timed. In batches each member has its own steps. MuJoCo: fixed steps, what it can describe: bodies that turn freely or on
+a ball joint, and a hinge. What a call from Python costs without a step is taken off. Medians of rounds in which all are run in turn.
+"""
+
+import itertools
+import json
+import sys
+from importlib.metadata import version
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+import heyoka as hy
+import mujoco
+import numpy as np
+
+REFERENCE = Path(__file__).parents[2] / "tests" / "reference"
+ROUNDS = 31
+# no single time is taken over less; what takes longer is left out [s]
+SHORTEST, LONGEST = 200e-6, 30e-3
+TOLERANCES = [10 ** (-k / 2) for k in range(2, 32)]
+MEMBERS = 8
+
+
+# The equations, in symbols of heyoka; attitudes have the scalar first.
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def rotation(q):
+    s, x, y, z = q
+    return [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - s * z), 2 * (x * z + s * y)],
+        [2 * (x * y + s * z), 1 - 2 * (x * x + z * z), 2 * (y * z - s * x)],
+        [2 * (x * z - s * y), 2 * (y * z + s * x), 1 - 2 * (x * x + y * y)],
+    ]
+
+
+def turning(q, w):
+    s, x, y, z = q
+    p, r, t = w
+    return [
+        -0.5 * (x * p + y * r + z * t),
+        0.5 * (s * p + y * t - z * r),
+        0.5 * (s * r + z * p - x * t),
+        0.5 * (s * t + x * r - y * p),
+    ]
+
+
+def euler(inertia, moment, w):
+    """Written out, the gyroscopic term by products: as few operations as there can be."""
+    a, b, c = inertia
+    gyroscopic = [(b - c) / a * (w[1] * w[2]), (c - a) / b * (w[2] * w[0]), (a - b) / c * (w[0] * w[1])]
+    return [g if m is None else g + m / j for g, m, j in zip(gyroscopic, moment, inertia)]
+
+
+def top(inertia, weight):
+    """A body on a point, its weight times the distance to it along body z; without weight, free."""
+    q, w = hy.make_vars(*"sxyz"), hy.make_vars("p", "r", "t")
+    s, x, y, z = q
+    moment = [2 * weight * (y * z + s * x), 2 * weight * (s * y - x * z), None] if weight else [None] * 3
+    return list(zip([*q, *w], [*turning(q, w), *euler(inertia, moment, w)]))
+
+
+def pendulum():
+    angle, rate = hy.make_vars("angle", "rate")
+    return [(angle, rate), (rate, -40 / 3 * hy.sin(angle))]
+
+
+def flight(loads, mass, inertia):
+    r, q, v, w = (hy.make_vars(*names) for names in [("rx", "ry", "rz"), "sxyz", ("vx", "vy", "vz"), ("p", "q", "t")])
+    force, moment = loads(r, rotation(q), v, w)
+    return list(zip([*r, *q, *v, *w], [*v, *turning(q, w), *[f / mass for f in force], *euler(inertia, moment, w)]))
+
+
+def quadrotor():
+    front, left, back, right = 3.1, 2.9, 3.0, 3.2
+    rotors = [0.17 * (left - right), 0.17 * (back - front), 0.016 * (front - left + back - right)]
+
+    def loads(r, axes, v, w):
+        speed, lift = hy.sqrt(dot(v, v)), front + left + back + right
+        force = [axes[i][2] * lift - 0.08 * speed * v[i] for i in range(3)]
+        force[2] -= 1.2 * 9.80665
+        return force, [m - 0.01 * rate for m, rate in zip(rotors, w)]
+
+    return flight(loads, 1.2, [0.0123, 0.0117, 0.0224])
+
+
+# Tolerances of heyoka are relative to the largest number of a state, so that numbers are to be of one size.
+SATELLITE = np.repeat([7e6, 1.0, 7.5e3, 4e-3], [3, 4, 3, 3])
+
+
+def in_units(units, equations):
+    symbols = {symbol: float(unit) * symbol for (symbol, _), unit in zip(equations, units)}
+    return [(symbol, hy.subs(rate, symbols) / float(unit)) for (symbol, rate), unit in zip(equations, units)]
+
+
+def satellite():
+    mu, mass, inertia = 3.986004418e14, 500.0, [120.0, 150.0, 90.0]
+
+    def loads(r, axes, v, w):
+        square = dot(r, r)
+        cube = square**-1.5
+        fifth = 3 * mu * cube / square
+        n = [dot(r, [row[i] for row in axes]) for i in range(3)]
+        turned = [j * x for j, x in zip(inertia, n)]
+        radial = fifth * (2.5 * dot(n, turned) / square - 0.5 * sum(inertia)) - mu * mass * cube
+        force = [radial * r[i] - fifth * dot(axes[i], turned) for i in range(3)]
+        return force, [fifth * m for m in cross(n, turned)]
+
+    return in_units(SATELLITE, flight(loads, mass, inertia))
+
+
+# Starts and ends.
+
+
+def numbers(values):
+    return np.array([float(value) for value in values])
+
+
+class Problem:
+    """Equations, start, end and the places of what makes an error."""
+
+    def __init__(self, name, equations, seconds, start, end, model=None, units=1.0):
+        self.name, self.equations, self.seconds, self.model = name, equations, seconds, model
+        self.start, self.end = numbers(start) / units, numbers(end) / units
+
+    def error(self, state):
+        if len(state) == 2:
+            angle, rate = state - self.end
+            return max(abs(angle / 2), abs(rate / self.end[1]))
+        attitude, *vectors = [slice(0, 4), slice(4, 7)] if len(state) == 7 else [slice(3, 7), slice(0, 3), slice(7, 10), slice(10, 13)]
+        q, right = state[attitude], self.end[attitude]
+        errors = [np.linalg.norm(state[v] - self.end[v]) / np.linalg.norm(self.end[v]) for v in vectors]
+        return max(min(abs(q - right).max(), abs(q + right).max()), *errors)
+
+
+def problems():
+    file = json.loads((REFERENCE / "trajectories.json").read_text())["problems"]
+    flights = json.loads((REFERENCE / "flights.json").read_text())["problems"]
+    for name in ["symmetric_free", "asymmetric_free", "dzhanibekov", "lagrange_nutation", "heavy_asym", "pendulum_planar"]:
+        problem = file[name]
+        end, seconds = (problem["at_T_10"], 10.0) if "at_T_10" in problem else (problem, problem["T"])
+        weight = problem["k"] * problem["c"][2]
+        start = problem["q0"] + problem["w0"]
+        inertia = problem["I"]
+        yield Problem(name, top(inertia, weight), seconds, start, end["q_ref"] + end["w_ref"], ball(inertia, weight))
+    hanging = file["pendulum_planar"]
+    yield Problem("pendulum", pendulum(), hanging["T"], [2.5, 0], [hanging["theta_T"], hanging["w_ref"][0]], hinge())
+    for name, equations, units in [("quadrotor", quadrotor(), 1.0), ("satellite", satellite(), SATELLITE)]:
+        flown = flights[name]
+        yield Problem(name, equations, flown["T"], flown["start"], flown["end"], units=units)
+
+
+# The programs. A run is a function; before it, what is taken off.
+
+
+class Heyoka:
+    def __init__(self, problem, tolerance):
+        self.problem = problem
+        self.integrator = hy.taylor_adaptive(problem.equations, problem.start, tol=tolerance)
+
+    def run(self, seconds=None):
+        self.integrator.time = 0.0
+        self.integrator.state[:] = self.problem.start
+        self.integrator.propagate_until(self.problem.seconds if seconds is None else seconds)
+
+    def idle(self):
+        self.run(0.0)
+
+    def error(self):
+        self.run()
+        return self.problem.error(self.integrator.state)
+
+
+class Batch:
+    """Several bodies, the k-th begins with an angular velocity greater by k/64n; the error is the greatest of them."""
+
+    def __init__(self, problem, tolerance):
+        self.problem = problem
+        self.start = np.repeat(problem.start[:, None], MEMBERS, axis=1)
+        self.start[4:] *= 1 + np.arange(MEMBERS) / MEMBERS / 64
+        self.integrator = hy.taylor_adaptive_batch(problem.equations, self.start, tol=tolerance)
+
+    def run(self, seconds=None):
+        self.integrator.set_time(0.0)
+        self.integrator.state[:] = self.start
+        self.integrator.propagate_until(self.problem.seconds if seconds is None else seconds)
+
+    def idle(self):
+        self.run(0.0)
+
+    def error(self):
+        self.run()
+        first = self.problem.error(self.integrator.state[:, 0])
+        others = [self.alone(k) for k in range(1, MEMBERS)]
+        return max(first, *others)
+
+    def alone(self, k):
+        """The error of another member, by the same program with its smallest tolerance."""
+        fine = hy.taylor_adaptive(self.problem.equations, self.start[:, k], tol=1e-17)
+        fine.propagate_until(self.problem.seconds)
+        right = Problem("", None, 0, self.start[:, k], fine.state)
+        return right.error(self.integrator.state[:, k])
+
+
+def model(joint, inertia, offset, mass, gravity):
+    return f"""
+    <mujoco>
+      <option gravity="0 0 {-gravity}"><flag contact="disable"/></option>
+      <worldbody><body>
+        {joint}
+        <inertial pos="0 0 {offset!r}" mass="{mass!r}" diaginertia="{' '.join(map(repr, inertia))}"/>
+      </body></worldbody>
+    </mujoco>"""
+
+
+def ball(inertia, weight):
+    """A heavy body near its support: of its inertia little is due to the distance."""
+    mass, gravity = 1000.0, 10.0 if weight else 0.0
+    offset = weight / (mass * 10.0)
+    a, b, c = inertia
+    steiner = mass * offset**2
+    return model('<joint type="ball"/>', [a - steiner, b - steiner, c], offset, mass, gravity)
+
+
+def hinge():
+    return model('<joint type="hinge" axis="1 0 0"/>', [0.14, 0.14, 0.1], -0.4, 1.0, 10.0)
+
+
+class MuJoCo:
+    def __init__(self, problem, integrator, steps):
+        self.problem, self.steps = problem, steps
+        self.model = mujoco.MjModel.from_xml_string(problem.model)
+        self.model.opt.integrator = integrator
+        self.model.opt.timestep = problem.seconds / steps
+        self.data = mujoco.MjData(self.model)
+
+    def set(self):
+        self.data.time = 0.0
+        self.data.qpos[:] = self.problem.start[: self.model.nq]
+        self.data.qvel[:] = self.problem.start[self.model.nq :]
+
+    def run(self):
+        self.set()
+        mujoco.mj_step(self.model, self.data, nstep=self.steps)
+
+    def idle(self):
+        self.set()
+
+    def error(self):
+        self.run()
+        return self.problem.error(np.concatenate([self.data.qpos, self.data.qvel]))
+
+
+# Times.
+
+
+def time(run, repeats):
+    start = perf_counter()
+    for _ in range(repeats):
+        run()
+    return (perf_counter() - start) / repeats
+
+
+def swept(method, make, efforts):
+    """Runs from coarse to fine, until they take too long or errors fall no more."""
+    best, since = float("inf"), 0
+    for effort in efforts:
+        run = make(effort)
+        error = run.error()
+        seconds = min(time(run.run, 1) for _ in range(3))
+        if error < 1:
+            yield method, effort, run, error, max(1, int(SHORTEST / seconds))
+        since = 0 if error < 0.7 * best else since + 1
+        best = min(best, error)
+        if seconds > LONGEST or (best < 1e-8 and since >= 4):
+            return
+
+
+def measured(name, share, runs, write):
+    """All in turn; `share` simulated seconds of bodies are in each."""
+    runs = list(runs)
+    times = [[] for _ in runs]
+    for _ in range(ROUNDS):
+        for (_, _, run, _, repeats), collected in zip(runs, times):
+            collected.append(time(run.run, repeats) - time(run.idle, repeats))
+    for (method, effort, _, error, _), collected in zip(runs, times):
+        write(f'"{name}","{method}",{effort:e},{median(collected) * 1e9 / share:.3f},{error:.3e}')
+
+
+def main(path):
+    # of steps that are too long MuJoCo warns; they are left out
+    mujoco.set_mju_user_warning(lambda _: None)
+    lines = ["problem,method,effort,ns_per_second,error"]
+    print(f"heyoka {version('heyoka')}, lanes for doubles here: {hy.recommended_simd_size(float)}; MuJoCo {mujoco.__version__}")
+    steps = [s for k in range(2, 22) for s in (1 << k, 3 << (k - 1))]
+    integrators = [("MuJoCo, RK4", mujoco.mjtIntegrator.mjINT_RK4), ("MuJoCo, implicitfast", mujoco.mjtIntegrator.mjINT_IMPLICITFAST)]
+    for problem in problems():
+        runs = [swept("heyoka", lambda tolerance: Heyoka(problem, tolerance), TOLERANCES)]
+        if problem.model:
+            for name, integrator in integrators:
+                runs.append(swept(name, lambda count, integrator=integrator: MuJoCo(problem, integrator, count), steps))
+        measured(problem.name, problem.seconds, itertools.chain(*runs), lines.append)
+        if problem.name in ["lagrange_nutation", "heavy_asym"]:
+            batches = swept(f"heyoka, {MEMBERS} in a batch", lambda tolerance: Batch(problem, tolerance), TOLERANCES)
+            name = f"{problem.name}, ensembles"
+            measured(name, problem.seconds * MEMBERS, batches, lines.append)
+        print(f"{problem.name}: done")
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    Path(path).write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

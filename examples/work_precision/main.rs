@@ -1,0 +1,93 @@
+//! Time against error: every method of this library and what else one would reach for, on the same problems.
+//!
+//! One core, medians of rounds in which all are timed in turn; the error is that of the end state, against more digits than a double
+//! has. A table is printed, and written under `target/measures` as `work_precision.csv` and `.svg`:
+//!
+//! ```sh
+//! cargo run --release --example work_precision                  # a few seconds
+//! cargo run --release --example work_precision -- --full        # a few minutes: smaller errors, more bodies, more rounds
+//! cargo run --release --example work_precision -- --full target/measures/peers.csv
+//! ```
+//!
+//! The last reads what `benches/peers/work_precision.py` has measured. What a method is for (`ours.rs`, `peers/`), and the problems
+//! (`bodies.rs`, `by_hand.rs`; their ends are those of `tests/reference`), is a file each.
+
+mod bodies;
+mod by_hand;
+#[path = "../../benches/measure/clock.rs"]
+mod clock;
+mod diagram;
+mod distance;
+#[path = "../../benches/measure/drawing.rs"]
+mod drawing;
+mod ensemble;
+#[path = "../../benches/measure/folder.rs"]
+mod folder;
+mod measure;
+mod method;
+mod ours;
+mod peers;
+mod problem;
+mod problems;
+#[path = "../../tests/reference/mod.rs"]
+mod reference;
+mod table;
+
+use std::error::Error;
+use std::time::Duration;
+use std::{env, fs};
+
+use measure::Care;
+use table::Table;
+
+const QUICK: Care = Care {
+    rounds: 5,
+    shortest: 50e-6,
+    longest: Duration::from_millis(5),
+};
+
+const FULL: Care = Care {
+    rounds: 31,
+    shortest: 200e-6,
+    longest: Duration::from_millis(30),
+};
+
+/// Of a thousand bodies.
+const MANY: Care = Care {
+    rounds: 11,
+    shortest: 200e-6,
+    longest: Duration::from_millis(300),
+};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let (flags, files): (Vec<String>, Vec<String>) =
+        env::args().skip(1).partition(|word| word.starts_with("--"));
+    let is_full = match flags.as_slice() {
+        [] => false,
+        [flag] if flag == "--full" => true,
+        _ => return Err(format!("only --full and files are understood, not {flags:?}").into()),
+    };
+    let care = if is_full { FULL } else { QUICK };
+
+    let mut curves = problems::all(care);
+    curves.extend(ensemble::tops(care, 8));
+    if is_full {
+        curves.extend(ensemble::tops(MANY, 1024));
+    }
+    for file in files {
+        curves.extend(table::read(&fs::read_to_string(file)?)?);
+    }
+    println!("{}", Table(&curves));
+
+    // target/release/examples/work_precision
+    let program = env::current_exe()?;
+    let target = program.ancestors().nth(3).ok_or("not run by cargo")?;
+    folder::keep(
+        target,
+        &[
+            ("work_precision.csv", table::csv(&curves)),
+            ("work_precision.svg", diagram::diagram(&curves)),
+        ],
+    )?;
+    Ok(())
+}

@@ -1,0 +1,81 @@
+//! The example `work_precision`: its problems end where they are known to, and its times are read off as they should be.
+#![allow(missing_docs, reason = "tests")]
+#![allow(dead_code, reason = "of the example not all is looked at")]
+
+#[path = "../examples/work_precision/bodies.rs"]
+mod bodies;
+#[path = "../benches/measure/clock.rs"]
+mod clock;
+#[path = "../examples/work_precision/distance.rs"]
+mod distance;
+#[path = "../examples/work_precision/measure.rs"]
+mod measure;
+#[path = "../examples/work_precision/method.rs"]
+mod method;
+#[path = "../examples/work_precision/problem.rs"]
+mod problem;
+mod reference;
+
+use newton_euler::integrate;
+use newton_euler::prelude::*;
+
+use distance::Distance;
+use measure::{Curve, Point};
+use problem::{Problem, flying, swinging, turning};
+
+/// The error at the end, by series of a tolerance that leaves rounding.
+fn error<B: Taylor<State: Distance, Input = ()>>(problem: &Problem<B>) -> f64 {
+    let times = 0.0..problem.seconds;
+    let end = integrate::taylor(&problem.body, &problem.start, &(), times, 1e-15);
+    let Ok(end) = end else {
+        return f64::NAN;
+    };
+    end.distance(&problem.end)
+}
+
+#[test]
+fn problems_end_where_they_are_known_to() {
+    let errors = [
+        error(&flying("quadrotor", bodies::Quadrotor::default())),
+        error(&flying("satellite", bodies::Satellite::default())),
+        error(&turning("heavy_asym", bodies::HeavyTop::default())),
+        error(&turning(
+            "lagrange_nutation",
+            bodies::LagrangeTop::default(),
+        )),
+        error(&turning(
+            "pendulum_planar",
+            bodies::PendulumInSpace::default(),
+        )),
+        error(&swinging("pendulum", bodies::Pendulum::default())),
+    ];
+    assert!(errors.iter().all(|error| *error < 1e-13), "{errors:?}");
+}
+
+fn point(time: f64, error: f64) -> Point {
+    Point {
+        effort: 1.0,
+        time,
+        error,
+    }
+}
+
+/// Of an error that is one over the square of the time; what others better in both does not count.
+#[test]
+fn times_lie_between_the_best_points() {
+    let curve = Curve {
+        problem: String::new(),
+        method: String::new(),
+        points: vec![
+            point(1e1, 1e-2),
+            point(1e3, 1e-6),
+            point(1e2, 1e-1),
+            point(1e5, 1e-5),
+        ],
+    };
+    let to = |error| curve.time_to(error).unwrap();
+    assert!((to(1e-4) / 1e2 - 1.0).abs() < 1e-12);
+    assert!((to(1e-1) / 1e1 - 1.0).abs() < 1e-12); // the fastest there is
+    assert_eq!(curve.time_to(1e-7), None);
+    assert_eq!(curve.best().len(), 2);
+}

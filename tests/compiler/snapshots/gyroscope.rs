@@ -124,6 +124,9 @@ impl ::newton_euler::private::RigidBody for Gyroscope {
         [angular_x, angular_y, 0.0].into()
     }
 }
+impl ::newton_euler::private::Integrate for Gyroscope {
+    type Best = ::newton_euler::private::TaylorSeries;
+}
 impl ::newton_euler::private::Taylor for Gyroscope {
     type Products<A: ::newton_euler::private::Arithmetic, const COUNT: usize> = ::newton_euler::private::Products<
         A,

@@ -4,7 +4,10 @@ use std::fmt::Debug;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector2, Vector3};
 use newton_euler::columns::{Generic, Source};
-use newton_euler::ensemble::{Blocks, Ensemble, InvalidMember};
+use newton_euler::ensemble::{Blocks, Ensemble, InvalidMember, MemberError};
+use newton_euler::integrate::{
+    Classical4, DormandPrince8, Fixed, Midpoint, RungeKutta, Tsitouras5,
+};
 use newton_euler::lanes::Width;
 use newton_euler::{columns::Columns, integrate, prelude::*};
 
@@ -188,7 +191,7 @@ impl Unit for Hinge {}
 /// Compares an ensemble with its members alone, in all widths.
 fn check<B>(params: impl Fn(f64) -> B::Params)
 where
-    B: Generic<State: Unit + PartialEq>,
+    B: Generic<State: Unit + PartialEq, Input: Clone> + Integrate,
     <B::State as State>::Acceleration: PartialEq + Debug + Columns<f64>,
 {
     let mut numbers = Numbers(7);
@@ -225,6 +228,87 @@ where
                 "member {index}, {width:?}: {alone:?}"
             );
         }
+        steps_as_if_alone(
+            &start,
+            width,
+            Fixed {
+                method: Classical4,
+                step: 0.06,
+            },
+        );
+        steps_as_if_alone(
+            &start,
+            width,
+            Fixed {
+                method: Tsitouras5,
+                step: 0.06,
+            },
+        );
+        steps_as_if_alone(
+            &start,
+            width,
+            Fixed {
+                method: DormandPrince8,
+                step: 0.1,
+            },
+        );
+        steps_as_if_alone(
+            &start,
+            width,
+            Fixed {
+                method: Midpoint,
+                step: 0.02,
+            },
+        );
+    }
+    let mut ensemble = start.clone();
+    ensemble
+        .integrate()
+        .starting_at(0.3)
+        .tolerance(1e-8)
+        .to(0.7)
+        .unwrap();
+    for (index, (state, input)) in states.iter().zip(&inputs).enumerate() {
+        let body = ensemble.body(index);
+        let alone = body
+            .integrate(state)
+            .starting_at(0.3)
+            .input(input.clone())
+            .tolerance(1e-8);
+        assert!(
+            ensemble.state(index) == alone.to(0.7).unwrap(),
+            "member {index}"
+        );
+    }
+}
+
+/// Equal steps in lanes, and of each member alone.
+fn steps_as_if_alone<B, M>(start: &Ensemble<B>, width: Width, method: Fixed<M>)
+where
+    B: Generic<State: PartialEq, Input: Clone> + Integrate,
+    M: RungeKutta,
+{
+    let mut ensemble = start.clone();
+    ensemble.set_width(width);
+    ensemble
+        .integrate()
+        .starting_at(0.3)
+        .method(method)
+        .to(0.7)
+        .unwrap();
+    for index in 0..start.len() {
+        let (body, input) = (start.body(index), start.inputs().get(index));
+        let state = start.state(index);
+        let alone = body
+            .integrate(&state)
+            .starting_at(0.3)
+            .method(method)
+            .input(input);
+        let alone = alone.to(0.7).unwrap();
+        assert!(
+            ensemble.state(index) == alone,
+            "member {index}, {width:?}, {method:?}: {alone:?}"
+        );
     }
 }
 
@@ -271,7 +355,75 @@ fn one_body_for_all() {
 fn none_at_all() {
     let mut ensemble = Ensemble::new(&bodies::Slider::default(), []);
     ensemble.cf4(0.0..1.0, 10);
+    ensemble.integrate().to(1.0).unwrap();
     assert!(ensemble.is_empty() && ensemble.accelerations(0.0).is_empty());
+}
+
+/// Each member under a controller of its own; a member that fails is named, and all stay where they were.
+#[test]
+fn controllers_and_errors() {
+    let body = bodies::Turning::default();
+    let rest = [Rotation::default(); 11];
+    let mut ensemble = Ensemble::new(&body, rest);
+    let steps = Fixed {
+        method: DormandPrince8,
+        step: 0.05,
+    };
+    let control = |time: f64, index: usize, _: &Rotation| bodies::TurningInput {
+        torque: Vector3::new(0.0, 0.0, if index == 4 { time } else { 1.5 }),
+    };
+    ensemble
+        .integrate()
+        .method(steps)
+        .controlled_to(1.0, 0.25, control)
+        .unwrap();
+    for (index, state) in ensemble.states().iter().enumerate() {
+        let pushed = if index == 4 {
+            0.25 * (0.25 + 0.5 + 0.75) / 1.5
+        } else {
+            1.0
+        };
+        assert!((state.angular_velocity.z - pushed).abs() < 1e-14, "{index}");
+    }
+
+    let before = ensemble.states().clone();
+    let push = |push| bodies::TurningInput {
+        torque: Vector3::new(0.0, 0.0, push),
+    };
+    ensemble.inputs_mut().set(7, &push(f64::NAN));
+    let lost = |error: MemberError<Rotation>| {
+        let named = error.index == 7
+            && error
+                .to_string()
+                .starts_with("member 7: the motion is not finite");
+        assert!(named, "{error}");
+    };
+    lost(ensemble.integrate().method(steps).to(1.0).unwrap_err());
+    assert!(*ensemble.states() == before);
+    lost(ensemble.integrate().to(1.0).unwrap_err());
+    assert!(*ensemble.states() == before);
+
+    for step in [0.0, -1.0, f64::NAN] {
+        assert!(
+            ensemble
+                .integrate()
+                .method(Fixed { step, ..steps })
+                .to(1.0)
+                .is_err()
+        );
+        assert!(
+            ensemble
+                .integrate()
+                .method(steps)
+                .controlled_to(1.0, step, |_, _, _| push(1.0))
+                .is_err()
+        );
+    }
+    for end in [f64::NAN, f64::INFINITY] {
+        assert!(ensemble.integrate().method(steps).to(end).is_err());
+        assert!(ensemble.integrate().to(end).is_err());
+    }
+    assert!(ensemble.integrate().starting_at(2.0).to(2.0).is_ok());
 }
 
 #[test]

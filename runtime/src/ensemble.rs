@@ -15,12 +15,14 @@ use crate::lanes::Width;
 
 mod blocks;
 mod evaluate;
+mod integration;
 #[cfg(feature = "progress")]
 mod progress;
 #[cfg(feature = "serde")]
 mod written;
 
 pub use blocks::Blocks;
+pub use integration::{EnsembleIntegration, MemberError, Moves, OneByOne};
 
 /// Bodies of one kind that move independently of each other.
 ///

@@ -51,8 +51,10 @@ pub use equations::Equations;
 pub use error::IntegrationError;
 pub use event::Event;
 pub use fixed::{Fixed, FixedRun};
+pub(crate) use integration::TOLERANCE;
 pub use integration::{Integrate, Integration};
 pub use method::{Method, Run, Tolerant};
+pub(crate) use point::add;
 pub use projected::{Projected, ProjectedRun, cf4_projected};
 pub use runge_kutta::{
     Classical4, DormandPrince8, Midpoint, RungeKutta, Tsitouras5, runge_kutta_step,

@@ -90,7 +90,7 @@ const CHUNK: usize = 32;
 
 /// Does some work on all blocks; it is told which block is the first of its rows.
 #[cfg(feature = "rayon")]
-fn in_chunks(rows: &mut [Row], columns: usize, work: impl Fn(usize, &mut [Row]) + Sync) {
+pub(super) fn in_chunks(rows: &mut [Row], columns: usize, work: impl Fn(usize, &mut [Row]) + Sync) {
     use rayon::prelude::*;
     rows.par_chunks_mut(columns * CHUNK)
         .enumerate()
@@ -99,22 +99,27 @@ fn in_chunks(rows: &mut [Row], columns: usize, work: impl Fn(usize, &mut [Row]) 
 
 /// Does some work on all blocks; it is told which block is the first of its rows.
 #[cfg(not(feature = "rayon"))]
-fn in_chunks(rows: &mut [Row], _columns: usize, work: impl Fn(usize, &mut [Row])) {
+pub(super) fn in_chunks(rows: &mut [Row], _columns: usize, work: impl Fn(usize, &mut [Row])) {
     work(0, rows);
 }
 
 /// A body over lanes.
-type Laned<B, S> = <B as Generic>::With<Lanes<S>>;
+pub(super) type Laned<B, S> = <B as Generic>::With<Lanes<S>>;
 
 impl<B: Generic> Members<B> {
     #[inline(always)]
-    fn bodies_of<S: Register>(&self, simd: S, block: usize, group: usize) -> Laned<B, S> {
+    pub(super) fn bodies_of<S: Register>(
+        &self,
+        simd: S,
+        block: usize,
+        group: usize,
+    ) -> Laned<B, S> {
         let block = if self.is_uniform { 0 } else { block };
         read::<B, _, S>(simd, self.bodies.rows(), block, group)
     }
 
     #[inline(always)]
-    fn inputs_of<S: Register>(
+    pub(super) fn inputs_of<S: Register>(
         &self,
         simd: S,
         block: usize,
@@ -126,7 +131,7 @@ impl<B: Generic> Members<B> {
 
 /// What a group of a block has in these rows, over lanes.
 #[inline(always)]
-fn read<C: Columns<f64>, D: Columns<Lanes<S>>, S: Register>(
+pub(super) fn read<C: Columns<f64>, D: Columns<Lanes<S>>, S: Register>(
     simd: S,
     rows: &[Row],
     block: usize,

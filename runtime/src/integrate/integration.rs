@@ -10,7 +10,7 @@ use super::error::IntegrationError;
 use super::method::{Method, Run, Tolerant};
 
 /// How large the error of a step may be where nobody says.
-const TOLERANCE: f64 = 1e-9;
+pub(crate) const TOLERANCE: f64 = 1e-9;
 
 /// A body whose motion can be integrated, with the method that is best for it.
 ///

@@ -5,7 +5,7 @@ use crate::body::RigidBody;
 use super::error::IntegrationError;
 
 /// A method of integration for a kind of body.
-pub trait Method<B: RigidBody<Scalar = f64>> {
+pub trait Method<B: RigidBody<Scalar = f64>>: Copy + Send + Sync {
     /// A motion under way.
     type Run<'b>: Run<B>
     where

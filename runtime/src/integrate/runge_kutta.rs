@@ -21,7 +21,7 @@ pub use midpoint::Midpoint;
 pub use tsitouras::Tsitouras5;
 
 /// A Runge–Kutta method: a step from nothing but the state at its start.
-pub trait RungeKutta: Copy + core::fmt::Debug {
+pub trait RungeKutta: Copy + core::fmt::Debug + Send + Sync {
     /// The error of a motion in steps h is of order `h^ORDER`.
     const ORDER: usize;
 

@@ -24,7 +24,7 @@ rigid_body!(LagrangeTop {
     motion: rotation,
     inertia: principal(1, 1, 0.5)[kg * m ^ 2],
     moments: [weight = body(0, 0, 1[m]).cross(world(0, 0, -5[N]))],
-    outputs: [taylor],
+    outputs: [flow, taylor],
 });
 
 rigid_body!(HeavyTop {
@@ -104,11 +104,13 @@ pub mod many {
         motion: rotation,
         inertia: principal(1, 1, 0.5)[kg * m ^ 2],
         moments: [weight = body(0, 0, 1[m]).cross(world(0, 0, -5[N]))],
+        outputs: [flow],
     });
 
     rigid_body!(HeavyTop::<T> {
         motion: rotation,
         inertia: principal(0.6, 0.8, 1)[kg * m ^ 2],
         moments: [weight = body(0, 0, 1[m]).cross(world(0, 0, -1[N]))],
+        outputs: [taylor],
     });
 }

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use nalgebra::Vector3;
 use newton_euler::ensemble::Ensemble;
-use newton_euler::integrate;
+use newton_euler::integrate::{self, Classical4, DormandPrince8, Fixed, Tsitouras5};
 use newton_euler::prelude::*;
 
 use crate::bodies::{self, many};
@@ -15,14 +15,29 @@ use crate::problem::{Problem, turning};
 /// The methods that ensembles have. The traits of members are not to be named, so this is no function.
 macro_rules! methods {
     ($ensemble:expr, $seconds:expr) => {
-        [Method::fixed(
-            format!("CF4, {} at once", $ensemble.len()),
-            |steps| {
-                let mut moved = black_box(&$ensemble).clone();
-                moved.cf4(0.0..$seconds, steps as usize);
-                moved.states().iter().collect()
-            },
-        )]
+        [
+            Method::adaptive(
+                format!("best for each, {}", $ensemble.len()),
+                |tolerance| {
+                    let mut moved = black_box(&$ensemble).clone();
+                    let motion = moved.integrate().tolerance(tolerance);
+                    motion.to($seconds).ok()?;
+                    Some(moved.states().iter().collect())
+                },
+            ),
+            methods!(@steps $ensemble, $seconds, "Runge-Kutta 8", DormandPrince8),
+            methods!(@steps $ensemble, $seconds, "Runge-Kutta 5", Tsitouras5),
+            methods!(@steps $ensemble, $seconds, "Runge-Kutta 4", Classical4),
+        ]
+    };
+    (@steps $ensemble:expr, $seconds:expr, $name:literal, $method:expr) => {
+        Method::fixed(format!("{}, {} at once", $name, $ensemble.len()), |steps| {
+            let mut moved = black_box(&$ensemble).clone();
+            let (method, step) = ($method, $seconds / f64::from(steps));
+            // what is not finite stays where it was, and counts as not arrived
+            let _ = moved.integrate().method(Fixed { method, step }).to($seconds);
+            moved.states().iter().collect()
+        })
     };
 }
 

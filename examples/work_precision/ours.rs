@@ -2,8 +2,12 @@
 
 use std::hint::black_box;
 
-use newton_euler::integrate::{self, Motion};
+use newton_euler::integrate::{
+    self, Classical4, DormandPrince, DormandPrince8, Fixed, Midpoint, Motion, RungeKutta,
+    TaylorSeries, Tolerant, Tsitouras5,
+};
 use newton_euler::prelude::*;
+use newton_euler::state::Coordinates;
 
 use crate::method::Method;
 use crate::problem::Problem;
@@ -18,24 +22,61 @@ pub fn flow<B: Flow>(problem: &Problem<B>) -> Method<'_, B::State> {
 }
 
 /// All methods for a body that has series.
-pub fn smooth<B: Taylor<Input = ()>>(problem: &Problem<B>) -> Vec<Method<'_, B::State>> {
+pub fn smooth<B: Taylor<Input = ()> + Integrate>(
+    problem: &Problem<B>,
+) -> Vec<Method<'_, B::State>> {
     vec![
-        taylor(problem),
-        taylor_steps::<B, 9>("Taylor 8, fixed steps", problem),
+        adaptive::<B, TaylorSeries>("Taylor", problem),
+        adaptive::<B, DormandPrince>("DOP853", problem),
         taylor_steps::<B, 17>("Taylor 16, fixed steps", problem),
+        steps("Runge-Kutta 8, fixed steps", DormandPrince8, problem),
+        steps("Runge-Kutta 5, fixed steps", Tsitouras5, problem),
+        steps("Runge-Kutta 4, fixed steps", Classical4, problem),
+        steps("midpoint rule", Midpoint, problem),
         cf4(problem),
     ]
 }
 
-fn taylor<B: Taylor<Input = ()>>(problem: &Problem<B>) -> Method<'_, B::State> {
+fn adaptive<'p, B, M>(name: &'static str, problem: &'p Problem<B>) -> Method<'p, B::State>
+where
+    B: Integrate<Input = ()>,
+    M: integrate::Method<B> + Tolerant,
+{
     let Problem {
         body,
         start,
         seconds,
         ..
     } = problem;
-    Method::adaptive("Taylor", |tolerance| {
-        integrate::taylor(body, black_box(start), &(), 0.0..*seconds, tolerance).ok()
+    Method::adaptive(name, move |tolerance| {
+        let method = M::with_tolerance(tolerance);
+        body.integrate(black_box(start))
+            .method(method)
+            .to(*seconds)
+            .ok()
+    })
+}
+
+fn steps<'p, B, M>(name: &'static str, method: M, problem: &'p Problem<B>) -> Method<'p, B::State>
+where
+    B: Integrate<Input = (), State: Coordinates>,
+    M: RungeKutta + 'p,
+{
+    let Problem {
+        body,
+        start,
+        seconds,
+        ..
+    } = problem;
+    Method::fixed(name, move |steps| {
+        let step = seconds / f64::from(steps);
+        let motion = body
+            .integrate(black_box(start))
+            .method(Fixed { method, step });
+        // what is not finite stays where it was, and counts as not arrived
+        motion
+            .to(*seconds)
+            .unwrap_or_else(|error| error.state().clone())
     })
 }
 

@@ -13,30 +13,33 @@ use crate::{bodies, ours, peers};
 /// All of them, measured.
 pub fn all(care: Care) -> Vec<Curve> {
     let curves = [
-        free(
+        closed(
             care,
             "symmetric_free",
             bodies::SymmetricFree::default(),
             [2.0, 2.0, 1.0],
+            Free,
         ),
-        free(
+        closed(
             care,
             "asymmetric_free",
             bodies::AsymmetricFree::default(),
             [0.6, 0.8, 1.0],
+            Free,
         ),
-        free(
+        closed(
             care,
             "dzhanibekov",
             bodies::Dzhanibekov::default(),
             [1.0, 2.0, 3.0],
+            Free,
         ),
-        heavy(
+        closed(
             care,
             "lagrange_nutation",
             bodies::LagrangeTop::default(),
             [1.0, 1.0, 0.5],
-            5.0,
+            Weight(Vector3::z() * 5.0),
         ),
         heavy(
             care,
@@ -69,13 +72,14 @@ pub fn all(care: Care) -> Vec<Curve> {
     curves.into_iter().flatten().collect()
 }
 
-/// A free body, also in closed form.
-fn free<B>(care: Care, name: &'static str, body: B, moments: [f64; 3]) -> Vec<Curve>
+/// A body that turns, also in closed form.
+fn closed<B, L>(care: Care, name: &'static str, body: B, moments: [f64; 3], load: L) -> Vec<Curve>
 where
-    B: Flow + Taylor<State = Rotation, Input = ()>,
+    B: Flow + Taylor<State = Rotation, Input = ()> + Integrate,
+    L: Load,
 {
     let problem = turning(name, body);
-    let by_hand = by_hand_of(&problem, moments, Free);
+    let by_hand = by_hand_of(&problem, moments, load);
     let methods = [
         vec![ours::flow(&problem)],
         ours::smooth(&problem),
@@ -88,7 +92,7 @@ where
 /// A top, its weight times the distance from its support given \[N m\].
 fn heavy<B>(care: Care, name: &'static str, body: B, moments: [f64; 3], weight: f64) -> Vec<Curve>
 where
-    B: Taylor<State = Rotation, Input = ()>,
+    B: Taylor<State = Rotation, Input = ()> + Integrate,
 {
     let problem = turning(name, body);
     let by_hand = by_hand_of(&problem, moments, Weight(Vector3::z() * weight));
@@ -124,7 +128,7 @@ fn pendulum(care: Care) -> Vec<Curve> {
 
 fn flight<B, C>(care: Care, name: &'static str, body: B, by_hand: C) -> Vec<Curve>
 where
-    B: Taylor<State = Spatial, Input = ()>,
+    B: Taylor<State = Spatial, Input = ()> + Integrate,
     C: RigidBody<Scalar = f64, State = Spatial, Input = ()>,
 {
     let problem = flying(name, body);

@@ -1,9 +1,12 @@
 //! One body's series, by the best instructions that the processor has: found once for a motion.
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-use pulp::{Simd, WithSimd, x86::V3};
+use pulp::{
+    Simd, WithSimd,
+    x86::{V3, V4},
+};
 
-use crate::taylor::{Plain, Series, Taylor};
+use crate::taylor::{Arithmetic, Plain, Series, Taylor};
 
 /// What is needed to expand a motion.
 pub(super) enum Expander<B: Taylor, const N: usize> {
@@ -12,14 +15,22 @@ pub(super) enum Expander<B: Taylor, const N: usize> {
     /// With AVX2 and fused operations, and the proof of them.
     #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
     Wide(V3, B::Products<V3, N>),
+    /// With AVX-512.
+    #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+    Widest(V4, B::Products<V4, N>),
 }
 
 impl<B: Taylor, const N: usize> Expander<B, N> {
     /// By the best instructions that there are.
     pub(super) fn best() -> Self {
         #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-        if let Some(proof) = V3::try_new() {
-            return Self::Wide(proof, proof.into());
+        {
+            if let Some(proof) = V4::try_new() {
+                return Self::Widest(proof, proof.into());
+            }
+            if let Some(proof) = V3::try_new() {
+                return Self::Wide(proof, proof.into());
+            }
         }
         Self::Plain(Plain.into())
     }
@@ -48,23 +59,35 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
                 };
                 Simd::vectorize(*proof, expansion);
             }
+            #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+            Self::Widest(proof, products) => {
+                let expansion = Expansion {
+                    body,
+                    time,
+                    state,
+                    input,
+                    products,
+                    series,
+                };
+                Simd::vectorize(*proof, expansion);
+            }
         }
     }
 }
 
 /// The work of one expansion, in a function that is compiled for the instructions.
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-struct Expansion<'e, B: Taylor, const N: usize> {
+struct Expansion<'e, B: Taylor, A: Arithmetic, const N: usize> {
     body: &'e B,
     time: f64,
     state: &'e B::State,
     input: &'e B::Input,
-    products: &'e mut B::Products<V3, N>,
+    products: &'e mut B::Products<A, N>,
     series: &'e mut Series<B::State, N>,
 }
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-impl<B: Taylor, const N: usize> WithSimd for Expansion<'_, B, N> {
+impl<B: Taylor, A: Arithmetic, const N: usize> WithSimd for Expansion<'_, B, A, N> {
     type Output = ();
 
     #[inline(always)]

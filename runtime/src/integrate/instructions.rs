@@ -1,12 +1,13 @@
 //! One body's series, by the best instructions that the processor has: found once for a motion.
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-use pulp::{
-    Simd, WithSimd,
-    x86::{V3, V4},
-};
+use pulp::x86::{V3, V4};
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+use pulp::{Simd, WithSimd};
 
-use crate::taylor::{Arithmetic, Plain, Series, Taylor};
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+use crate::taylor::Arithmetic;
+use crate::taylor::{Plain, Series, Taylor};
 
 /// What is needed to expand a motion.
 pub(super) enum Expander<B: Taylor, const N: usize> {
@@ -49,42 +50,25 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
             Self::Plain(products) => body.expand(time, state, input, products, series),
             #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
             Self::Wide(proof, products) => {
-                let expansion = Expansion {
-                    body,
-                    time,
-                    state,
-                    input,
-                    products,
-                    series,
-                };
-                Simd::vectorize(*proof, expansion);
+                let start = (body, time, state, input);
+                Simd::vectorize(*proof, Expansion::<B, V3, N>(start, products, series));
             }
             #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
             Self::Widest(proof, products) => {
-                let expansion = Expansion {
-                    body,
-                    time,
-                    state,
-                    input,
-                    products,
-                    series,
-                };
-                Simd::vectorize(*proof, expansion);
+                let start = (body, time, state, input);
+                Simd::vectorize(*proof, Expansion::<B, V4, N>(start, products, series));
             }
         }
     }
 }
 
-/// The work of one expansion, in a function that is compiled for the instructions.
+/// The work of one expansion from a state, in a function that is compiled for the instructions.
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-struct Expansion<'e, B: Taylor, A: Arithmetic, const N: usize> {
-    body: &'e B,
-    time: f64,
-    state: &'e B::State,
-    input: &'e B::Input,
-    products: &'e mut B::Products<A, N>,
-    series: &'e mut Series<B::State, N>,
-}
+struct Expansion<'e, B: Taylor, A: Arithmetic, const N: usize>(
+    (&'e B, f64, &'e B::State, &'e B::Input),
+    &'e mut B::Products<A, N>,
+    &'e mut Series<B::State, N>,
+);
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
 impl<B: Taylor, A: Arithmetic, const N: usize> WithSimd for Expansion<'_, B, A, N> {
@@ -92,14 +76,7 @@ impl<B: Taylor, A: Arithmetic, const N: usize> WithSimd for Expansion<'_, B, A, 
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Self {
-            body,
-            time,
-            state,
-            input,
-            products,
-            series,
-        } = self;
+        let Self((body, time, state, input), products, series) = self;
         body.expand(time, state, input, products, series);
     }
 }

@@ -74,15 +74,18 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
             }
             left[p] = arithmetic.multiply_add([0.0; LANES], left[p], self.weights.part(place(p)));
         }
-        // a sum for each product, so that additions do not wait for one another;
-        // first what does not wait for the coefficients of this order
+        // first what was there before the last order, while that is still computed; then what is of it
         let mut terms = [[0.0; LANES]; COUNT];
-        let between = self.left[1..n].iter().zip(self.right[1..n].iter().rev());
-        for (left, right) in between {
-            for (p, term) in terms.iter_mut().enumerate() {
-                let (left, right) = (left.part(place(p)), right.part(place(p)));
-                *term = arithmetic.multiply_add(*term, left, right);
-            }
+        let early = 2..n.max(3) - 1;
+        let right_rows = self.right[early.clone()].iter().rev();
+        for (left, right) in self.left[early].iter().zip(right_rows) {
+            self.add::<FIRST, LANES, COUNT>(&mut terms, left, right);
+        }
+        if n > 2 {
+            self.add::<FIRST, LANES, COUNT>(&mut terms, &self.left[1], &self.right[n - 1]);
+        }
+        if n > 1 {
+            self.add::<FIRST, LANES, COUNT>(&mut terms, &self.left[n - 1], &self.right[1]);
         }
         for p in 0..COUNT {
             let (first_left, first_right) =
@@ -101,6 +104,21 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
             }
         }
         total
+    }
+
+    /// Adds the products of two rows, to a sum for each, so that additions do not wait for one another.
+    #[inline(always)]
+    fn add<const FIRST: usize, const LANES: usize, const COUNT: usize>(
+        &self,
+        terms: &mut [[f64; LANES]; COUNT],
+        left: &Row<WIDTH>,
+        right: &Row<WIDTH>,
+    ) {
+        for (p, term) in terms.iter_mut().enumerate() {
+            let place = FIRST + p * LANES;
+            let (left, right) = (left.part(place), right.part(place));
+            *term = self.arithmetic.multiply_add(*term, left, right);
+        }
     }
 
     /// Coefficients n that were not known before, by the places of their products.

@@ -93,6 +93,7 @@ fn problem<B: Taylor<State = Rotation, Input = ()>>(name: &str, note: &str, body
     step::<B, 13>(body, &start);
     step::<B, 17>(body, &start);
     step::<B, 21>(body, &start);
+    step::<B, 25>(body, &start);
     println!();
     let w = expected.angular_velocity;
     for tolerance in [1e-3, 1e-6, 1e-9, 1e-12, 1e-15] {

@@ -7,6 +7,7 @@ mod despun;
 mod events;
 mod functions;
 mod motions;
+mod products;
 #[path = "../reference/mod.rs"]
 mod reference;
 mod scenes;

@@ -3,6 +3,7 @@
 //! The only room that names the runtime: everything goes through the path that the wrapper of the
 //! macro passes, so that a renamed dependency or a re-export works.
 
+mod batch;
 mod code;
 mod columns;
 mod consistency;

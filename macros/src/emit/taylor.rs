@@ -1,12 +1,12 @@
 //! The recurrences of Taylor series as a method: what they begin with, and a loop over the orders.
 //!
 //! ```text
-//! products.start([(wy, wz), ..]);
+//! products.start::<0, 8, 3>([[(0.5, qy, wz), (-0.5, qz, wy), (0.5, qw, wx)], ..]);
 //! series.start(state);
 //! let mut rates = [..];
 //! for n in 1..COUNT - 1 {
-//!     let [wx_n, ..] = series.extend(n, rates);
-//!     let [wy_wz_n, ..] = products.terms::<0, 4>(n, [(wy_n, wz_n), ..]);
+//!     let [qx_n, ..] = series.extend(n, rates);
+//!     let [qx_rate_n, ..] = products.terms::<0, 8, 3>(n, [[(qy_n, wz_n), (qz_n, wy_n), (qw_n, wx_n)], ..]);
 //!     rates = [..];
 //! }
 //! series.extend(COUNT - 1, rates);
@@ -18,18 +18,14 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use crate::mechanics::{Axes, Taylor};
-use crate::symbolic::{Graph, Id, Node, Product, Program, Recurrences, Stage};
+use crate::symbolic::{Graph, Id, Node, Origin, Program, Recurrences, Stage, Sum, Term};
 
+use super::batch::{Batch, batches};
 use super::code::{Body, Fields, Source, Writer};
 use super::expression::Precedence;
 use super::functions::Function;
 use super::naming::local;
 use super::scalar::{Scalar, number_literal};
-
-/// The most products of one call: their sums stay in registers.
-const BATCH: usize = 24;
-/// Products are added up to so many: what fills a register.
-const LANES: usize = 4;
 
 /// Names that the method has beside those of all functions.
 const TAKEN: [&str; 4] = ["n", "products", "series", "rates"];
@@ -41,20 +37,11 @@ pub struct Expansion {
     pub width: usize,
 }
 
-/// Products of one level that are computed together.
-struct Batch<'r> {
-    level: usize,
-    first: usize,
-    /// With those that fill the last register.
-    count: usize,
-    products: &'r [Product],
-}
-
 impl Expansion {
     pub fn write(writer: &Writer<'_>, taylor: &Taylor) -> Self {
         let recurrences = &taylor.recurrences;
-        let batches = batches(&recurrences.products);
-        let width = batches.iter().map(|batch| batch.count).sum();
+        let batches = batches(&recurrences.sums);
+        let width = batches.last().map_or(0, Batch::end);
         let held = held(&writer.model.frames.graph, recurrences);
 
         let mut body = Body::new(writer, false);
@@ -104,27 +91,9 @@ pub fn write_axes(writer: &Writer<'_>, axes: &Axes) -> Function {
     function
 }
 
-fn batches(products: &[Product]) -> Vec<Batch<'_>> {
-    let mut batches: Vec<Batch<'_>> = Vec::new();
-    let levels = products.chunk_by(|a, b| a.level == b.level);
-    for products in levels.flat_map(|level| level.chunks(BATCH)) {
-        let last = batches.last();
-        batches.push(Batch {
-            level: products[0].level,
-            first: last.map_or(0, |last| last.first + last.count),
-            count: match products.len() {
-                count @ (1 | 2) => count,
-                count => count.next_multiple_of(LANES),
-            },
-            products,
-        });
-    }
-    batches
-}
-
 /// The symbols that stand for n-th coefficients, and for n.
 fn of_order(recurrences: &Recurrences) -> BTreeSet<Id> {
-    let sums = recurrences.products.iter().map(|product| product.sum);
+    let sums = recurrences.sums.iter().map(|sum| sum.value);
     let coefficients = recurrences.coefficients.iter().copied();
     let numbers = [recurrences.order, recurrences.inverse];
     sums.chain(coefficients).chain(numbers).collect()
@@ -132,12 +101,13 @@ fn of_order(recurrences: &Recurrences) -> BTreeSet<Id> {
 
 /// All that is computed for each order.
 fn of_each_order(recurrences: &Recurrences) -> Vec<Id> {
-    let factors = recurrences
-        .products
-        .iter()
-        .flat_map(|product| product.factors);
+    let factors = terms(recurrences).flat_map(|term| term.factors);
     let factors = factors.map(|factor| factor.next);
     recurrences.rates.iter().copied().chain(factors).collect()
+}
+
+fn terms(recurrences: &Recurrences) -> impl Iterator<Item = &Term> {
+    recurrences.sums.iter().flat_map(|sum| &sum.terms)
 }
 
 /// What is computed once, from the start of the step, and read by every order.
@@ -169,12 +139,11 @@ fn start(
     batches: &[Batch<'_>],
     held: &BTreeSet<Id>,
 ) -> TokenStream {
-    let factors = recurrences
-        .products
-        .iter()
-        .flat_map(|product| product.factors);
+    let factors = terms(recurrences).flat_map(|term| {
+        let [left, right] = term.factors;
+        [term.weight, left.start, right.start]
+    });
     let outputs: Vec<Id> = factors
-        .map(|factor| factor.start)
         .chain(recurrences.start.iter().copied())
         .chain(held.iter().copied())
         .collect();
@@ -188,13 +157,18 @@ fn start(
             body.names.insert(*id, name);
         }
     }
-    if !batches.is_empty() {
-        let pairs = batches.iter().flat_map(|batch| {
-            let starts = |product: &Product| product.factors.map(|factor| Some(factor.start));
-            pairs(body, batch, starts)
-        });
-        let (pairs, products) = (pairs.collect::<Vec<_>>(), local("products"));
-        tokens.extend(quote!(#products.start([#(#pairs),*]);));
+    let products = local("products");
+    for batch in batches {
+        let (sizes, sums) = (
+            batch.sizes(),
+            batch.rows(&quote!((0.0, 0.0, 0.0)), |term| {
+                let [left, right] = term.factors;
+                let [weight, left, right] = [term.weight, left.start, right.start]
+                    .map(|id| body.expression(id, Precedence::Lowest));
+                quote!((#weight, #left, #right))
+            }),
+        );
+        tokens.extend(quote!(#products.start::<#sizes>(#sums);));
     }
     let (series, state, rates) = (local("series"), local("state"), local("rates"));
     let values = coordinates(body, &recurrences.start);
@@ -230,25 +204,6 @@ fn coordinates(body: &Body<'_>, rates: &[Id]) -> Vec<TokenStream> {
         .collect()
 }
 
-/// `(left, right)` of the products of a batch, with zero for what is not known.
-fn pairs(
-    body: &Body<'_>,
-    batch: &Batch<'_>,
-    factors: impl Fn(&Product) -> [Option<Id>; 2],
-) -> Vec<TokenStream> {
-    let known = |factor: Id| body.expression(factor, Precedence::Lowest);
-    let value = |factor: Option<Id>| factor.map_or_else(|| quote!(0.0), known);
-    let products = batch.products.iter();
-    let mut pairs: Vec<TokenStream> = products
-        .map(|product| {
-            let [left, right] = factors(product).map(value);
-            quote!((#left, #right))
-        })
-        .collect();
-    pairs.resize(batch.count, quote!((0.0, 0.0)));
-    pairs
-}
-
 /// The loop over the orders.
 fn orders(body: &mut Body<'_>, taylor: &Taylor, batches: &[Batch<'_>]) -> TokenStream {
     let recurrences = &taylor.recurrences;
@@ -268,22 +223,22 @@ fn orders(body: &mut Body<'_>, taylor: &Taylor, batches: &[Batch<'_>]) -> TokenS
     for batch in batches {
         let statements = body.statements(&program, |id| level(id) <= batch.level);
         tokens.extend(statements.0);
-        let known = |next: Id| (level(next) <= batch.level).then_some(next);
-        let pairs = pairs(body, batch, |product| {
-            product.factors.map(|factor| known(factor.next))
-        });
-        let names: Vec<Ident> = batch
-            .products
-            .iter()
-            .map(|product| name_term(body, product))
-            .collect();
-        let rest = (batch.products.len() < batch.count).then(|| quote!(..));
-        let (first, count) = (
-            Literal::usize_unsuffixed(batch.first),
-            Literal::usize_unsuffixed(batch.count),
+        let known = |id: Id| {
+            let is_known = level(id) <= batch.level;
+            let value = || body.expression(id, Precedence::Lowest);
+            if is_known { value() } else { quote!(0.0) }
+        };
+        let (sizes, rows) = (
+            batch.sizes(),
+            batch.rows(&quote!((0.0, 0.0)), |term| {
+                let [left, right] = term.factors.map(|factor| known(factor.next));
+                quote!((#left, #right))
+            }),
         );
+        let (names, gathered) = name_sums(body, taylor, batch);
         tokens.extend(quote! {
-            let [#(#names,)* #rest] = #products.terms::<#first, #count>(#n, [#(#pairs),*]);
+            let [#names] = #products.terms::<#sizes>(#n, #rows);
+            #gathered
         });
     }
     tokens.extend(body.statements(&program, |_| true).0);
@@ -347,13 +302,45 @@ fn read_order(body: &mut Body<'_>, recurrences: &Recurrences, program: &Program)
     tokens
 }
 
-/// A convolution is called after what it was written for.
-fn name_term(body: &mut Body<'_>, product: &Product) -> Ident {
+/// The names of what a batch gives, and the sums of those that are in parts.
+fn name_sums(
+    body: &mut Body<'_>,
+    taylor: &Taylor,
+    batch: &Batch<'_>,
+) -> (TokenStream, TokenStream) {
+    let (mut names, mut gathered) = (Vec::new(), TokenStream::new());
+    for parts in batch.parts.chunk_by(|a, b| a.sum.value == b.sum.value) {
+        let name = name_sum(body, taylor, parts[0].sum);
+        if parts.len() == 1 {
+            names.push(name);
+            continue;
+        }
+        let places = 1..=parts.len();
+        let parts: Vec<Ident> = places
+            .map(|place| body.unique(&format!("{name}_{place}")))
+            .collect();
+        gathered.extend(quote!(let #name = #(#parts)+*;));
+        names.extend(parts);
+    }
+    let rest = (batch.parts.len() < batch.lanes).then(|| quote!(..));
+    (quote!(#(#names,)* #rest), gathered)
+}
+
+/// A sum is called after the coordinate that it is the rate of, or after what it was written for.
+fn name_sum(body: &mut Body<'_>, taylor: &Taylor, sum: &Sum) -> Ident {
+    let Recurrences { rates, results, .. } = &taylor.recurrences;
     let graph = &body.writer.model.frames.graph;
-    let is_product = matches!(graph.node(product.of), Node::Multiply(..));
-    let suffix = if is_product { "n" } else { "terms_n" };
-    let name = name_after(body, product.of, suffix);
-    body.names.insert(product.sum, name.clone());
+    let (of, word, is_whole) = match sum.of {
+        Origin::Rate(place) => (taylor.symbols[place], "rate_", rates[place] == sum.value),
+        Origin::Result(of) => (of, "", results.contains(&(of, sum.value))),
+        Origin::Product(of) => {
+            let is_product = matches!(graph.node(of), Node::Multiply(..));
+            (of, "", is_product && sum.terms.len() == 1)
+        }
+    };
+    let rest = if is_whole { "n" } else { "terms_n" };
+    let name = name_after(body, of, &format!("{word}{rest}"));
+    body.names.insert(sum.value, name.clone());
     name
 }
 
@@ -365,14 +352,15 @@ fn complete(
 ) -> Option<TokenStream> {
     let side = |side: usize| {
         let late = batches.iter().flat_map(|batch| {
-            let products = (batch.first..).zip(batch.products);
-            let nexts = products.map(move |(index, product)| (index, product.factors[side].next));
-            nexts.filter(|(_, next)| level(*next) > batch.level)
+            let places = batch
+                .places()
+                .map(move |(place, term)| (place, term.factors[side].next));
+            places.filter(|(_, next)| level(*next) > batch.level)
         });
-        let pairs = late.map(|(index, next)| {
-            let index = Literal::usize_unsuffixed(index);
+        let pairs = late.map(|(place, next)| {
+            let place = Literal::usize_unsuffixed(place);
             let value = body.expression(next, Precedence::Lowest);
-            quote!((#index, #value))
+            quote!((#place, #value))
         });
         pairs.collect::<Vec<_>>()
     };
@@ -385,9 +373,9 @@ fn complete(
 /// How many levels of convolutions stand before each expression of an order; none are left out.
 fn levels(graph: &Graph, recurrences: &Recurrences, program: &Program) -> HashMap<Id, usize> {
     let mut levels: HashMap<Id, usize> = recurrences
-        .products
+        .sums
         .iter()
-        .map(|product| (product.sum, product.level + 1))
+        .map(|sum| (sum.value, sum.level + 1))
         .collect();
     for id in &program.nodes {
         let operands = graph.node(*id).operands();

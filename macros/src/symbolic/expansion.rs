@@ -1,8 +1,9 @@
 //! The rules of [`super::recurrence`], operation by operation.
 
+use super::convolution::{Factor, Product, Readers};
 use super::function::Function;
 use super::graph::{Graph, Id, Node, Stage};
-use super::recurrence::{Factor, Product, Recurrences};
+use super::recurrence::Recurrences;
 
 /// Recurrences while they are written.
 pub(super) struct Expansion<'g> {
@@ -237,7 +238,7 @@ impl Expansion<'_> {
         self.products.push(Product {
             of,
             level,
-            sum,
+            value: sum,
             factors: [left, right].map(factor),
         });
         self.pending.extend([(index, 0, left), (index, 1, right)]);
@@ -251,7 +252,7 @@ impl Expansion<'_> {
             number,
             inverse,
             next,
-            results,
+            mut results,
             mut products,
             pending,
             ..
@@ -263,14 +264,20 @@ impl Expansion<'_> {
                 Series::Plain(_) | Series::Tail(_) => coefficient,
             };
         }
-        products.sort_by_key(|product| product.level);
-        let rates = start.iter().map(|rate| next[rate.index()]).collect();
+        let mut rates = start.iter().map(|rate| next[rate.index()]).collect();
+        let numbers = [number, inverse];
+        let readers = Readers {
+            rates: &mut rates,
+            results: &mut results,
+            symbols: coefficients.iter().copied().chain(numbers).collect(),
+        };
+        let sums = graph.gathered(&products, readers);
         Recurrences {
             coefficients,
             order: number,
             inverse,
             results,
-            products,
+            sums,
             start,
             rates,
         }

@@ -6,6 +6,7 @@
 
 mod branches;
 mod build;
+mod convolution;
 mod cost;
 mod derivative;
 mod eigen;
@@ -25,6 +26,7 @@ mod substitute;
 mod sum;
 mod vector;
 
+pub use convolution::{Origin, Sum, Term};
 pub use cost::Cost;
 pub use eigen::{Matrix, PrincipalAxes, Spectrum, Symmetry, is_noise, scaled};
 pub use eliminate::{Elimination, Row, Size};
@@ -32,6 +34,6 @@ pub use function::Function;
 pub use graph::{Comparison, Graph, Id, Node, Stage, Symbol};
 pub use number::Number;
 pub use program::Program;
-pub use recurrence::{Coordinate, Product, Recurrences};
+pub use recurrence::{Coordinate, Recurrences};
 pub use solve::{Equation, Solution};
 pub use vector::Components;

@@ -18,6 +18,7 @@
 //! In what is written for n, symbols of their own stand for n-th coefficients, and the expressions
 //! of the description for their values at the start.
 
+use super::convolution::Sum;
 use super::expansion::Expansion;
 use super::function::Function;
 use super::graph::{Graph, Id, Node, Stage};
@@ -40,36 +41,20 @@ pub struct Recurrences {
     /// The n-th coefficients of quotients and functions.
     pub results: Vec<(Id, Id)>,
     /// The convolutions, by level: what a level multiplies is made of the levels below.
-    pub products: Vec<Product>,
+    pub sums: Vec<Sum>,
     /// The rates of the coordinates at the start, and their n-th coefficients.
     pub start: Vec<Id>,
     pub rates: Vec<Id>,
 }
 
-/// A convolution of two series.
-#[derive(Clone, Copy, Debug)]
-pub struct Product {
-    /// The expression that it was written for.
-    pub of: Id,
-    pub level: usize,
-    /// The symbol of its value.
-    pub sum: Id,
-    pub factors: [Factor; 2],
-}
-
-/// A series that is multiplied.
-#[derive(Clone, Copy, Debug)]
-pub struct Factor {
-    pub start: Id,
-    /// Its n-th coefficient; if it is known later than the convolution, that does not depend on it.
-    pub next: Id,
-}
-
 impl Recurrences {
     /// All expressions that code is generated for.
     pub fn roots(&self) -> Vec<Id> {
-        let factors = self.products.iter().flat_map(|product| product.factors);
-        let factors = factors.flat_map(|factor| [factor.start, factor.next]);
+        let terms = self.sums.iter().flat_map(|sum| &sum.terms);
+        let factors = terms.flat_map(|term| {
+            let [left, right] = term.factors;
+            [term.weight, left.start, left.next, right.start, right.next]
+        });
         self.start
             .iter()
             .chain(&self.rates)

@@ -1,8 +1,12 @@
 //! One body's series, by the best instructions that the processor has: found once for a motion.
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-use pulp::{Simd, WithSimd, x86::V3};
+use pulp::x86::{V3, V4};
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+use pulp::{Simd, WithSimd};
 
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+use crate::taylor::Arithmetic;
 use crate::taylor::{Plain, Series, Taylor};
 
 /// What is needed to expand a motion.
@@ -12,14 +16,22 @@ pub(super) enum Expander<B: Taylor, const N: usize> {
     /// With AVX2 and fused operations, and the proof of them.
     #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
     Wide(V3, B::Products<V3, N>),
+    /// With AVX-512.
+    #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+    Widest(V4, B::Products<V4, N>),
 }
 
 impl<B: Taylor, const N: usize> Expander<B, N> {
     /// By the best instructions that there are.
     pub(super) fn best() -> Self {
         #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-        if let Some(proof) = V3::try_new() {
-            return Self::Wide(proof, proof.into());
+        {
+            if let Some(proof) = V4::try_new() {
+                return Self::Widest(proof, proof.into());
+            }
+            if let Some(proof) = V3::try_new() {
+                return Self::Wide(proof, proof.into());
+            }
         }
         Self::Plain(Plain.into())
     }
@@ -38,45 +50,33 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
             Self::Plain(products) => body.expand(time, state, input, products, series),
             #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
             Self::Wide(proof, products) => {
-                let expansion = Expansion {
-                    body,
-                    time,
-                    state,
-                    input,
-                    products,
-                    series,
-                };
-                Simd::vectorize(*proof, expansion);
+                let start = (body, time, state, input);
+                Simd::vectorize(*proof, Expansion::<B, V3, N>(start, products, series));
+            }
+            #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+            Self::Widest(proof, products) => {
+                let start = (body, time, state, input);
+                Simd::vectorize(*proof, Expansion::<B, V4, N>(start, products, series));
             }
         }
     }
 }
 
-/// The work of one expansion, in a function that is compiled for the instructions.
+/// The work of one expansion from a state, in a function that is compiled for the instructions.
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-struct Expansion<'e, B: Taylor, const N: usize> {
-    body: &'e B,
-    time: f64,
-    state: &'e B::State,
-    input: &'e B::Input,
-    products: &'e mut B::Products<V3, N>,
-    series: &'e mut Series<B::State, N>,
-}
+struct Expansion<'e, B: Taylor, A: Arithmetic, const N: usize>(
+    (&'e B, f64, &'e B::State, &'e B::Input),
+    &'e mut B::Products<A, N>,
+    &'e mut Series<B::State, N>,
+);
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-impl<B: Taylor, const N: usize> WithSimd for Expansion<'_, B, N> {
+impl<B: Taylor, A: Arithmetic, const N: usize> WithSimd for Expansion<'_, B, A, N> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Self {
-            body,
-            time,
-            state,
-            input,
-            products,
-            series,
-        } = self;
+        let Self((body, time, state, input), products, series) = self;
         body.expand(time, state, input, products, series);
     }
 }

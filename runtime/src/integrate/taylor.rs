@@ -35,7 +35,7 @@ const SAFETY: f64 = 0.9;
 ///
 /// The tolerance is relative to position, attitude, velocity and angular velocity, each as a whole, and absolute (m, rad, m/s,
 /// rad/s) where these are below 1. The error at the end is that of all steps, as the motion carries it along. The order
-/// follows from the tolerance: 8, 12, 16 or 20.
+/// follows from the tolerance: 14, 16, 20 or 24.
 ///
 /// ```
 /// use newton_euler::{integrate, prelude::*};

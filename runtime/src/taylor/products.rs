@@ -1,103 +1,144 @@
-//! Products of series, many at once.
+//! Sums of products of series, many at once.
 
 use super::Arithmetic;
 
-/// Terms of the products of WIDTH pairs of series, each of N coefficients.
+/// Terms of sums of products of series of N coefficients; of all sums together there are WIDTH products.
 ///
-/// The series lie side by side, so that a register holds the same coefficient of several of them:
+/// The series lie side by side, so that a register holds the same coefficient of several of them: of sums from place FIRST on
+/// in LANES lanes, with COUNT products each,
 ///
 /// ```text
-/// sum[k] = Σ_j left[j][k] right[n - j][k],   j = 0 .. n
+/// sum[k] = Σ_p weight[p][k] Σ_j left[j][p][k] right[n - j][p][k],   j = 0 .. n
 /// ```
+///
+/// first products of all lanes, then the second ones, and so on.
 #[derive(Clone, Debug)]
 pub struct Products<A, const WIDTH: usize, const N: usize> {
     arithmetic: A,
-    left: [[f64; WIDTH]; N],
-    right: [[f64; WIDTH]; N],
+    weights: Row<WIDTH>,
+    /// With their weights.
+    left: [Row<WIDTH>; N],
+    right: [Row<WIDTH>; N],
 }
+
+/// The same coefficient of several series; registers are read fastest where they are aligned.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Row<const WIDTH: usize>([f64; WIDTH]);
 
 impl<A, const WIDTH: usize, const N: usize> From<A> for Products<A, WIDTH, N> {
     fn from(arithmetic: A) -> Self {
+        let zero = Row([0.0; WIDTH]);
         Self {
             arithmetic,
-            left: [[0.0; WIDTH]; N],
-            right: [[0.0; WIDTH]; N],
+            weights: zero,
+            left: [zero; N],
+            right: [zero; N],
         }
     }
 }
 
+// What runs by an arithmetic is written in loops: a closure that is not inlined would not be compiled for its instructions.
 impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
-    /// The first coefficients of all pairs.
+    /// The weights and the first coefficients of sums: `(weight, left, right)`.
     #[inline(always)]
-    pub fn start(&mut self, pairs: [(f64, f64); WIDTH]) {
-        self.left[0] = pairs.map(|(left, _)| left);
-        self.right[0] = pairs.map(|(_, right)| right);
+    pub fn start<const FIRST: usize, const LANES: usize, const COUNT: usize>(
+        &mut self,
+        sums: [[(f64, f64, f64); COUNT]; LANES],
+    ) {
+        for (k, sum) in sums.iter().enumerate() {
+            for (p, (weight, left, right)) in sum.iter().enumerate() {
+                let place = FIRST + p * LANES + k;
+                self.weights.0[place] = *weight;
+                self.left[0].0[place] = weight * left;
+                self.right[0].0[place] = *right;
+            }
+        }
     }
 
-    /// Terms n of the products of the COUNT pairs from FIRST on, of which these are coefficients n. One that is not known yet is
-    /// given as zero, and later by [`complete`](Self::complete): its partner begins with zero.
+    /// Terms n of sums, by coefficients n of their factors. One that is not known yet is given as zero, and later by
+    /// [`complete`](Self::complete): its partner begins with zero.
     #[inline(always)]
-    pub fn terms<const FIRST: usize, const COUNT: usize>(
+    pub fn terms<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &mut self,
         n: usize,
-        pairs: [(f64, f64); COUNT],
-    ) -> [f64; COUNT] {
-        let (left, right) = (pairs.map(|(left, _)| left), pairs.map(|(_, right)| right));
-        let mut sums = [0.0; COUNT];
-        // what does not wait for the coefficients of this order
-        let between = self.left[1..n].iter().zip(self.right[1..n].iter().rev());
-        for (left, right) in between {
-            sums = self.added(
-                sums,
-                part::<WIDTH, FIRST, COUNT>(left),
-                part::<WIDTH, FIRST, COUNT>(right),
-            );
+        sums: [[(f64, f64); COUNT]; LANES],
+    ) -> [f64; LANES] {
+        let arithmetic = self.arithmetic;
+        let place = |p: usize| FIRST + p * LANES;
+        let (mut left, mut right) = ([[0.0; LANES]; COUNT], [[0.0; LANES]; COUNT]);
+        for p in 0..COUNT {
+            for k in 0..LANES {
+                left[p][k] = sums[k][p].0;
+                right[p][k] = sums[k][p].1;
+            }
+            left[p] = arithmetic.multiply_add([0.0; LANES], left[p], self.weights.part(place(p)));
         }
-        sums = self.added(sums, part::<WIDTH, FIRST, COUNT>(&self.left[0]), right);
-        sums = self.added(sums, left, part::<WIDTH, FIRST, COUNT>(&self.right[0]));
-        self.left[n][FIRST..FIRST + COUNT].copy_from_slice(&left);
-        self.right[n][FIRST..FIRST + COUNT].copy_from_slice(&right);
-        sums
+        // first what was there before the last order, while that is still computed; then what is of it
+        let mut terms = [[0.0; LANES]; COUNT];
+        let early = 2..n.max(3) - 1;
+        let right_rows = self.right[early.clone()].iter().rev();
+        for (left, right) in self.left[early].iter().zip(right_rows) {
+            self.add::<FIRST, LANES, COUNT>(&mut terms, left, right);
+        }
+        if n > 2 {
+            self.add::<FIRST, LANES, COUNT>(&mut terms, &self.left[1], &self.right[n - 1]);
+        }
+        if n > 1 {
+            self.add::<FIRST, LANES, COUNT>(&mut terms, &self.left[n - 1], &self.right[1]);
+        }
+        for p in 0..COUNT {
+            let (first_left, first_right) =
+                (self.left[0].part(place(p)), self.right[0].part(place(p)));
+            terms[p] = arithmetic.multiply_add(terms[p], first_left, right[p]);
+            terms[p] = arithmetic.multiply_add(terms[p], left[p], first_right);
+            // out of an operation a row is stored as a whole, and can be read again at once
+            let right = arithmetic.multiply_add([0.0; LANES], right[p], [1.0; LANES]);
+            self.left[n].0[place(p)..place(p) + LANES].copy_from_slice(&left[p]);
+            self.right[n].0[place(p)..place(p) + LANES].copy_from_slice(&right);
+        }
+        let mut total = terms[0];
+        for term in &terms[1..] {
+            for k in 0..LANES {
+                total[k] += term[k];
+            }
+        }
+        total
     }
 
-    /// Sums and products, four by four.
+    /// Adds the products of two rows, to a sum for each, so that additions do not wait for one another.
     #[inline(always)]
-    fn added<const COUNT: usize>(
+    fn add<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &self,
-        mut sums: [f64; COUNT],
-        left: [f64; COUNT],
-        right: [f64; COUNT],
-    ) -> [f64; COUNT] {
-        let fours = COUNT / 4 * 4;
-        for at in (0..fours).step_by(4) {
-            let four = |of: &[f64; COUNT]| [of[at], of[at + 1], of[at + 2], of[at + 3]];
-            let added = self
-                .arithmetic
-                .multiply_add(four(&sums), four(&left), four(&right));
-            sums[at..at + 4].copy_from_slice(&added);
+        terms: &mut [[f64; LANES]; COUNT],
+        left: &Row<WIDTH>,
+        right: &Row<WIDTH>,
+    ) {
+        for (p, term) in terms.iter_mut().enumerate() {
+            let place = FIRST + p * LANES;
+            let (left, right) = (left.part(place), right.part(place));
+            *term = self.arithmetic.multiply_add(*term, left, right);
         }
-        for at in fours..COUNT {
-            sums[at] += left[at] * right[at];
-        }
-        sums
     }
 
-    /// Coefficients n that were not known before.
+    /// Coefficients n that were not known before, by the places of their products.
     #[inline(always)]
     pub fn complete(&mut self, n: usize, left: &[(usize, f64)], right: &[(usize, f64)]) {
-        for (pair, value) in left {
-            self.left[n][*pair] = *value;
+        for (place, value) in left {
+            self.left[n].0[*place] = self.weights.0[*place] * value;
         }
-        for (pair, value) in right {
-            self.right[n][*pair] = *value;
+        for (place, value) in right {
+            self.right[n].0[*place] = *value;
         }
     }
 }
 
-/// COUNT numbers of a row, from FIRST on.
-#[inline(always)]
-fn part<const WIDTH: usize, const FIRST: usize, const COUNT: usize>(
-    row: &[f64; WIDTH],
-) -> [f64; COUNT] {
-    core::array::from_fn(|k| row[FIRST + k])
+impl<const WIDTH: usize> Row<WIDTH> {
+    /// COUNT numbers from a place on.
+    #[inline(always)]
+    fn part<const COUNT: usize>(&self, place: usize) -> [f64; COUNT] {
+        let mut part = [0.0; COUNT];
+        part.copy_from_slice(&self.0[place..place + COUNT]);
+        part
+    }
 }

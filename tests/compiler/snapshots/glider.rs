@@ -7,7 +7,7 @@
 /// - 0.04 kg m^2 about (0, 0, 1)
 ///
 /// Operations:
-/// - `new`: 2 mul
+/// - `new`: 4 mul
 /// - `acceleration`: 18 mul + 8 add + 1 sqrt
 ///
 /// Skipped:
@@ -20,6 +20,8 @@ pub struct Glider {
     params: GliderParams,
     from_drag: f64,
     from_drag_1: f64,
+    from_drag_2: f64,
+    from_drag_3: f64,
 }
 /// Parameters of [`Glider`], in SI units.
 #[allow(clippy::struct_field_names)]
@@ -30,10 +32,10 @@ pub struct GliderParams {
 }
 impl Glider {
     /// The equations of motion, as they are evaluated.
-    pub const EQUATIONS: &str = "# once, in the constructor\nfrom_drag = 25.0 * drag\nfrom_drag_1 = 20.0 * drag\n# at every evaluation\nnorm = sqrt(wx * wx + wy * wy + wz * wz)\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.25 * wy\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = -(from_drag * (wx * norm) + 49.03325 * (qy * qz + qw * qx) + wz * precession)\nangular_y = 39.2266 * (qx * qz - qw * qy) - from_drag_1 * (wy * norm)\nangular_z = wx * precession - from_drag * (wz * norm)";
+    pub const EQUATIONS: &str = "# once, in the constructor\nfrom_drag = 25.0 * drag\nfrom_drag_1 = 20.0 * drag\nfrom_drag_2 = -20.0 * drag\nfrom_drag_3 = -25.0 * drag\n# at every evaluation\nnorm = sqrt(wx * wx + wy * wy + wz * wz)\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.25 * wy\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = -(from_drag * (wx * norm) + 49.03325 * (qy * qz + qw * qx) + wz * precession)\nangular_y = 39.2266 * (qx * qz - qw * qy) - from_drag_1 * (wy * norm)\nangular_z = wx * precession - from_drag * (wz * norm)";
     /// What they cost, by function and stage.
     pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
-        ::newton_euler::private::Operations::parameter("new", [2, 0, 0, 0, 0, 0]),
+        ::newton_euler::private::Operations::parameter("new", [4, 0, 0, 0, 0, 0]),
         ::newton_euler::private::Operations::state("acceleration", [18, 8, 0, 1, 0, 0]),
     ];
     /// What they do not contain, and why.
@@ -54,13 +56,22 @@ impl Glider {
         let GliderParams { drag } = params;
         let from_drag = 25.0 * drag;
         let from_drag_1 = 20.0 * drag;
+        let from_drag_2 = -20.0 * drag;
+        let from_drag_3 = -25.0 * drag;
         ::newton_euler::private::check_finite(
-            &[("from_drag", from_drag), ("from_drag_1", from_drag_1)],
+            &[
+                ("from_drag", from_drag),
+                ("from_drag_1", from_drag_1),
+                ("from_drag_2", from_drag_2),
+                ("from_drag_3", from_drag_3),
+            ],
         )?;
         ::core::result::Result::Ok(Self {
             params,
             from_drag,
             from_drag_1,
+            from_drag_2,
+            from_drag_3,
         })
     }
     /// The parameters this body was built from.
@@ -111,7 +122,7 @@ impl ::newton_euler::private::Integrate for Glider {
 impl ::newton_euler::private::Taylor for Glider {
     type Products<A: ::newton_euler::private::Arithmetic, const COUNT: usize> = ::newton_euler::private::Products<
         A,
-        28,
+        36,
         COUNT,
     >;
     #[allow(clippy::inline_always)]
@@ -132,35 +143,38 @@ impl ::newton_euler::private::Taylor for Glider {
         let norm = ::newton_euler::private::math::sqrt(wx * wx + wy * wy + wz * wz);
         let ratio = 0.5 / norm;
         products
-            .start([
-                (wy, wz),
-                (wx, wx),
-                (wy, wy),
-                (wz, wz),
-                (0.0, 0.0),
-                (qx, qz),
-                (qy, qz),
-                (qw, qx),
-                (qw, qy),
-                (wx, wy),
-                (qy, wz),
-                (qz, wy),
-                (qz, wx),
-                (qx, wz),
-                (qx, wy),
-                (qy, wx),
-                (qw, wx),
-                (qw, wy),
-                (qw, wz),
-                (qx, wx),
-                (qy, wy),
-                (qz, wz),
-                (0.0, 0.0),
-                (0.0, 0.0),
-                (wx, norm),
-                (wy, norm),
-                (wz, norm),
-                (0.0, 0.0),
+            .start::<
+                0,
+                16,
+                2,
+            >([
+                [(ratio, wx, wx), (ratio, wy, wy)],
+                [(ratio, wz, wz), (-ratio, 0.0, 0.0)],
+                [(49.03325, qy, qz), (49.03325, qw, qx)],
+                [(39.2266, qx, qz), (-39.2266, qw, qy)],
+                [(0.5, qy, wz), (-0.5, qz, wy)],
+                [(0.5, qw, wx), (0.0, 0.0, 0.0)],
+                [(0.5, qz, wx), (-0.5, qx, wz)],
+                [(0.5, qw, wy), (0.0, 0.0, 0.0)],
+                [(0.5, qx, wy), (-0.5, qy, wx)],
+                [(0.5, qw, wz), (0.0, 0.0, 0.0)],
+                [(-0.5, qz, wz), (-0.5, qx, wx)],
+                [(-0.5, qy, wy), (0.0, 0.0, 0.0)],
+                [(0.25, wy, wz), (0.0, 0.0, 0.0)],
+                [(0.25, wx, wy), (0.0, 0.0, 0.0)],
+                [(0.0, 0.0, 0.0); 2],
+                [(0.0, 0.0, 0.0); 2],
+            ]);
+        products
+            .start::<
+                32,
+                4,
+                1,
+            >([
+                [(self.from_drag_2, wy, norm)],
+                [(self.from_drag_3, wx, norm)],
+                [(self.from_drag_3, wz, norm)],
+                [(0.0, 0.0, 0.0); 1],
             ]);
         series.start(state);
         let mut rates = [
@@ -175,59 +189,62 @@ impl ::newton_euler::private::Taylor for Glider {
         ];
         for n in 1..COUNT - 1 {
             let [qx_n, qy_n, qz_n, qw_n, wx_n, wy_n, wz_n] = series.extend(n, rates);
-            let [wy_wz_n, wx_squared_n, wy_squared_n, wz_squared_n, norm_terms_n,
-            qx_qz_n, qy_qz_n, qw_qx_n, qw_qy_n, wx_wy_n, qy_wz_n, qz_wy_n, qz_wx_n,
-            qx_wz_n, qx_wy_n, qy_wx_n, qw_wx_n, qw_wy_n, qw_wz_n, qx_wx_n, qy_wy_n,
-            qz_wz_n, ..] = products
+            let [norm_n_1, norm_n_2, qy_qz_terms_n, qx_qz_terms_n, qx_rate_n_1,
+            qx_rate_n_2, qy_rate_n_1, qy_rate_n_2, qz_rate_n_1, qz_rate_n_2, qw_rate_n_1,
+            qw_rate_n_2, wy_wz_n, wx_wy_n, ..] = products
                 .terms::<
                     0,
-                    24,
+                    16,
+                    2,
                 >(
                     n,
                     [
-                        (wy_n, wz_n),
-                        (wx_n, wx_n),
-                        (wy_n, wy_n),
-                        (wz_n, wz_n),
-                        (0.0, 0.0),
-                        (qx_n, qz_n),
-                        (qy_n, qz_n),
-                        (qw_n, qx_n),
-                        (qw_n, qy_n),
-                        (wx_n, wy_n),
-                        (qy_n, wz_n),
-                        (qz_n, wy_n),
-                        (qz_n, wx_n),
-                        (qx_n, wz_n),
-                        (qx_n, wy_n),
-                        (qy_n, wx_n),
-                        (qw_n, wx_n),
-                        (qw_n, wy_n),
-                        (qw_n, wz_n),
-                        (qx_n, wx_n),
-                        (qy_n, wy_n),
-                        (qz_n, wz_n),
-                        (0.0, 0.0),
-                        (0.0, 0.0),
+                        [(wx_n, wx_n), (wy_n, wy_n)],
+                        [(wz_n, wz_n), (0.0, 0.0)],
+                        [(qy_n, qz_n), (qw_n, qx_n)],
+                        [(qx_n, qz_n), (qw_n, qy_n)],
+                        [(qy_n, wz_n), (qz_n, wy_n)],
+                        [(qw_n, wx_n), (0.0, 0.0)],
+                        [(qz_n, wx_n), (qx_n, wz_n)],
+                        [(qw_n, wy_n), (0.0, 0.0)],
+                        [(qx_n, wy_n), (qy_n, wx_n)],
+                        [(qw_n, wz_n), (0.0, 0.0)],
+                        [(qz_n, wz_n), (qx_n, wx_n)],
+                        [(qy_n, wy_n), (0.0, 0.0)],
+                        [(wy_n, wz_n), (0.0, 0.0)],
+                        [(wx_n, wy_n), (0.0, 0.0)],
+                        [(0.0, 0.0); 2],
+                        [(0.0, 0.0); 2],
                     ],
                 );
-            let norm_n = (wx_squared_n + wy_squared_n + wz_squared_n - norm_terms_n)
-                * ratio;
-            let [wx_norm_n, wy_norm_n, wz_norm_n, ..] = products
+            let norm_n = norm_n_1 + norm_n_2;
+            let qx_rate_n = qx_rate_n_1 + qx_rate_n_2;
+            let qy_rate_n = qy_rate_n_1 + qy_rate_n_2;
+            let qz_rate_n = qz_rate_n_1 + qz_rate_n_2;
+            let qw_rate_n = qw_rate_n_1 + qw_rate_n_2;
+            let [wy_rate_terms_n, wx_rate_terms_n, wz_rate_terms_n, ..] = products
                 .terms::<
-                    24,
+                    32,
                     4,
-                >(n, [(wx_n, norm_n), (wy_n, norm_n), (wz_n, norm_n), (0.0, 0.0)]);
-            products.complete(n, &[(4, norm_n)], &[(4, norm_n)]);
+                    1,
+                >(
+                    n,
+                    [
+                        [(wy_n, norm_n)],
+                        [(wx_n, norm_n)],
+                        [(wz_n, norm_n)],
+                        [(0.0, 0.0); 1],
+                    ],
+                );
+            products.complete(n, &[(17, norm_n)], &[(17, norm_n)]);
             rates = [
-                0.5 * (qy_wz_n - qz_wy_n + qw_wx_n),
-                0.5 * (qz_wx_n - qx_wz_n + qw_wy_n),
-                0.5 * (qx_wy_n - qy_wx_n + qw_wz_n),
-                -0.5 * (qx_wx_n + qy_wy_n + qz_wz_n),
-                0.25 * wy_wz_n
-                    - (self.from_drag * wx_norm_n + 49.03325 * (qy_qz_n + qw_qx_n)),
-                39.2266 * (qx_qz_n - qw_qy_n) - self.from_drag_1 * wy_norm_n,
-                -(self.from_drag * wz_norm_n + 0.25 * wx_wy_n),
+                qx_rate_n,
+                qy_rate_n,
+                qz_rate_n,
+                qw_rate_n,
+                wx_rate_terms_n - qy_qz_terms_n + wy_wz_n,
+                qx_qz_terms_n + wy_rate_terms_n,
+                wz_rate_terms_n - wx_wy_n,
             ];
         }
         series.extend(COUNT - 1, rates);

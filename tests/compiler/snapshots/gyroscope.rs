@@ -130,7 +130,7 @@ impl ::newton_euler::private::Integrate for Gyroscope {
 impl ::newton_euler::private::Taylor for Gyroscope {
     type Products<A: ::newton_euler::private::Arithmetic, const COUNT: usize> = ::newton_euler::private::Products<
         A,
-        12,
+        16,
         COUNT,
     >;
     fn axes(
@@ -168,19 +168,19 @@ impl ::newton_euler::private::Taylor for Gyroscope {
         let spin = self.from_rotor_across_1 * wz;
         let axes_spin = self.from_rotor_across * wz;
         products
-            .start([
-                (qx, qz),
-                (qy, qz),
-                (qw, qx),
-                (qw, qy),
-                (qz, wy),
-                (qz, wx),
-                (qx, wy),
-                (qy, wx),
-                (qw, wx),
-                (qw, wy),
-                (qx, wx),
-                (qy, wy),
+            .start::<
+                0,
+                8,
+                2,
+            >([
+                [(-0.5, qz, wy), (0.5, qw, wx)],
+                [(0.5, qz, wx), (0.5, qw, wy)],
+                [(0.5, qx, wy), (-0.5, qy, wx)],
+                [(-0.5, qx, wx), (-0.5, qy, wy)],
+                [(self.from_across, qy, qz), (self.from_across, qw, qx)],
+                [(self.from_across_1, qx, qz), (self.from_across, qw, qy)],
+                [(0.0, 0.0, 0.0); 2],
+                [(0.0, 0.0, 0.0); 2],
             ]);
         series.start(state);
         let mut rates = [
@@ -196,36 +196,32 @@ impl ::newton_euler::private::Taylor for Gyroscope {
         ];
         for n in 1..COUNT - 1 {
             let [qx_n, qy_n, qz_n, qw_n, wx_n, wy_n, _] = series.extend(n, rates);
-            let [qx_qz_n, qy_qz_n, qw_qx_n, qw_qy_n, qz_wy_n, qz_wx_n, qx_wy_n, qy_wx_n,
-            qw_wx_n, qw_wy_n, qx_wx_n, qy_wy_n] = products
+            let [qx_rate_terms_n, qy_rate_terms_n, qz_rate_terms_n, qw_rate_terms_n,
+            wx_rate_terms_n, wy_rate_terms_n, ..] = products
                 .terms::<
                     0,
-                    12,
+                    8,
+                    2,
                 >(
                     n,
                     [
-                        (qx_n, qz_n),
-                        (qy_n, qz_n),
-                        (qw_n, qx_n),
-                        (qw_n, qy_n),
-                        (qz_n, wy_n),
-                        (qz_n, wx_n),
-                        (qx_n, wy_n),
-                        (qy_n, wx_n),
-                        (qw_n, wx_n),
-                        (qw_n, wy_n),
-                        (qx_n, wx_n),
-                        (qy_n, wy_n),
+                        [(qz_n, wy_n), (qw_n, wx_n)],
+                        [(qz_n, wx_n), (qw_n, wy_n)],
+                        [(qx_n, wy_n), (qy_n, wx_n)],
+                        [(qx_n, wx_n), (qy_n, wy_n)],
+                        [(qy_n, qz_n), (qw_n, qx_n)],
+                        [(qx_n, qz_n), (qw_n, qy_n)],
+                        [(0.0, 0.0); 2],
+                        [(0.0, 0.0); 2],
                     ],
                 );
             rates = [
-                0.5 * (qy_n * axes_spin - qz_wy_n + qw_wx_n),
-                0.5 * (qz_wx_n - qx_n * axes_spin + qw_wy_n),
-                0.5 * (qx_wy_n - qy_wx_n + qw_n * axes_spin),
-                -0.5 * (qx_wx_n + qy_wy_n + qz_n * axes_spin),
-                self.from_across * (qy_qz_n + qw_qx_n) + precession * wy_n - wy_n * spin,
-                self.from_across_1 * (qx_qz_n - qw_qy_n) - precession * wx_n
-                    + wx_n * spin,
+                qx_rate_terms_n + 0.5 * (qy_n * axes_spin),
+                qy_rate_terms_n - 0.5 * (qx_n * axes_spin),
+                qz_rate_terms_n + 0.5 * (qw_n * axes_spin),
+                qw_rate_terms_n - 0.5 * (qz_n * axes_spin),
+                precession * wy_n + wx_rate_terms_n - wy_n * spin,
+                wx_n * spin + wy_rate_terms_n - precession * wx_n,
                 0.0,
             ];
         }

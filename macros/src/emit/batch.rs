@@ -1,0 +1,120 @@
+//! Sums of products laid out in registers: each sum in a lane, its products one after another.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::symbolic::{Sum, Term};
+
+/// Numbers in a register.
+const REGISTER: usize = 8;
+/// Half the order of a series: how many products of coefficients a term has, on the whole.
+const PRODUCTS: usize = 8;
+/// The most products of one call: their sums stay in registers.
+const MOST: usize = 40;
+
+/// Sums of one level that are computed together.
+pub struct Batch<'r> {
+    pub level: usize,
+    pub first: usize,
+    /// With those that fill the last register.
+    pub lanes: usize,
+    /// Products in a lane.
+    pub count: usize,
+    pub parts: Vec<Part<'r>>,
+}
+
+/// A sum, or as much of it as a lane holds.
+pub struct Part<'r> {
+    pub sum: &'r Sum,
+    terms: &'r [Term],
+}
+
+/// The sums in batches, by level.
+pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
+    let mut batches: Vec<Batch<'_>> = Vec::new();
+    for sums in sums.chunk_by(|a, b| a.level == b.level) {
+        let count = best_count(sums);
+        let mut parts = parts(sums, count).peekable();
+        while parts.peek().is_some() {
+            let parts: Vec<Part<'_>> = parts.by_ref().take((MOST / count).max(1)).collect();
+            let end = batches.last().map_or(0, Batch::end);
+            let lanes = filled(parts.len());
+            batches.push(Batch {
+                level: sums[0].level,
+                // registers are read fastest where they are aligned
+                first: if lanes < 4 {
+                    end
+                } else {
+                    end.next_multiple_of(REGISTER)
+                },
+                lanes,
+                count,
+                parts,
+            });
+        }
+    }
+    batches
+}
+
+/// The count of products in a lane that costs least: products in registers, and sums of parts. Of equal ones the largest.
+fn best_count(sums: &[Sum]) -> usize {
+    let most = sums.iter().map(|sum| sum.terms.len()).max().unwrap_or(1);
+    let cost = |count: &usize| {
+        let lanes = parts(sums, *count).count();
+        lanes.div_ceil(REGISTER) * count * PRODUCTS + (lanes - sums.len())
+    };
+    (1..=most).rev().min_by_key(cost).unwrap_or(1)
+}
+
+fn parts(sums: &[Sum], count: usize) -> impl Iterator<Item = Part<'_>> {
+    sums.iter().flat_map(move |sum| {
+        let terms = sum.terms.chunks(count);
+        terms.map(move |terms| Part { sum, terms })
+    })
+}
+
+/// Up to two lanes are left alone; more fill registers of four.
+fn filled(lanes: usize) -> usize {
+    match lanes {
+        1 | 2 => lanes,
+        _ => lanes.next_multiple_of(REGISTER / 2),
+    }
+}
+
+impl Batch<'_> {
+    /// The place after the last product.
+    pub fn end(&self) -> usize {
+        self.first + self.lanes * self.count
+    }
+
+    /// `0, 8, 3`: the first place, the lanes and the products in each.
+    pub fn sizes(&self) -> TokenStream {
+        let [first, lanes, count] =
+            [self.first, self.lanes, self.count].map(Literal::usize_unsuffixed);
+        quote!(#first, #lanes, #count)
+    }
+
+    /// `[[term, ..], ..]`, lane by lane.
+    pub fn rows(&self, fill: &TokenStream, term: impl Fn(&Term) -> TokenStream) -> TokenStream {
+        let count = Literal::usize_unsuffixed(self.count);
+        let empty = quote!([#fill; #count]);
+        let rows = self.parts.iter().map(|part| {
+            let terms = part.terms.iter().map(&term);
+            let rest = core::iter::repeat_n(fill, self.count - part.terms.len());
+            let terms = terms.chain(rest.cloned());
+            quote!([#(#terms),*])
+        });
+        let rest = core::iter::repeat_n(&empty, self.lanes - self.parts.len());
+        let rows = rows.chain(rest.cloned());
+        quote!([#(#rows),*])
+    }
+
+    /// The products, and where they lie: all first ones of the lanes, and so on.
+    pub fn places(&self) -> impl Iterator<Item = (usize, &Term)> {
+        let lanes = (self.first..).zip(&self.parts);
+        lanes.flat_map(|(lane, part)| {
+            let places = (lane..).step_by(self.lanes);
+            places.zip(part.terms)
+        })
+    }
+}

@@ -1,0 +1,234 @@
+//! Convolutions gathered into sums: where coefficients are linear in convolutions that nothing else reads,
+//!
+//! ```text
+//! z[n] = w1 (a * b) + w2 (c * d) + .. + rest
+//! ```
+//!
+//! with weights that are held along a step, those of one level are one sum, which is computed in one lane.
+
+use std::collections::{BTreeMap, HashMap};
+
+use super::graph::{Graph, Id, Node, Stage};
+
+/// A convolution of two series.
+#[derive(Clone, Copy, Debug)]
+pub struct Product {
+    /// The expression that it was written for.
+    pub of: Id,
+    pub level: usize,
+    /// The symbol of its value.
+    pub value: Id,
+    pub factors: [Factor; 2],
+}
+
+/// A series that is multiplied.
+#[derive(Clone, Copy, Debug)]
+pub struct Factor {
+    pub start: Id,
+    /// Its n-th coefficient; if it is known later than the convolution, that does not depend on it.
+    pub next: Id,
+}
+
+/// A sum of convolutions of one level.
+#[derive(Clone, Debug)]
+pub struct Sum {
+    pub of: Origin,
+    pub level: usize,
+    /// The symbol of its value.
+    pub value: Id,
+    pub terms: Vec<Term>,
+}
+
+/// What a sum is part of.
+#[derive(Clone, Copy, Debug)]
+pub enum Origin {
+    /// The rate of a coordinate, by its place.
+    Rate(usize),
+    /// The coefficient of a quotient or a function.
+    Result(Id),
+    /// An expression that a convolution was written for.
+    Product(Id),
+}
+
+/// A convolution with its weight, which is held.
+#[derive(Clone, Copy, Debug)]
+pub struct Term {
+    pub weight: Id,
+    pub factors: [Factor; 2],
+}
+
+/// What is read of convolutions: coefficients, and the factors of further convolutions.
+pub(super) struct Readers<'r> {
+    pub rates: &'r mut Vec<Id>,
+    pub results: &'r mut Vec<(Id, Id)>,
+    /// The symbols that change from order to order, beside the convolutions.
+    pub symbols: Vec<Id>,
+}
+
+/// Products by their places, and what is added to them, with weights.
+struct Weighted {
+    level: usize,
+    terms: Vec<(Id, usize)>,
+    rest: Vec<(Id, Id)>,
+}
+
+impl Graph {
+    /// The sums that are read; the readers are written in them.
+    pub(super) fn gathered(&mut self, products: &[Product], readers: Readers<'_>) -> Vec<Sum> {
+        let Readers {
+            rates,
+            results,
+            symbols,
+        } = readers;
+        let factors = products.iter().flat_map(|product| product.factors);
+        let roots: Vec<Id> = rates
+            .iter()
+            .copied()
+            .chain(factors.map(|factor| factor.next))
+            .collect();
+        let found = self.weighted(products, &roots, symbols);
+        // what is added to a sum was gathered before it
+        let mut found: Vec<(Id, Weighted)> = found.into_iter().collect();
+        found.sort_by_key(|(_, sum)| sum.level);
+        let mut sums = Vec::new();
+        let mut written = HashMap::new();
+        for (id, Weighted { level, terms, rest }) in found {
+            let first = products[terms[0].1];
+            let is_bare = id == first.value;
+            let value = if is_bare {
+                id
+            } else {
+                self.symbol(Stage::State)
+            };
+            let mut whole = value;
+            for (weight, part) in rest {
+                let part = self.rewritten(&[part], &written)[0];
+                let part = self.multiply(weight, part);
+                whole = self.add(part, whole);
+            }
+            written.insert(id, whole);
+            let rate = rates.iter().position(|rate| *rate == id);
+            let result = results.iter().find(|(_, next)| *next == id);
+            let of = match (rate, result) {
+                _ if is_bare => Origin::Product(first.of),
+                (_, Some((of, _))) => Origin::Result(*of),
+                (Some(place), None) => Origin::Rate(place),
+                (None, None) => Origin::Product(first.of),
+            };
+            let terms = terms.into_iter().map(|(weight, product)| Term {
+                weight,
+                factors: products[product].factors,
+            });
+            sums.push(Sum {
+                of,
+                level,
+                value,
+                terms: terms.collect(),
+            });
+        }
+
+        let nexts = results.iter().map(|(_, next)| *next);
+        let roots: Vec<Id> = roots.into_iter().chain(nexts).collect();
+        let images = self.rewritten(&roots, &written);
+        let image: HashMap<Id, Id> = roots.into_iter().zip(images).collect();
+        for id in rates
+            .iter_mut()
+            .chain(results.iter_mut().map(|(_, next)| next))
+        {
+            *id = image[id];
+        }
+        let terms = sums.iter_mut().flat_map(|sum| &mut sum.terms);
+        for factor in terms.flat_map(|term| &mut term.factors) {
+            factor.next = image[&factor.next];
+        }
+        sums
+    }
+
+    /// `roots`, with some expressions in what they are written in.
+    fn rewritten(&mut self, roots: &[Id], written: &HashMap<Id, Id>) -> Vec<Id> {
+        self.rebuild(roots, |graph, id, image| {
+            let known = written.get(&id).copied();
+            known.unwrap_or_else(|| graph.remake(id, image))
+        })
+    }
+
+    /// The largest sums that are read, by what reads them.
+    fn weighted(
+        &mut self,
+        products: &[Product],
+        roots: &[Id],
+        symbols: Vec<Id>,
+    ) -> BTreeMap<Id, Weighted> {
+        let places = products.iter().enumerate();
+        let places: HashMap<Id, usize> = places
+            .map(|(place, product)| (product.value, place))
+            .collect();
+        let coefficients = symbols.into_iter().map(|symbol| (symbol, 0));
+        let values = products
+            .iter()
+            .map(|product| (product.value, product.level + 1));
+        // those that change from order to order, with the number of convolutions that they wait for
+        let mut levels: HashMap<Id, usize> = coefficients.chain(values).collect();
+        let order = self.reachable(roots, |_| true);
+        let mut readers: HashMap<Id, usize> = HashMap::new();
+        let operands = order.iter().flat_map(|id| self.node(*id).operands());
+        for id in operands.chain(roots.iter().copied()) {
+            *readers.entry(id).or_default() += 1;
+        }
+
+        let [one, minus_one] = [1, -1].map(|number| self.integer(number));
+        let mut found: BTreeMap<Id, Weighted> = BTreeMap::new();
+        for id in order {
+            if let Some(place) = places.get(&id) {
+                let sum = Weighted {
+                    level: products[*place].level,
+                    terms: vec![(one, *place)],
+                    rest: Vec::new(),
+                };
+                found.insert(id, sum);
+                continue;
+            }
+            let node = self.node(id).clone();
+            let waits = node.operands().filter_map(|operand| levels.get(&operand));
+            let Some(waits) = waits.max().copied() else {
+                continue;
+            };
+            levels.entry(id).or_insert(waits);
+            let parts = match node {
+                Node::Negate(a) => vec![(minus_one, a)],
+                Node::Multiply(a, b) if !levels.contains_key(&a) => vec![(a, b)],
+                Node::Multiply(a, b) if !levels.contains_key(&b) => vec![(b, a)],
+                Node::Add(a, b) => vec![(one, a), (one, b)],
+                Node::Subtract(a, b) => vec![(one, a), (minus_one, b)],
+                _ => continue,
+            };
+            // what waits longest is gathered, unless it is read elsewhere; to this the rest is added
+            let gathered = |part: &Id| found.contains_key(part) && readers.get(part) == Some(&1);
+            let is_late = |part: &Id| levels.get(part) == Some(&waits);
+            let mut late = parts.iter().filter(|(_, part)| is_late(part));
+            if waits == 0 || !late.all(|(_, part)| gathered(part)) {
+                continue;
+            }
+            let mut sum = Weighted {
+                level: waits - 1,
+                terms: Vec::new(),
+                rest: Vec::new(),
+            };
+            for (weight, part) in parts {
+                let Some(late) = is_late(&part).then(|| found.remove(&part)).flatten() else {
+                    sum.rest.push((weight, part));
+                    continue;
+                };
+                let mut weighted = |held: Id| self.multiply(weight, held);
+                let terms = late.terms.into_iter();
+                sum.terms
+                    .extend(terms.map(|(held, place)| (weighted(held), place)));
+                let rest = late.rest.into_iter();
+                sum.rest
+                    .extend(rest.map(|(held, part)| (weighted(held), part)));
+            }
+            found.insert(id, sum);
+        }
+        found
+    }
+}

@@ -90,11 +90,13 @@ pub fn kinematics<T: Scalar>(
     attitude: &UnitQuaternion<T>,
     angular_velocity: &Vector3<T>,
 ) -> Quaternion<T> {
-    let ([x, y, z, w], half): ([T; 4], T) = (
-        attitude.coords.into(),
-        angular_velocity.x.constant(0.5, 0.5),
-    );
-    let [a, b, c]: [T; 3] = (angular_velocity * half).into();
+    let (q, half) = (&attitude.coords, angular_velocity.x.constant(0.5, 0.5));
+    let [x, y, z, w] = [q.x, q.y, q.z, q.w];
+    let [a, b, c] = [
+        angular_velocity.x * half,
+        angular_velocity.y * half,
+        angular_velocity.z * half,
+    ];
     Quaternion {
         coords: Vector4::new(
             w * a + y * c - z * b,

@@ -108,10 +108,10 @@ fn weighted<S: Coordinates, const M: usize>(
     place: usize,
     like: S::Scalar,
 ) -> S::Scalar {
-    let term = |(weight, rates): &(f64, &S::Array)| number(like, *weight) * rates.as_ref()[place];
-    let mut sum = term(&terms[0]);
-    for next in &terms[1..] {
-        sum += term(next);
+    let (first, rates) = terms[0];
+    let mut sum = number(like, first) * rates.as_ref()[place];
+    for (weight, rates) in &terms[1..] {
+        sum += number(like, *weight) * rates.as_ref()[place];
     }
     sum
 }

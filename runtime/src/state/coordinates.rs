@@ -38,7 +38,13 @@ pub trait Coordinates: State<Scalar: Scalar> {
 
 /// The lists: the fields of a state one after another, its rates, and which of its coordinates are a unit vector.
 macro_rules! plain {
-    ($($state:ident: $count:literal, $groups:expr, $read:expr, $write:expr, $rates:expr $(, unit $unit:expr $(, across $rate:expr)?)? $(, axes $axes:expr)?;)*) => {$(
+    ($(
+        $state:ident: $count:literal, $groups:expr,
+        |$this:ident| $read:expr,
+        |$list:pat_param| $write:expr,
+        |$moving:ident, $acceleration:ident| $rates:expr
+        $(, unit $unit:expr $(, across $rate:expr)?)? $(, axes $axes:expr)?;
+    )*) => {$(
         impl<T: Scalar> Coordinates for generic::$state<T> {
             type Array = [T; $count];
             const GROUPS: &'static [usize] = &$groups;
@@ -46,20 +52,20 @@ macro_rules! plain {
 
             #[inline(always)]
             fn coordinates(&self) -> Self::Array {
-                let read: fn(&Self) -> Self::Array = $read;
-                read(self)
+                let $this = self;
+                $read
             }
 
             #[inline(always)]
             fn from_coordinates(coordinates: &Self::Array) -> Self {
-                let write: fn(Self::Array) -> Self = $write;
-                write(*coordinates)
+                let $list = *coordinates;
+                $write
             }
 
             #[inline(always)]
             fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array {
-                let rates: fn(&Self, &Self::Acceleration) -> Self::Array = $rates;
-                rates(self, acceleration)
+                let ($moving, $acceleration) = (self, acceleration);
+                $rates
             }
 
             $(#[inline(always)]
@@ -173,10 +179,11 @@ fn unit<T: Scalar>([x, y, z, w]: [T; 4]) -> UnitQuaternion<T> {
 /// Corrects the change of a unit vector by a Newton step.
 #[inline(always)]
 fn shorten<T: Scalar>(vector: &[T], change: &mut [T]) {
-    let [half, one] =
-        [(0.5, 0.5), (1.0, 1.0)].map(|(double, single)| vector[0].constant(double, single));
-    let sums = vector.iter().zip(change.iter()).map(|(x, d)| *x + *d);
-    let excess = sums.fold(-one, |square, sum| square + sum * sum);
+    let (half, one) = (vector[0].constant(0.5, 0.5), vector[0].constant(1.0, 1.0));
+    let mut excess = -one;
+    for (x, d) in vector.iter().zip(change.iter()) {
+        excess += (*x + *d) * (*x + *d);
+    }
     for (change, x) in change.iter_mut().zip(vector) {
         *change -= half * excess * (*x + *change);
     }
@@ -185,12 +192,11 @@ fn shorten<T: Scalar>(vector: &[T], change: &mut [T]) {
 /// Takes from a change of the rate of a unit vector what is along that vector.
 #[inline(always)]
 fn level<T: Scalar>(coordinates: &[T], change: &mut [T], unit: Range<usize>, rate: Range<usize>) {
-    let sum = |k: usize, change: &[T]| coordinates[k] + change[k];
-    let pairs = unit.clone().zip(rate.clone());
-    let along = pairs.fold(T::default(), |along, (u, r)| {
-        along + sum(u, change) * sum(r, change)
-    });
+    let mut along = T::default();
+    for (u, r) in unit.clone().zip(rate.clone()) {
+        along += (coordinates[u] + change[u]) * (coordinates[r] + change[r]);
+    }
     for (u, r) in unit.zip(rate) {
-        change[r] -= along * sum(u, change);
+        change[r] -= along * (coordinates[u] + change[u]);
     }
 }

@@ -188,6 +188,6 @@ fn word(model: &Model, kink: Id) -> &'static str {
 fn reason(kink: &str) -> String {
     format!(
         "`{kink}` of what moves is not smooth; write it in smooth functions, or leave `taylor` out \
-         and use `integrate::cf4`"
+         and `integrate` takes Runge-Kutta steps"
     )
 }

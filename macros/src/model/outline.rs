@@ -294,7 +294,7 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
                 errors.push(
                     word.span(),
                     "`taylor` under constraints is not there yet: use a motion with a support, \
-                     or leave `taylor` out and use `integrate::cf4_projected`",
+                     or leave `taylor` out, and `integrate` takes Runge-Kutta steps",
                 );
                 outputs.push(Output::Taylor);
             }

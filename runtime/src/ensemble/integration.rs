@@ -115,7 +115,8 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             };
             Err(MemberError { index, error })
         };
-        if before.is_empty() || time == end {
+        let is_there = end - time == 0.0;
+        if before.is_empty() || is_there {
             return Ok(());
         }
         let Some(steps) = self.count(end - time) else {

@@ -3,7 +3,6 @@
 use core::fmt;
 
 use crate::body::RigidBody;
-use crate::private::math::powf;
 use crate::state::Coordinates;
 
 use super::equations::Equations;
@@ -11,7 +10,7 @@ use super::error::IntegrationError;
 use super::method::{Method, Run, Tolerant};
 use super::point::Point;
 use super::runge_kutta::{DormandPrince8, runge_kutta_step};
-use super::size::relative_size;
+use super::size::{relative_size, root};
 
 /// How much of the step that the last error permits is taken, and how much a step may change.
 const SAFETY: f64 = 0.9;
@@ -124,7 +123,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
             } else {
                 fifth * (fifth / libm::sqrt(fifth * fifth + 0.01 * third * third))
             };
-            let factor = SAFETY * powf(self.tolerance / error, 0.125);
+            let factor = SAFETY * root(self.tolerance / error, 8);
             // of no number the shortest step
             let factor = if factor >= SHRINK {
                 factor.min(longest)
@@ -136,10 +135,15 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
                 // a step cut short at the end says little about the next
                 self.next = Some(if is_last { next.max(permitted) } else { next });
                 self.before = (time, coordinates);
-                return if is_last {
+                let is_finite = if is_last {
                     self.now.arrive(change, end)
                 } else {
                     self.now.advance(change, step)
+                };
+                return if is_finite {
+                    Ok(())
+                } else {
+                    Err(self.now.not_finite())
                 };
             }
             permitted = step.abs() * factor;
@@ -179,7 +183,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> AdaptiveRun<'_, B> {
         let curvature = libm::sqrt(size(&difference));
         let pace = if speed >= curvature { speed } else { curvature };
         if pace > 0.0 {
-            powf(self.tolerance, 0.125) / pace
+            root(self.tolerance, 8) / pace
         } else if pace == 0.0 {
             rest.abs()
         } else {

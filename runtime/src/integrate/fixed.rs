@@ -114,7 +114,9 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for F
         } else {
             self.span.start + exact(self.steps.start) * step
         };
-        self.now.arrive(change, next)?;
+        if !self.now.arrive(change, next) {
+            return Err(self.now.not_finite());
+        }
         self.before = (time, coordinates);
         Ok(())
     }

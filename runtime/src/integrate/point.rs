@@ -40,28 +40,28 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         (end - self.time) + self.late
     }
 
-    /// Moves on by a change of coordinates in a step \[s\].
+    /// Moves on by a change of coordinates in a step \[s\]; if that is not finite, it stays and says false.
+    #[must_use]
     #[inline(always)]
-    pub(super) fn advance(
-        &mut self,
-        mut change: S::Array,
-        step: f64,
-    ) -> Result<(), IntegrationError<S>> {
+    pub(super) fn advance(&mut self, mut change: S::Array, step: f64) -> bool {
         S::keep(&self.coordinates, &mut change);
-        if !change.as_ref().iter().sum::<f64>().is_finite() {
-            return Err(self.not_finite());
+        let is_finite = change.as_ref().iter().sum::<f64>().is_finite();
+        if is_finite {
+            add(&mut self.coordinates, &mut self.lost, &change);
+            (self.time, self.late) = compensated(self.time, self.late, step);
         }
-        add(&mut self.coordinates, &mut self.lost, &change);
-        (self.time, self.late) = compensated(self.time, self.late, step);
-        Ok(())
+        is_finite
     }
 
     /// The same, to a time that is known.
+    #[must_use]
     #[inline(always)]
-    pub(super) fn arrive(&mut self, change: S::Array, end: f64) -> Result<(), IntegrationError<S>> {
-        self.advance(change, 0.0)?;
-        (self.time, self.late) = (end, 0.0);
-        Ok(())
+    pub(super) fn arrive(&mut self, change: S::Array, end: f64) -> bool {
+        let is_finite = self.advance(change, 0.0);
+        if is_finite {
+            (self.time, self.late) = (end, 0.0);
+        }
+        is_finite
     }
 
     pub(super) fn not_finite(&self) -> IntegrationError<S> {

@@ -11,8 +11,8 @@
 //! A symmetric body is followed in [`Axes`] that do not spin with it, from the start of a motion to its end; only what is handed out is
 //! turned back, so that this costs the steps nothing and no rounding adds up.
 //!
-//! What a step adds is summed with compensation (W. Kahan, Comm. ACM 8 (1965) 40), so that over long runs rounding grows with
-//! the square root of the number of steps and not with the number.
+//! What a step adds is summed with compensation, so that over long runs rounding grows with the square root of the number of
+//! steps and not with the number.
 
 use core::fmt;
 use core::ops::Range;
@@ -21,10 +21,11 @@ use crate::state::Coordinates;
 use crate::taylor::{Axes, Plain, Series, Taylor, after, increment};
 
 use super::error::IntegrationError;
-use super::exact;
 use super::instructions::Expander;
 use super::method::{Method, Run};
+use super::point::Point;
 use super::series::TaylorSeries;
+use super::size::{relative_size, root};
 use super::step::Step;
 
 /// How much of the permitted step is taken: roots are known to a few parts in a hundred.
@@ -35,7 +36,7 @@ const SAFETY: f64 = 0.9;
 ///
 /// The tolerance is relative to position, attitude, velocity and angular velocity, each as a whole, and absolute (m, rad, m/s,
 /// rad/s) where these are below 1. The error at the end is that of all steps, as the motion carries it along. The order
-/// follows from the tolerance: 14, 16, 20 or 24.
+/// follows from the tolerance: 10, 12, 16 or 20.
 ///
 /// ```
 /// use newton_euler::{integrate, prelude::*};
@@ -115,13 +116,9 @@ pub fn taylor_step<B: Taylor, const N: usize>(
 /// ```
 pub struct Motion<'b, B: Taylor, const N: usize> {
     body: &'b B,
-    time: f64,
-    /// What was lost in rounding the time and the coordinates.
-    late: f64,
-    lost: <B::State as Coordinates>::Array,
     /// From start to end the coordinates are those in these axes.
     axes: Axes,
-    coordinates: <B::State as Coordinates>::Array,
+    now: Point<B::State>,
     expander: Expander<B, N>,
     series: Series<B::State, N>,
 }
@@ -129,8 +126,8 @@ pub struct Motion<'b, B: Taylor, const N: usize> {
 impl<B: Taylor, const N: usize> fmt::Debug for Motion<'_, B, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Motion")
-            .field("time", &self.time)
-            .field("coordinates", &self.coordinates)
+            .field("time", &self.now.time)
+            .field("coordinates", &self.now.coordinates)
             .finish_non_exhaustive()
     }
 }
@@ -141,11 +138,8 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     pub fn new(body: &'b B, time: f64, state: &B::State) -> Self {
         Self {
             body,
-            time,
-            late: 0.0,
-            lost: Default::default(),
             axes: body.axes(time, state),
-            coordinates: state.coordinates(),
+            now: Point::new(time, state),
             expander: Expander::best(),
             series: Series::default(),
         }
@@ -153,21 +147,20 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
 
     /// Goes on from another state at the same time.
     pub(super) fn replace(&mut self, state: &B::State) {
-        self.axes = self.body.axes(self.time, state);
-        self.coordinates = state.coordinates();
-        self.lost = Default::default();
+        self.axes = self.body.axes(self.now.time, state);
+        self.now.replace(state);
     }
 
     /// The time that the motion has come to \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.time
+        self.now.time
     }
 
     /// The state that it has come to.
     #[must_use]
     pub fn state(&self) -> B::State {
-        self.axes.state(&self.coordinates, self.time)
+        self.axes.state(&self.now.coordinates, self.now.time)
     }
 
     /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in [`taylor`]), with the input held; none if it is reached.
@@ -180,12 +173,12 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         input: &B::Input,
         tolerance: f64,
     ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
-        let rest = (end - self.time) + self.late;
+        let rest = self.now.rest(end);
         if rest == 0.0 {
             return Ok(None);
         }
         self.expand(input);
-        let (time, step) = (self.time, self.permitted(tolerance.max(0.0)));
+        let (time, step) = (self.now.time, self.permitted(tolerance.max(0.0)));
         if step.is_nan() {
             return Err(IntegrationError::NotFinite {
                 time,
@@ -193,8 +186,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             });
         }
         if step >= rest.abs() {
-            self.advance(rest)?;
-            (self.time, self.late) = (end, 0.0);
+            self.advance(rest, Some(end))?;
             return Ok(Some(self.taken(time, rest)));
         }
         let step = step.copysign(rest);
@@ -205,7 +197,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
                 step,
             });
         }
-        self.advance(step)?;
+        self.advance(step, None)?;
         Ok(Some(self.taken(time, step)))
     }
 
@@ -218,18 +210,18 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         step: f64,
         input: &B::Input,
     ) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
-        let time = self.time;
+        let time = self.now.time;
         self.expand(input);
-        self.advance(step)?;
+        self.advance(step, None)?;
         Ok(self.taken(time, step))
     }
 
     /// The series from here.
     #[inline(always)]
     fn expand(&mut self, input: &B::Input) {
-        let state = B::State::from_coordinates(&self.coordinates);
+        let state = B::State::from_coordinates(&self.now.coordinates);
         let (expander, series) = (&mut self.expander, &mut self.series);
-        expander.expand(self.body, self.time, &state, input, series);
+        expander.expand(self.body, self.now.time, &state, input, series);
     }
 
     /// A step that was taken by the series.
@@ -242,31 +234,8 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     #[inline(always)]
     fn permitted(&self, tolerance: f64) -> f64 {
         let coefficients = self.series.coefficients();
-        let relative = |order: usize| {
-            let mut first = 0;
-            let groups = B::State::GROUPS.iter().map(|count| {
-                let group = first..first + count;
-                first += count;
-                let size = |row: &<B::State as Coordinates>::Array| {
-                    let row = row.as_ref()[group.clone()].iter();
-                    // of what is not a number, not a number
-                    row.fold(0.0, |size: f64, value| {
-                        if size >= value.abs() {
-                            size
-                        } else {
-                            value.abs()
-                        }
-                    })
-                };
-                size(&coefficients[order]) / size(&coefficients[0]).max(1.0)
-            });
-            groups.fold(
-                0.0,
-                |size: f64, group| if size >= group { size } else { group },
-            )
-        };
         let [last, before] = [N - 1, N - 2].map(|order| {
-            let size = relative(order);
+            let size = relative_size::<B::State>(&coefficients[order], &coefficients[0]);
             if size == 0.0 {
                 f64::INFINITY
             } else {
@@ -276,53 +245,18 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         SAFETY * if last <= before { last } else { before }
     }
 
-    /// Moves on by the series.
+    /// Moves on by the series, to a time if it is known.
     #[inline(always)]
-    fn advance(&mut self, step: f64) -> Result<(), IntegrationError<B::State>> {
-        let mut change = increment::<B::State>(self.series.coefficients(), step);
-        B::State::keep(&self.coordinates, &mut change);
-        let mut total = 0.0;
-        for value in change.as_ref() {
-            total += value;
+    fn advance(&mut self, step: f64, end: Option<f64>) -> Result<(), IntegrationError<B::State>> {
+        let change = increment::<B::State>(self.series.coefficients(), step);
+        let is_finite = match end {
+            Some(end) => self.now.arrive(change, end),
+            None => self.now.advance(change, step),
+        };
+        if is_finite {
+            return Ok(());
         }
-        if !total.is_finite() {
-            return Err(IntegrationError::NotFinite {
-                time: self.time,
-                state: self.state(),
-            });
-        }
-        let places = self.coordinates.as_mut().iter_mut().zip(self.lost.as_mut());
-        for ((coordinate, lost), change) in places.zip(change.as_ref()) {
-            (*coordinate, *lost) = compensated(*coordinate, *lost, *change);
-        }
-        (self.time, self.late) = compensated(self.time, self.late, step);
-        Ok(())
+        let (time, state) = (self.now.time, self.state());
+        Err(IntegrationError::NotFinite { time, state })
     }
-}
-
-/// A sum, and what was lost in rounding it.
-#[inline(always)]
-fn compensated(sum: f64, lost: f64, change: f64) -> (f64, f64) {
-    let change = change + lost;
-    let next = sum + change;
-    (next, change - (next - sum))
-}
-
-/// `x^(1/k)` to a few parts in a hundred, which is all that a step needs: logarithm and power by the exponent of the double, and
-/// straight lines in between. Of what is not a number, not a number.
-#[inline(always)]
-fn root(x: f64, k: usize) -> f64 {
-    const ONE: f64 = 4_503_599_627_370_496.0; // 2⁵²
-    if !(x > 0.0 && x.is_finite()) {
-        return x;
-    }
-    #[expect(clippy::cast_precision_loss, reason = "a few digits are enough")]
-    let logarithm = x.to_bits() as f64 / ONE - 1023.0;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "in the range of exponents"
-    )]
-    let bits = ((logarithm / exact(k) + 1023.0) * ONE) as u64;
-    f64::from_bits(bits)
 }

@@ -6,7 +6,7 @@
 //! language. Generated types implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them.
 //!
 //! ```
-//! use newton_euler::{integrate, prelude::*};
+//! use newton_euler::prelude::*;
 //!
 //! rigid_body!(Plank {
 //!     doc: "A plank thrown in its plane.",
@@ -20,12 +20,13 @@
 //!
 //! let plank = Plank::default();
 //! let thrown = Planar { velocity: [4.0, 7.0].into(), angular_velocity: -5.0, ..Planar::default() };
-//! let caught = integrate::cf4(&plank, &thrown, &(), 0.0..1.5, 100);
+//! let caught = plank.integrate(&thrown).to(1.5)?;
 //! assert!((caught.position.y - (7.0 * 1.5 - 9.80665 * 1.5 * 1.5 / 2.0)).abs() < 1e-12);
 //!
 //! let energy = |state| plank.kinetic_energy(state) + plank.potential_energy(0.0, state, &());
 //! assert!((energy(&caught) - energy(&thrown)).abs() < 1e-10);
 //! println!("{}", Plank::EQUATIONS);
+//! # Ok::<(), newton_euler::integrate::IntegrationError<Planar>>(())
 //! ```
 //!
 //! What the macro uses is here for use by hand as well: [`inertia`] tensors that cannot be impossible, the
@@ -49,7 +50,8 @@
 //!   its feature `float_roundtrip`.
 //! - `ensemble`: many bodies at once, in registers of two, four or eight numbers, chosen at run time; it allocates.
 //! - `rayon`: ensembles on all processor cores.
-//! - `progress`: long runs of ensembles show a bar.
+//! - `progress`: long runs show a bar.
+//! - `differential-equations`: the equations of a body for the methods of the crate of that name ([`integrate::Equations`])
 
 #![no_std]
 #![forbid(unsafe_code)]

@@ -159,6 +159,39 @@ fn what_is_no_number() {
     );
 }
 
+/// A tolerance finer than any rounding ends too, and a start that is no time is an error.
+#[test]
+fn extremes_come_to_an_end() {
+    let (body, series) = (Pendulum::default(), SeriesPendulum::default());
+    for tolerance in [1e-17, 1e-20, 1e-300] {
+        let by_stages = body.integrate(&START).tolerance(tolerance).to(0.5).unwrap();
+        let by_series = series
+            .integrate(&START)
+            .tolerance(tolerance)
+            .to(0.5)
+            .unwrap();
+        assert!((by_stages.angle - by_series.angle).abs() < 1e-13);
+    }
+    for begin in [f64::NAN, f64::INFINITY] {
+        let exact = ExactPendulum::default();
+        assert!(body.integrate(&START).starting_at(begin).to(1.0).is_err());
+        assert!(series.integrate(&START).starting_at(begin).to(1.0).is_err());
+        assert!(exact.integrate(&START).starting_at(begin).to(1.0).is_err());
+        assert!(
+            body.integrate(&START)
+                .starting_at(begin)
+                .samples(1.0, 0.1)
+                .any(|sample| sample.is_err())
+        );
+        assert!(
+            body.integrate(&START)
+                .starting_at(begin)
+                .steps(1.0)
+                .any(|step| step.is_err())
+        );
+    }
+}
+
 /// No time, no motion.
 #[test]
 fn no_time() {

@@ -5,7 +5,8 @@ use newton_euler::integrate::{Classical4, Fixed, Held, Integration, Method, Samp
 use newton_euler::prelude::*;
 
 use crate::scenes::{
-    ExactPendulum, HeavyTop, HeldPendulum, Pendulum, SeriesPendulum, ends, error, period,
+    ExactPendulum, HeavyTop, HeldPendulum, Pendulum, SeriesPendulum, Tethered, TetheredInput, ends,
+    error, period,
 };
 
 const START: Hinge = Hinge {
@@ -90,6 +91,39 @@ fn the_last_sample() {
         .map(|sample| sample.unwrap().time)
         .collect();
     assert_eq!(from_ten, [10.0, 10.25, 10.5, 10.75, 11.0]);
+}
+
+/// The last sample is not lost in the rounding of large times.
+#[test]
+fn samples_far_from_zero() {
+    let body = Pendulum::default();
+    for k in 0..1000_u32 {
+        let start = 1e3 * f64::from(k) + 0.6 + 0.1 * f64::from(k % 7);
+        let motion = body.integrate(&START).starting_at(start);
+        let count = motion.samples(start + 0.3, 0.1).count();
+        assert_eq!(count, 4, "{start}");
+    }
+}
+
+/// Of a fall from nearly upright, all that the other methods see.
+#[test]
+fn brief_events_of_a_closed_form() {
+    let start = Hinge {
+        angle: std::f64::consts::PI - 1e-7,
+        angular_velocity: 0.0,
+    };
+    for height in [-0.5, -0.8, -0.95, 0.95] {
+        let crossing = |_: f64, state: &Hinge| state.angle.cos() - height;
+        let exact = ExactPendulum::default();
+        let series = SeriesPendulum::default();
+        let events = exact.integrate(&start).events(20.0, crossing).count();
+        let expected = series
+            .integrate(&start)
+            .tolerance(1e-13)
+            .events(20.0, crossing)
+            .count();
+        assert!(events == expected && events > 2, "{height}: {events}");
+    }
 }
 
 /// Sampling does not change the motion: the ends are the same to the bit.
@@ -198,6 +232,33 @@ fn under_constraints() {
         let expected = exact.flow(&START, time);
         assert!((state.angle - expected.angle).abs() < 1e-8, "{time}");
     }
+    // a string that is let out: from then on its length is the new one
+    let hanging = Translation {
+        position: [0.6, 0.0, -0.8].into(),
+        ..Translation::default()
+    };
+    let tethered = Tethered::default();
+    let let_out = |time: f64, _: &Translation| TetheredInput {
+        out: if time > 0.05 { 0.01 } else { 0.0 },
+    };
+    let at_once = tethered
+        .integrate(&hanging)
+        .tolerance(1e-12)
+        .control(0.1, let_out)
+        .to(0.2)
+        .unwrap();
+    let first = tethered
+        .integrate(&hanging)
+        .tolerance(1e-12)
+        .to(0.1)
+        .unwrap();
+    let second = tethered
+        .integrate(&first)
+        .tolerance(1e-12)
+        .input(TetheredInput { out: 0.01 });
+    let second = second.starting_at(0.1).to(0.2).unwrap();
+    assert!((at_once.position - second.position).norm() < 1e-12);
+
     // far from the pin
     let astray = Planar {
         position: Vector2::new(3.0, 4.0),

@@ -6,7 +6,9 @@ use newton_euler::integrate::{
 };
 use newton_euler::prelude::*;
 
-use crate::scenes::{ExactBody, FreeBody, HeavyTop, SeriesTop, ends, error};
+use crate::scenes::{
+    Chirp, ExactBody, FreeBody, HeavyTop, Kicked, SeriesTop, Stiffening, ends, error,
+};
 
 /// The order that shows between two lengths of steps is that of the method.
 fn shows<M: RungeKutta>(method: M, steps: [f64; 2]) {
@@ -106,6 +108,54 @@ fn the_best_method() {
     let end = exact.integrate(&start).to(10.0).unwrap();
     assert_eq!(end, exact.flow(&start, 10.0));
     assert!(error(&end, &expected) < 2e-14);
+}
+
+/// Where the last coefficients of a series vanish, or nearly, it is not taken for a polynomial.
+#[test]
+fn series_with_gaps() {
+    let start = Translation {
+        position: [1.0, 0.0, 0.0].into(),
+        ..Translation::default()
+    };
+    for begin in [0.0, 1e-12, 1e-9, 1e-6, 1e-3] {
+        for tolerance in [1e-3, 1e-5, 1e-6, 1e-8, 1e-9, 1e-11, 1e-13] {
+            let chirp = Chirp::default();
+            let motion = || chirp.integrate(&start).starting_at(begin);
+            let by_series = motion().tolerance(tolerance).to(3.0).unwrap();
+            let exact = motion()
+                .method(DormandPrince { tolerance: 1e-14 })
+                .to(3.0)
+                .unwrap();
+            let error = (by_series.position - exact.position).norm();
+            assert!(
+                error < 100.0 * tolerance,
+                "chirp from {begin} at {tolerance:e}: {error:e}"
+            );
+
+            let spring = Stiffening::default();
+            let motion = || spring.integrate(&start).starting_at(begin);
+            let by_series = motion().tolerance(tolerance).to(3.0).unwrap();
+            let exact = motion()
+                .method(DormandPrince { tolerance: 1e-14 })
+                .to(3.0)
+                .unwrap();
+            let error = (by_series.position - exact.position).norm();
+            assert!(
+                error < 300.0 * tolerance,
+                "spring from {begin} at {tolerance:e}: {error:e}"
+            );
+        }
+    }
+}
+
+/// What acts for a second after five of rest is seen, if it is a twentieth of the whole.
+#[test]
+fn a_kick_after_rest() {
+    let end = Kicked::default()
+        .integrate(&Translation::default())
+        .to(20.0)
+        .unwrap();
+    assert!((end.position.x - 14.5).abs() < 1e-7, "{end:?}");
 }
 
 /// There and back again.

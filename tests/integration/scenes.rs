@@ -110,6 +110,47 @@ rigid_body!(SeriesCollapse {
     outputs: [taylor],
 });
 
+rigid_body!(Chirp {
+    doc: "Its series has every fourth term, from time zero on.",
+    motion: translation,
+    mass: 1[kg],
+    forces: [push = world((1[1 / s ^ 2] * t * t).cos() * 1[N], 0, 0)],
+    outputs: [taylor],
+});
+
+rigid_body!(Stiffening {
+    doc: "Every sixth term.",
+    motion: translation,
+    mass: 1[kg],
+    forces: [spring = -1[N / m] * (t / 1[s]).powi(4) * position],
+    outputs: [taylor],
+});
+
+rigid_body!(Kicked {
+    doc: "Something acts for a second, after five.",
+    motion: translation,
+    mass: 1[kg],
+    forces: [kick = world(
+        if t > 5[s] {
+            if t < 6[s] { 1[N] } else { 0[N] }
+        } else {
+            0[N]
+        },
+        0,
+        0
+    )],
+});
+
+rigid_body!(Tethered {
+    doc: "On a string that is let out.",
+    motion: translation,
+    inputs: [out[m]],
+    mass: 1[kg],
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    constraints: [taut = position.norm() - 1[m] - out],
+    reactions: [string = _ * (position / 1[m])],
+});
+
 /// The start of a problem of the reference and its end after 10 s.
 pub fn ends(name: &str) -> [Rotation; 2] {
     let problem = trajectory(name);

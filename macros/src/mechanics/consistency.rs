@@ -4,7 +4,7 @@
 //! energy: `S l = g` with `S = A M^-1 A^T`, then `q - M^-1 A^T l`; and likewise the velocities.
 
 use crate::model::Model;
-use crate::symbolic::{Components, Function, Graph, Id};
+use crate::symbolic::{Components, Function, Graph, Id, Node};
 
 use super::constraints::Constrained;
 use super::response::response;
@@ -60,10 +60,11 @@ pub fn derive_consistency(model: &mut Model, constraints: &[Constrained]) -> Vec
         });
         let coupling = coupling.collect();
         let position = constraint.position.map(|value| {
-            let size = graph.largest_term(value);
+            let size = summed_size(graph, value);
             (value, with_angles(graph, size, angular))
         });
-        let velocity = (constraint.velocity, graph.largest_term(constraint.velocity));
+        let size = summed_size(graph, constraint.velocity);
+        let velocity = (constraint.velocity, size);
         Consistency {
             name: constraint.name.clone(),
             position,
@@ -77,6 +78,31 @@ pub fn derive_consistency(model: &mut Model, constraints: &[Constrained]) -> Vec
         }
     });
     list.collect()
+}
+
+/// The size of the terms that a value is summed from; of a product, of those of its factors.
+fn summed_size(graph: &mut Graph, value: Id) -> Id {
+    let (mut factors, mut sums, mut rest) = (vec![value], Vec::new(), graph.one());
+    while let Some(factor) = factors.pop() {
+        match *graph.node(factor) {
+            Node::Multiply(a, b) => factors.extend([a, b]),
+            Node::Divide(a, b) => {
+                factors.push(a);
+                rest = graph.divide(rest, b);
+            }
+            Node::Negate(a) | Node::Quantity(a) => factors.push(a),
+            Node::Add(..) | Node::Subtract(..) => sums.push(factor),
+            _ => rest = graph.multiply(rest, factor),
+        }
+    }
+    if sums.is_empty() {
+        return graph.largest_term(value);
+    }
+    let rest = graph.apply(Function::Abs, &[rest]);
+    sums.into_iter().fold(rest, |size, sum| {
+        let largest = graph.largest_term(sum);
+        graph.multiply(size, largest)
+    })
 }
 
 /// An attitude is known to the rounding of one radian.

@@ -313,6 +313,11 @@ impl<'e, B: Generic, M> EnsembleIntegration<'e, B, M> {
         if ensemble.is_empty() {
             return Ok(());
         }
+        if !end.is_finite() {
+            let (time, state) = (start, ensemble.state(0));
+            let error = IntegrationError::NotFinite { time, state };
+            return Err(MemberError { index: 0, error });
+        }
         let direction = 1.0_f64.copysign(end - start);
         let mut time = start;
         for count in 1.. {

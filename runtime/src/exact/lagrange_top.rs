@@ -101,7 +101,8 @@ impl Path for LagrangeTop {
             Motion::Free(free) => free.pace(),
             Motion::Nutating(nutation) => {
                 let turning = self.at(0.0).angular_velocity.norm();
-                1.0 / turning.max(nutation.phase.rate.abs())
+                // falling from upright, it turns at twice the rate of the phase
+                1.0 / (turning + 2.0 * nutation.phase.rate.abs())
             }
         }
     }

@@ -132,6 +132,6 @@ impl Path for Pendulum {
     }
 
     fn pace(&self) -> f64 {
-        1.0 / self.phase.rate
+        1.0 / self.phase.rate.max(2.0 * self.rate)
     }
 }

@@ -10,7 +10,7 @@ use super::error::IntegrationError;
 use super::method::{Method, Run, Tolerant};
 use super::point::Point;
 use super::runge_kutta::{DormandPrince8, runge_kutta_step};
-use super::size::{relative_size, root};
+use super::size::{finest, relative_size, root};
 
 /// How much of the step that the last error permits is taken, and how much a step may change.
 const SAFETY: f64 = 0.9;
@@ -19,8 +19,10 @@ const GROW: f64 = 6.0;
 
 /// DOP853: [`DormandPrince8`] with steps as long as the tolerance permits.
 ///
-/// For every body, smooth or not: of loads with `if`, `abs` and the like it takes short steps where they switch. Between the ends of a step, states
-/// are those of a shorter step from its start, of the same accuracy as the end.
+/// For every body, smooth or not: of loads with `if`, `abs` and the like it takes short steps where they switch, as far as it sees them. A load that
+/// acts for a short time only, after a long time of rest, may lie between the twelve places where a step looks: give it as an input
+/// ([`Integration::control`](super::Integration::control)), or take steps of a [`Fixed`](super::Fixed) length. Between the ends of a step, states are those of a
+/// shorter step from its start, where nothing switches of the same accuracy as the end.
 ///
 /// E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, 1993, II.4, II.5, II.10: the error is estimated from
 /// differences to methods of orders 5 and 3, `e₅² / √(e₅² + e₃²/100)`, and the next step is 0.9 (tolerance / error)^(1/8) times as long.
@@ -46,7 +48,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for DormandPrince
         let now = Point::new(time, state);
         AdaptiveRun {
             body,
-            tolerance: self.tolerance,
+            tolerance: finest(self.tolerance),
             before: (time, now.coordinates),
             now,
             next: None,
@@ -182,10 +184,12 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> AdaptiveRun<'_, B> {
         }
         let curvature = libm::sqrt(size(&difference));
         let pace = if speed >= curvature { speed } else { curvature };
+        // not everything at once, of what seems to be at rest
+        let longest = rest.abs() / 16.0;
         if pace > 0.0 {
-            root(self.tolerance, 8) / pace
+            longest.min(root(self.tolerance, 8) / pace)
         } else if pace == 0.0 {
-            rest.abs()
+            longest
         } else {
             pace
         }

@@ -86,13 +86,15 @@ where
     /// Asks for the input where the last one ends, and says where the next step has to end.
     fn limit(&mut self) -> Outcome<f64, B> {
         let time = self.run.time();
+        if !(time.is_finite() && self.end.is_finite()) {
+            let state = self.run.state();
+            return Err(IntegrationError::NotFinite { time, state });
+        }
         if time == self.held_until {
             let state = self.run.state();
-            if !self.end.is_finite() {
-                return Err(IntegrationError::NotFinite { time, state });
-            }
             let (input, until) = self.control.input(time, &state, self.end);
             (self.input, self.held_until) = (input, until);
+            self.run.renew();
             if !self.is_before(until) {
                 let step = until - time;
                 return Err(IntegrationError::StepTooSmall { time, state, step });
@@ -114,7 +116,7 @@ where
 
     /// Goes on until a time, not beyond the end, lies within the step taken last.
     pub(super) fn seek(&mut self, time: f64) -> Outcome<(), B> {
-        while self.is_before(time) || time.is_nan() {
+        while self.is_before(time) || time.is_nan() || !self.run.time().is_finite() {
             let limit = self.limit()?;
             let aim = self.nearer(time, limit);
             self.run.seek(aim, limit, &self.input)?;
@@ -163,7 +165,10 @@ where
     pub(super) fn new(course: Course<R, C, B>, period: f64) -> Self {
         let start = course.run.time();
         Self {
-            count: whole((course.end - start).abs() / period),
+            count: whole(
+                (course.end - start).abs() / period,
+                f64::EPSILON * (course.end.abs() + start.abs()) / period,
+            ),
             course,
             start,
             period,
@@ -172,16 +177,16 @@ where
     }
 }
 
-/// The whole part of a number of intervals, if they can be counted.
-fn whole(count: f64) -> Option<usize> {
+/// The whole part of a number of intervals, if they can be counted; the end belongs to it, whatever rounding took from the number and
+/// from its times.
+fn whole(count: f64, rounding: f64) -> Option<usize> {
     let is_countable = (0.0..9_007_199_254_740_992.0).contains(&count); // 2⁵³
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "from 0 to 2⁵³"
     )]
-    // the end belongs to it, whatever rounding takes
-    is_countable.then_some((count * (1.0 + 1e-12)) as usize)
+    is_countable.then_some((count * (1.0 + 1e-12) + rounding) as usize)
 }
 
 impl<R, C, B> Iterator for Samples<R, C, B>
@@ -198,7 +203,11 @@ where
             self.next = 1;
             let (time, state) = (self.start, self.course.run.state());
             let step = self.period;
-            return Some(Err(IntegrationError::StepTooSmall { time, state, step }));
+            return Some(Err(if self.course.end.is_finite() && time.is_finite() {
+                IntegrationError::StepTooSmall { time, state, step }
+            } else {
+                IntegrationError::NotFinite { time, state }
+            }));
         };
         if self.next > count {
             return None;

@@ -8,7 +8,7 @@ use crate::constrained::Inconsistent;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError<S> {
-    /// The motion is not finite from here on: a force grows beyond bounds, or is none.
+    /// The motion is not finite from here on: a force grows beyond bounds, or is none; or start or end are no times.
     NotFinite {
         /// \[s\]
         time: f64,

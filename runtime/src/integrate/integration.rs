@@ -231,8 +231,8 @@ where
         }
     }
 
-    /// Where a function of time and state changes its sign, up to the end \[s\], in both directions, as the motion comes to it; a zero at the
-    /// start is none.
+    /// Where a function of time and state changes its sign, or is exactly zero where it is looked at, up to the end \[s\], in both directions, as the
+    /// motion comes to it; a zero at the start is none.
     ///
     /// The sign is looked at in some places of every step: of zeros closer to each other than these, an even number is not seen. A zero is found
     /// to the rounding of the function and of time.

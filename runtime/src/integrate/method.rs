@@ -18,7 +18,8 @@ pub trait Method<B: RigidBody<Scalar = f64>>: Copy + Send + Sync {
 /// A method that can be told how large the error of a step may be.
 pub trait Tolerant: Sized {
     /// The method with this tolerance: relative to position, attitude, velocity and angular velocity, each as a whole, and absolute (m, rad,
-    /// m/s, rad/s) where these are below 1. The error at the end is that of all steps, as the motion carries it along.
+    /// m/s, rad/s) where these are below 1. The error at the end is that of all steps, as the motion carries it along. Finer than rounding, 1e-18,
+    /// is none.
     #[must_use]
     fn with_tolerance(tolerance: f64) -> Self;
 }
@@ -42,6 +43,9 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
 
     /// The state within the step taken last, which was under this input.
     fn within(&self, time: f64, input: &B::Input) -> B::State;
+
+    /// Hears that the input of the next step is another than that of the last.
+    fn renew(&mut self) {}
 
     /// Goes on from another state at the same time.
     fn replace(&mut self, state: &B::State);

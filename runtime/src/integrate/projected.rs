@@ -96,6 +96,12 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
         }
     }
 
+    /// Constraints may contain inputs.
+    fn renew(&mut self) {
+        self.run.renew();
+        self.is_on_constraints = false;
+    }
+
     fn replace(&mut self, state: &B::State) {
         self.run.replace(state);
         self.is_on_constraints = false;

@@ -30,6 +30,15 @@ fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
     )
 }
 
+/// A tolerance, of what is finer than rounding the finest that there is; what is no tolerance is zero, which no step keeps.
+pub(super) fn finest(tolerance: f64) -> f64 {
+    if tolerance > 0.0 {
+        tolerance.max(1e-18)
+    } else {
+        0.0
+    }
+}
+
 /// `x^(1/k)` to a few parts in a hundred, which is all that a step needs: logarithm and power by the exponent of the double, and
 /// straight lines in between. Of what is not a number, not a number.
 #[inline(always)]

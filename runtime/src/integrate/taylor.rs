@@ -25,11 +25,13 @@ use super::instructions::Expander;
 use super::method::{Method, Run};
 use super::point::Point;
 use super::series::TaylorSeries;
-use super::size::{relative_size, root};
+use super::size::{finest, relative_size, root};
 use super::step::Step;
 
 /// How much of the permitted step is taken: roots are known to a few parts in a hundred.
 const SAFETY: f64 = 0.9;
+/// A step that is longer than the one before by more than this is looked at twice.
+const GROWTH: f64 = 1.5;
 
 /// The state at the end of a span of time \[s\], from the state at its start, with the input held and the error of each step below
 /// `tolerance`; time may run backwards.
@@ -119,6 +121,8 @@ pub struct Motion<'b, B: Taylor, const N: usize> {
     /// From start to end the coordinates are those in these axes.
     axes: Axes,
     now: Point<B::State>,
+    /// How long the last step was that a tolerance permitted.
+    length: f64,
     expander: Expander<B, N>,
     series: Series<B::State, N>,
 }
@@ -140,6 +144,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             body,
             axes: body.axes(time, state),
             now: Point::new(time, state),
+            length: 0.0,
             expander: Expander::best(),
             series: Series::default(),
         }
@@ -178,7 +183,8 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             return Ok(None);
         }
         self.expand(input);
-        let (time, step) = (self.now.time, self.permitted(tolerance.max(0.0)));
+        let (time, step) = (self.now.time, self.permitted(finest(tolerance)));
+        self.length = step.min(rest.abs());
         if step.is_nan() {
             return Err(IntegrationError::NotFinite {
                 time,
@@ -231,18 +237,46 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     }
 
     /// The longest step of which the last two terms are below `tolerance`.
+    ///
+    /// They may vanish, or nearly, where the series goes on: cos t² has every fourth term. A step that grows is therefore held
+    /// against the terms before as well, which tell the same radius.
     #[inline(always)]
     fn permitted(&self, tolerance: f64) -> f64 {
-        let coefficients = self.series.coefficients();
         let [last, before] = [N - 1, N - 2].map(|order| {
-            let size = relative_size::<B::State>(&coefficients[order], &coefficients[0]);
+            let size = self.relative(order);
             if size == 0.0 {
                 f64::INFINITY
             } else {
                 root(tolerance / size, order)
             }
         });
-        SAFETY * if last <= before { last } else { before }
+        let step = SAFETY * if last <= before { last } else { before };
+        if step > GROWTH * self.length {
+            self.within_radius(step, tolerance)
+        } else {
+            step
+        }
+    }
+
+    /// A step, or what the radius of convergence leaves of it by the upper half of the orders.
+    #[cold]
+    fn within_radius(&self, step: f64, tolerance: f64) -> f64 {
+        let share = SAFETY * root(tolerance, N - 1);
+        let radii = (N / 2..N - 2).filter_map(|order| {
+            let size = self.relative(order);
+            (size > 0.0 && order > 0).then(|| share / root(size, order))
+        });
+        radii.fold(
+            step,
+            |step, radius| if radius < step { radius } else { step },
+        )
+    }
+
+    /// The size of a coefficient beside the state.
+    #[inline(always)]
+    fn relative(&self, order: usize) -> f64 {
+        let coefficients = self.series.coefficients();
+        relative_size::<B::State>(&coefficients[order], &coefficients[0])
     }
 
     /// Moves on by the series, to a time if it is known.

@@ -14,15 +14,21 @@ use crate::columns::Generic;
 use crate::lanes::Width;
 
 mod blocks;
+mod course;
 mod evaluate;
+mod events;
 mod integration;
+mod moves;
 #[cfg(feature = "progress")]
 mod progress;
 #[cfg(feature = "serde")]
 mod written;
 
 pub use blocks::Blocks;
-pub use integration::{EnsembleIntegration, MemberError, Moves, OneByOne};
+pub use course::{AsGiven, EnsembleControl, EnsembleSamples};
+pub use events::MemberEvent;
+pub use integration::EnsembleIntegration;
+pub use moves::{MemberError, Moves, OneByOne};
 
 /// Bodies of one kind that move independently of each other.
 ///

@@ -29,6 +29,7 @@ mod equations;
 mod error;
 mod event;
 mod fixed;
+mod instants;
 mod instructions;
 mod integration;
 mod method;
@@ -51,10 +52,8 @@ pub use equations::Equations;
 pub use error::IntegrationError;
 pub use event::Event;
 pub use fixed::{Fixed, FixedRun};
-pub(crate) use integration::TOLERANCE;
 pub use integration::{Integrate, Integration};
 pub use method::{Method, Run, Tolerant};
-pub(crate) use point::add;
 pub use projected::{Projected, ProjectedRun, cf4_projected};
 pub use runge_kutta::{
     Classical4, DormandPrince8, Midpoint, RungeKutta, Tsitouras5, runge_kutta_step,
@@ -62,6 +61,12 @@ pub use runge_kutta::{
 pub use series::{SeriesRun, TaylorSeries};
 pub use step::Step;
 pub use taylor::{Motion, taylor, taylor_step};
+
+#[cfg(feature = "ensemble")]
+pub(crate) use {instants::Instants, integration::TOLERANCE, point::add};
+
+#[cfg(feature = "progress")]
+pub(crate) use progress::Bar;
 
 /// A number of steps: exact below 2⁵³.
 #[expect(clippy::cast_precision_loss, reason = "exact below 2⁵³")]

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector2, Vector3};
 use newton_euler::columns::{Generic, Source};
-use newton_euler::ensemble::{Blocks, Ensemble, InvalidMember, MemberError};
+use newton_euler::ensemble::{Blocks, Ensemble, InvalidMember};
 use newton_euler::integrate::{
     Classical4, DormandPrince8, Fixed, Midpoint, RungeKutta, Tsitouras5,
 };
@@ -12,6 +12,7 @@ use newton_euler::lanes::Width;
 use newton_euler::{columns::Columns, integrate, prelude::*};
 
 mod bodies;
+mod integration;
 
 /// Numbers between -1 and 1, the same at each run.
 struct Numbers(u64);
@@ -242,73 +243,6 @@ fn none_at_all() {
     ensemble.cf4(0.0..1.0, 10);
     ensemble.integrate().to(1.0).unwrap();
     assert!(ensemble.is_empty() && ensemble.accelerations(0.0).is_empty());
-}
-
-/// Each member under a controller of its own; a member that fails is named, and all stay where they were.
-#[test]
-fn controllers_and_errors() {
-    let body = bodies::Turning::default();
-    let rest = [Rotation::default(); 11];
-    let mut ensemble = Ensemble::new(&body, rest);
-    let steps = Fixed {
-        method: DormandPrince8,
-        step: 0.05,
-    };
-    let control = |time: f64, index: usize, _: &Rotation| bodies::TurningInput {
-        torque: Vector3::new(0.0, 0.0, if index == 4 { time } else { 1.5 }),
-    };
-    ensemble
-        .integrate()
-        .method(steps)
-        .controlled_to(1.0, 0.25, control)
-        .unwrap();
-    for (index, state) in ensemble.states().iter().enumerate() {
-        let pushed = if index == 4 {
-            0.25 * (0.25 + 0.5 + 0.75) / 1.5
-        } else {
-            1.0
-        };
-        assert!((state.angular_velocity.z - pushed).abs() < 1e-14, "{index}");
-    }
-
-    let before = ensemble.states().clone();
-    let push = |push| bodies::TurningInput {
-        torque: Vector3::new(0.0, 0.0, push),
-    };
-    ensemble.inputs_mut().set(7, &push(f64::NAN));
-    let lost = |error: MemberError<Rotation>| {
-        let named = error.index == 7
-            && error
-                .to_string()
-                .starts_with("member 7: the motion is not finite");
-        assert!(named, "{error}");
-    };
-    lost(ensemble.integrate().method(steps).to(1.0).unwrap_err());
-    assert!(*ensemble.states() == before);
-    lost(ensemble.integrate().to(1.0).unwrap_err());
-    assert!(*ensemble.states() == before);
-
-    for step in [0.0, -1.0, f64::NAN] {
-        assert!(
-            ensemble
-                .integrate()
-                .method(Fixed { step, ..steps })
-                .to(1.0)
-                .is_err()
-        );
-        assert!(
-            ensemble
-                .integrate()
-                .method(steps)
-                .controlled_to(1.0, step, |_, _, _| push(1.0))
-                .is_err()
-        );
-    }
-    for end in [f64::NAN, f64::INFINITY] {
-        assert!(ensemble.integrate().method(steps).to(end).is_err());
-        assert!(ensemble.integrate().to(end).is_err());
-    }
-    assert!(ensemble.integrate().starting_at(2.0).to(2.0).is_ok());
 }
 
 #[test]

@@ -2,6 +2,9 @@
 
 use core::ops::Range;
 
+#[cfg(feature = "rayon")]
+use rayon::iter::{IndexedParallelIterator as _, ParallelIterator as _};
+
 use super::blocks::{BLOCK, Group, GroupMut, Row, range};
 use super::{Blocks, Ensemble, Members};
 use crate::body::RigidBody;
@@ -85,22 +88,15 @@ impl<B: Generic> Ensemble<B> {
 }
 
 /// Blocks that one thread takes at a time.
-#[cfg(feature = "rayon")]
 const CHUNK: usize = 32;
 
 /// Does some work on all blocks; it is told which block is the first of its rows.
-#[cfg(feature = "rayon")]
 pub(super) fn in_chunks(rows: &mut [Row], columns: usize, work: impl Fn(usize, &mut [Row]) + Sync) {
-    use rayon::prelude::*;
-    rows.par_chunks_mut(columns * CHUNK)
-        .enumerate()
-        .for_each(|(chunk, rows)| work(chunk * CHUNK, rows));
-}
-
-/// Does some work on all blocks; it is told which block is the first of its rows.
-#[cfg(not(feature = "rayon"))]
-pub(super) fn in_chunks(rows: &mut [Row], _columns: usize, work: impl Fn(usize, &mut [Row])) {
-    work(0, rows);
+    #[cfg(not(feature = "rayon"))]
+    let chunks = rows.chunks_mut(columns * CHUNK).enumerate();
+    #[cfg(feature = "rayon")]
+    let chunks = rayon::slice::ParallelSliceMut::par_chunks_mut(rows, columns * CHUNK).enumerate();
+    chunks.for_each(|(chunk, rows)| work(chunk * CHUNK, rows));
 }
 
 /// A body over lanes.

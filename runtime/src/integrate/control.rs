@@ -33,7 +33,7 @@ pub struct Sampled<F> {
 }
 
 impl<F> Sampled<F> {
-    pub(super) fn new(period: f64, function: F) -> Self {
+    pub(crate) fn new(period: f64, function: F) -> Self {
         Self {
             function,
             period,
@@ -41,18 +41,22 @@ impl<F> Sampled<F> {
             count: 0,
         }
     }
-}
 
-impl<S, I, F: FnMut(f64, &S) -> I> Control<S, I> for Sampled<F> {
-    fn input(&mut self, time: f64, state: &S, end: f64) -> (I, f64) {
+    /// The function at an instant on the way to an end, and the next instant.
+    pub(crate) fn next(&mut self, time: f64, end: f64) -> (&mut F, f64) {
         if self.count == 0 {
             self.start = time;
         }
         self.count += 1;
         let after = super::exact(self.count) * self.period;
-        (
-            (self.function)(time, state),
-            self.start + after * 1.0_f64.copysign(end - self.start),
-        )
+        let until = self.start + after * 1.0_f64.copysign(end - self.start);
+        (&mut self.function, until)
+    }
+}
+
+impl<S, I, F: FnMut(f64, &S) -> I> Control<S, I> for Sampled<F> {
+    fn input(&mut self, time: f64, state: &S, end: f64) -> (I, f64) {
+        let (function, until) = self.next(time, end);
+        (function(time, state), until)
     }
 }

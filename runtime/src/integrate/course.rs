@@ -7,7 +7,7 @@ use crate::body::RigidBody;
 use super::control::Control;
 use super::error::IntegrationError;
 use super::event::{Event, Search};
-use super::exact;
+use super::instants::Instants;
 use super::method::{Method, Run};
 #[cfg(feature = "progress")]
 use super::progress::Bar;
@@ -149,11 +149,9 @@ where
 /// States at equal intervals: see [`Integration::samples`](super::Integration::samples).
 pub struct Samples<R, C, B: RigidBody> {
     course: Course<R, C, B>,
-    start: f64,
+    /// None if the period is none.
+    instants: Option<Instants>,
     period: f64,
-    /// Which is next; of how many beside the first.
-    next: usize,
-    count: Option<usize>,
 }
 
 impl<R, C, B> Samples<R, C, B>
@@ -163,30 +161,13 @@ where
     C: Control<B::State, B::Input>,
 {
     pub(super) fn new(course: Course<R, C, B>, period: f64) -> Self {
-        let start = course.run.time();
+        let instants = Instants::new(course.run.time(), course.end, period);
         Self {
-            count: whole(
-                (course.end - start).abs() / period,
-                f64::EPSILON * (course.end.abs() + start.abs()) / period,
-            ),
             course,
-            start,
+            instants,
             period,
-            next: 0,
         }
     }
-}
-
-/// The whole part of a number of intervals, if they can be counted; the end belongs to it, whatever rounding took from the number and
-/// from its times.
-fn whole(count: f64, rounding: f64) -> Option<usize> {
-    let is_countable = (0.0..9_007_199_254_740_992.0).contains(&count); // 2⁵³
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "from 0 to 2⁵³"
-    )]
-    is_countable.then_some((count * (1.0 + 1e-12) + rounding) as usize)
 }
 
 impl<R, C, B> Iterator for Samples<R, C, B>
@@ -198,36 +179,25 @@ where
     type Item = Outcome<Sample<B::State>, B>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let Some(count) = self.count else {
-            self.count = Some(0);
-            self.next = 1;
-            let (time, state) = (self.start, self.course.run.state());
-            let step = self.period;
-            return Some(Err(if self.course.end.is_finite() && time.is_finite() {
-                IntegrationError::StepTooSmall { time, state, step }
-            } else {
-                IntegrationError::NotFinite { time, state }
-            }));
+        let Some(instants) = &mut self.instants else {
+            self.instants = Some(Instants::NONE);
+            let times = self.course.run.time()..self.course.end;
+            let state = self.course.run.state();
+            return Some(Err(IntegrationError::uncountable(
+                self.period,
+                times,
+                state,
+            )));
         };
-        if self.next > count {
-            return None;
+        let time = instants.next()?;
+        let reached = self.course.seek(time);
+        if reached.is_err() {
+            *instants = Instants::NONE;
         }
-        let after = self.period.copysign(self.course.end - self.start) * exact(self.next);
-        let end = self.course.end;
-        let time = if self.course.forwards {
-            (self.start + after).min(end)
-        } else {
-            (self.start + after).max(end)
-        };
-        self.next += 1;
-        let sample = self.course.seek(time).map(|()| Sample {
+        Some(reached.map(|()| Sample {
             time,
             state: self.course.at(time),
-        });
-        if sample.is_err() {
-            self.next = usize::MAX;
-        }
-        Some(sample)
+        }))
     }
 }
 
@@ -270,6 +240,18 @@ pub struct Events<R, C, B: RigidBody, F> {
     /// Where in the step taken last.
     pub(super) search: Option<Search>,
     pub(super) is_over: bool,
+}
+
+impl<R, C, B, F> Events<R, C, B, F>
+where
+    B: RigidBody<Scalar = f64>,
+    R: Run<B>,
+    C: Control<B::State, B::Input>,
+{
+    /// The state to which the motion has come: that at the end, when there are no more events.
+    pub fn state(&self) -> B::State {
+        self.course.run.state()
+    }
 }
 
 impl<R, C, B, F> Iterator for Events<R, C, B, F>

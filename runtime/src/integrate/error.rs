@@ -1,6 +1,7 @@
 //! What ends an integration before its time.
 
 use core::fmt;
+use core::ops::Range;
 
 use crate::constrained::Inconsistent;
 
@@ -37,6 +38,17 @@ pub enum IntegrationError<S> {
 }
 
 impl<S> IntegrationError<S> {
+    /// Instants at intervals of this period cannot be counted between these times; the state is that at the first.
+    pub(crate) fn uncountable(period: f64, times: Range<f64>, state: S) -> Self {
+        let Range { start: time, end } = times;
+        if time.is_finite() && end.is_finite() {
+            let step = period;
+            Self::StepTooSmall { time, state, step }
+        } else {
+            Self::NotFinite { time, state }
+        }
+    }
+
     /// When the last state was good \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {

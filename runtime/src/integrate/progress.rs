@@ -1,7 +1,7 @@
 //! A bar on standard error that shows how far a motion has come.
 
-use core::cell::Cell;
 use core::ops::Range;
+use core::sync::atomic::{AtomicU64, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -10,26 +10,26 @@ const PARTS: u32 = 1000;
 
 /// A bar for a span of time.
 #[derive(Debug)]
-pub(super) struct Bar {
+pub(crate) struct Bar {
     shown_as: ProgressBar,
     span: Range<f64>,
     /// The part that is shown.
-    shown: Cell<u64>,
+    shown: AtomicU64,
 }
 
 impl Bar {
-    pub(super) fn new(span: Range<f64>) -> Self {
+    pub(crate) fn new(span: Range<f64>) -> Self {
         let style = ProgressStyle::with_template("{bar:40} {percent} %, {eta} left");
         let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
         Self {
             shown_as: ProgressBar::new(u64::from(PARTS)).with_style(style),
             span,
-            shown: Cell::new(0),
+            shown: AtomicU64::new(0),
         }
     }
 
     /// Shows a time.
-    pub(super) fn show(&self, time: f64) {
+    pub(crate) fn show(&self, time: f64) {
         let part = (time - self.span.start) / (self.span.end - self.span.start);
         #[expect(
             clippy::cast_possible_truncation,
@@ -37,7 +37,7 @@ impl Bar {
             reason = "what is no part is shown as zero"
         )]
         let part = (part * f64::from(PARTS)) as u64;
-        if part != self.shown.replace(part) {
+        if part != self.shown.swap(part, Ordering::Relaxed) {
             self.shown_as.set_position(part);
         }
     }

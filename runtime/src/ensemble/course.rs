@@ -1,0 +1,182 @@
+//! All members on their way to an end, under inputs that change, and what is seen of them.
+
+#![allow(
+    clippy::float_cmp,
+    reason = "a motion is at a time, or it is not: it is put there"
+)]
+
+use core::ops::Range;
+
+use super::moves::{MemberError, Moves};
+use super::{Blocks, Ensemble};
+use crate::columns::Generic;
+#[cfg(feature = "progress")]
+use crate::integrate::Bar;
+use crate::integrate::{Instants, IntegrationError, Sample, Sampled};
+
+/// What acts on the members over time: [`AsGiven`], or a function asked at equal intervals, by
+/// [`EnsembleIntegration::control`](super::EnsembleIntegration::control).
+pub trait EnsembleControl<B: Generic> {
+    /// Sets the inputs that act from a time \[s\] on, and says until when they are held: a time towards `end`, or beyond.
+    fn set(&mut self, ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64;
+}
+
+/// The inputs that the members have.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AsGiven;
+
+impl<B: Generic> EnsembleControl<B> for AsGiven {
+    fn set(&mut self, _ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64 {
+        f64::INFINITY.copysign(end - time)
+    }
+}
+
+impl<B: Generic, F: FnMut(f64, usize, &B::State) -> B::Input> EnsembleControl<B> for Sampled<F> {
+    fn set(&mut self, ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64 {
+        let (function, until) = self.next(time, end);
+        for index in 0..ensemble.len() {
+            let input = function(time, index, &ensemble.states.get(index));
+            ensemble.members.inputs.set(index, &input);
+        }
+        until
+    }
+}
+
+/// Members between a start and an end.
+#[derive(Debug)]
+pub(super) struct Course<'e, B: Generic, M, C> {
+    ensemble: &'e mut Ensemble<B>,
+    method: M,
+    control: C,
+    time: f64,
+    end: f64,
+    /// Until when the inputs act that act now.
+    held_until: f64,
+    #[cfg(feature = "progress")]
+    bar: Option<Bar>,
+}
+
+impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> Course<'e, B, M, C> {
+    pub(super) fn new(
+        ensemble: &'e mut Ensemble<B>,
+        method: M,
+        control: C,
+        times: Range<f64>,
+    ) -> Self {
+        let Range { start: time, end } = times;
+        Self {
+            ensemble,
+            method,
+            control,
+            time,
+            end,
+            held_until: time,
+            #[cfg(feature = "progress")]
+            bar: None,
+        }
+    }
+
+    #[cfg(feature = "progress")]
+    pub(super) fn shown_on(self, bar: Option<Bar>) -> Self {
+        Self { bar, ..self }
+    }
+
+    /// Goes on to a time, not beyond the end.
+    pub(super) fn seek(&mut self, time: f64) -> Result<(), MemberError<B::State>> {
+        if self.ensemble.is_empty() {
+            return Ok(());
+        }
+        if !(self.time.is_finite() && time.is_finite()) {
+            let (time, state) = (self.time, self.ensemble.state(0));
+            return Err(at_first(IntegrationError::NotFinite { time, state }));
+        }
+        while self.time != time {
+            let forwards = time > self.time;
+            let is_ahead = |until: f64, now: f64| if forwards { until > now } else { until < now };
+            if self.time == self.held_until {
+                let until = self.control.set(self.ensemble, self.time, self.end);
+                if !is_ahead(until, self.time) {
+                    let (time, state) = (self.time, self.ensemble.state(0));
+                    let step = until - time;
+                    return Err(at_first(IntegrationError::StepTooSmall {
+                        time,
+                        state,
+                        step,
+                    }));
+                }
+                self.held_until = until;
+            }
+            let next = if is_ahead(time, self.held_until) {
+                self.held_until
+            } else {
+                time
+            };
+            self.moved(next)?;
+        }
+        Ok(())
+    }
+
+    /// Moves all members on to a time, under the inputs that they have.
+    fn moved(&mut self, next: f64) -> Result<(), MemberError<B::State>> {
+        let times = self.time..next;
+        #[cfg(not(feature = "progress"))]
+        let shown = |_part: f64| {};
+        #[cfg(feature = "progress")]
+        let shown = |part: f64| {
+            if let Some(bar) = &self.bar {
+                bar.show(self.time + part * (next - self.time));
+            }
+        };
+        self.method.moved(self.ensemble, times, shown)?;
+        self.time = next;
+        Ok(())
+    }
+}
+
+/// An error of them all stands at the first.
+fn at_first<S>(error: IntegrationError<S>) -> MemberError<S> {
+    MemberError { index: 0, error }
+}
+
+/// The states of all members at equal intervals: see [`EnsembleIntegration::samples`](super::EnsembleIntegration::samples).
+#[derive(Debug)]
+pub struct EnsembleSamples<'e, B: Generic, M, C> {
+    course: Course<'e, B, M, C>,
+    /// None if the period is none.
+    instants: Option<Instants>,
+    period: f64,
+}
+
+impl<'e, B: Generic, M, C> EnsembleSamples<'e, B, M, C> {
+    pub(super) fn new(course: Course<'e, B, M, C>, period: f64) -> Self {
+        Self {
+            instants: Instants::new(course.time, course.end, period),
+            course,
+            period,
+        }
+    }
+}
+
+impl<B: Generic, M: Moves<B>, C: EnsembleControl<B>> Iterator for EnsembleSamples<'_, B, M, C> {
+    type Item = Result<Sample<Blocks<B::State>>, MemberError<B::State>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let course = &mut self.course;
+        let Some(instants) = &mut self.instants else {
+            self.instants = Some(Instants::NONE);
+            let times = course.time..course.end;
+            let state = course.ensemble.states.iter().next()?;
+            let error = IntegrationError::uncountable(self.period, times, state);
+            return Some(Err(at_first(error)));
+        };
+        let time = instants.next()?;
+        let reached = course.seek(time);
+        if reached.is_err() {
+            *instants = Instants::NONE;
+        }
+        Some(reached.map(|()| Sample {
+            time,
+            state: course.ensemble.states.clone(),
+        }))
+    }
+}

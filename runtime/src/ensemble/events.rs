@@ -1,0 +1,66 @@
+//! Where functions of time and state are zero along the motions of members.
+
+use alloc::vec::Vec;
+#[cfg(feature = "rayon")]
+use rayon::iter::ParallelIterator as _;
+
+use super::Ensemble;
+use super::course::AsGiven;
+use super::integration::EnsembleIntegration;
+use super::moves::{MemberError, OneByOne, indices};
+use crate::columns::Generic;
+use crate::integrate::{Event, Integrate, Method};
+
+/// An event in the motion of a member.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MemberEvent<S> {
+    /// Which member, from zero.
+    pub index: usize,
+    /// When, and its state then.
+    pub event: Event<S>,
+}
+
+impl<B: Generic + Integrate, M: Method<B>> EnsembleIntegration<'_, B, OneByOne<M>, AsGiven> {
+    /// Moves all members to the end \[s\] and tells where a function of time, member and its state changes its sign on the way: the events of
+    /// the first member in their order, then those of the second, as [`Integration::events`](crate::integrate::Integration::events) finds them.
+    ///
+    /// # Errors
+    /// [`MemberError`] with a member that does not come there; the ensemble stays where it is.
+    pub fn events<F>(
+        self,
+        end: f64,
+        function: F,
+    ) -> Result<Vec<MemberEvent<B::State>>, MemberError<B::State>>
+    where
+        F: Fn(f64, usize, &B::State) -> f64 + Sync,
+    {
+        let Self {
+            ensemble,
+            start,
+            method: OneByOne(method),
+            ..
+        } = self;
+        let Ensemble {
+            states, members, ..
+        } = &*ensemble;
+        let flown = |index: usize| {
+            let body = members.body(index);
+            let motion = body
+                .integrate(&states.get(index))
+                .starting_at(start)
+                .method(method)
+                .input(members.inputs.get(index));
+            let mut events = motion.events(end, |time, state| function(time, index, state));
+            let seen: Result<Vec<_>, _> = events
+                .by_ref()
+                .map(|event| event.map(|event| MemberEvent { index, event }))
+                .collect();
+            let seen = seen.map_err(|error| MemberError { index, error })?;
+            Ok((seen, events.state()))
+        };
+        let flown: Result<Vec<_>, _> = indices(states.len()).map(flown).collect();
+        let (seen, ends): (Vec<_>, Vec<_>) = flown?.into_iter().unzip();
+        ensemble.states = ends.into_iter().collect();
+        Ok(seen.into_iter().flatten().collect())
+    }
+}

@@ -1,0 +1,196 @@
+//! The interface of `integrate` for all members: controllers, samples, events, errors.
+
+use nalgebra::Vector3;
+use newton_euler::ensemble::{Ensemble, MemberError, OneByOne};
+use newton_euler::integrate::{DormandPrince, DormandPrince8, Fixed, IntegrationError};
+use newton_euler::prelude::*;
+
+use crate::bodies;
+
+/// Each member under a controller of its own; a member that fails is named, and all stay where they were.
+#[test]
+fn controllers_and_errors() {
+    let body = bodies::Turning::default();
+    let rest = [Rotation::default(); 11];
+    let mut ensemble = Ensemble::new(&body, rest);
+    let steps = Fixed {
+        method: DormandPrince8,
+        step: 0.05,
+    };
+    let control = |time: f64, index: usize, _: &Rotation| bodies::TurningInput {
+        torque: Vector3::new(0.0, 0.0, if index == 4 { time } else { 1.5 }),
+    };
+    ensemble
+        .integrate()
+        .method(steps)
+        .control(0.25, control)
+        .to(1.0)
+        .unwrap();
+    for (index, state) in ensemble.states().iter().enumerate() {
+        let pushed = if index == 4 {
+            0.25 * (0.25 + 0.5 + 0.75) / 1.5
+        } else {
+            1.0
+        };
+        assert!((state.angular_velocity.z - pushed).abs() < 1e-14, "{index}");
+    }
+
+    let before = ensemble.states().clone();
+    let push = |push| bodies::TurningInput {
+        torque: Vector3::new(0.0, 0.0, push),
+    };
+    ensemble.inputs_mut().set(7, &push(f64::NAN));
+    let lost = |error: MemberError<Rotation>| {
+        let named = error.index == 7
+            && error
+                .to_string()
+                .starts_with("member 7: the motion is not finite");
+        assert!(named, "{error}");
+    };
+    lost(ensemble.integrate().method(steps).to(1.0).unwrap_err());
+    assert!(*ensemble.states() == before);
+    lost(ensemble.integrate().to(1.0).unwrap_err());
+    assert!(*ensemble.states() == before);
+
+    for step in [0.0, -1.0, f64::NAN] {
+        assert!(
+            ensemble
+                .integrate()
+                .method(Fixed { step, ..steps })
+                .to(1.0)
+                .is_err()
+        );
+        assert!(
+            ensemble
+                .integrate()
+                .method(steps)
+                .control(step, |_, _, _| push(1.0))
+                .to(1.0)
+                .is_err()
+        );
+    }
+    for end in [f64::NAN, f64::INFINITY] {
+        assert!(ensemble.integrate().method(steps).to(end).is_err());
+        assert!(ensemble.integrate().to(end).is_err());
+    }
+    assert!(ensemble.integrate().starting_at(2.0).to(2.0).is_ok());
+}
+
+const STEPS: Fixed<DormandPrince8> = Fixed {
+    method: DormandPrince8,
+    step: 0.05,
+};
+
+fn spinning() -> Ensemble<bodies::Turning<f64>> {
+    let spinning = |i: u8| Rotation {
+        angular_velocity: Vector3::new(0.1, 1.0 + 0.1 * f64::from(i), 0.3),
+        ..Rotation::default()
+    };
+    Ensemble::new(&bodies::Turning::default(), (0..19).map(spinning))
+}
+
+/// Samples are what one gets by going from one to the next, and the last is where the ensemble is; backwards as well.
+#[test]
+fn samples_are_ends() {
+    for (start, end) in [(1.0, 3.5), (3.5, 1.0)] {
+        let (mut sampled, mut moved) = (spinning(), spinning());
+        let samples = sampled.integrate().starting_at(start).method(STEPS);
+        let samples: Vec<_> = samples.samples(end, 0.5).map(Result::unwrap).collect();
+        assert_eq!(samples.len(), 6);
+        let mut time = start;
+        for sample in &samples {
+            let part = moved.integrate().starting_at(time).method(STEPS);
+            part.to(sample.time).unwrap();
+            time = sample.time;
+            assert!(sample.state == *moved.states(), "{time}");
+        }
+        assert!(sampled.states() == moved.states());
+    }
+}
+
+/// A controller and samples of another period: the inputs change when the controller is asked, and only then.
+#[test]
+fn samples_under_a_controller() {
+    let mut ensemble = Ensemble::new(&bodies::Turning::default(), [Rotation::default(); 3]);
+    let mut asked = Vec::new();
+    let control = |time: f64, index: usize, _: &Rotation| {
+        if index == 0 {
+            asked.push(time);
+        }
+        let torque = Vector3::new(0.0, 0.0, if time < 0.9 { 1.5 } else { 0.0 });
+        bodies::TurningInput { torque }
+    };
+    let motion = ensemble.integrate().tolerance(1e-12).control(0.5, control);
+    let rates: Vec<f64> = motion
+        .samples(2.0, 0.4)
+        .map(|sample| sample.unwrap().state.get(2).angular_velocity.z)
+        .collect();
+    for (rate, wanted) in rates.iter().zip([0.0, 0.4, 0.8, 1.0, 1.0, 1.0]) {
+        assert!((rate - wanted).abs() < 1e-12, "{rates:?}");
+    }
+    assert_eq!(rates.len(), 6);
+    assert_eq!(asked, [0.0, 0.5, 1.0, 1.5]);
+}
+
+/// Events are those of each member alone, to the bit, and the ensemble comes to the end.
+#[test]
+fn events_are_those_of_each_alone() {
+    let start = spinning();
+    let mut ensemble = start.clone();
+    let height = |index: usize, state: &Rotation| {
+        let level = if index.is_multiple_of(2) { 0.0 } else { 0.1 };
+        state.attitude.transform_vector(&Vector3::x()).z - level
+    };
+    let seen = ensemble
+        .integrate()
+        .method(OneByOne(DormandPrince { tolerance: 1e-10 }))
+        .events(8.0, |_, index, state| height(index, state))
+        .unwrap();
+    let mut alone = Vec::new();
+    for index in 0..start.len() {
+        let (body, state) = (start.body(index), start.state(index));
+        let motion = || {
+            body.integrate(&state)
+                .method(DormandPrince { tolerance: 1e-10 })
+        };
+        let events = motion().events(8.0, |_, state| height(index, state));
+        alone.extend(events.map(|event| (index, event.unwrap())));
+        // where steps end only where the tolerance puts them, the last ends at the end
+        assert!(
+            ensemble.state(index) == motion().to(8.0).unwrap(),
+            "{index}"
+        );
+    }
+    let seen: Vec<_> = seen
+        .into_iter()
+        .map(|seen| (seen.index, seen.event))
+        .collect();
+    assert!(seen.len() > 19 && seen == alone);
+
+    let before = ensemble.states().clone();
+    ensemble.inputs_mut().set(
+        3,
+        &bodies::TurningInput {
+            torque: Vector3::repeat(f64::INFINITY),
+        },
+    );
+    let lost = ensemble.integrate().events(1.0, |_, _, _| 1.0).unwrap_err();
+    assert!(lost.index == 3 && *ensemble.states() == before);
+}
+
+/// What cannot be sampled is one error, and no motion.
+#[test]
+fn periods_that_are_none() {
+    for period in [0.0, -1.0, f64::NAN] {
+        let mut ensemble = spinning();
+        let mut samples = ensemble.integrate().samples(1.0, period);
+        let error = samples.next().unwrap().unwrap_err().error;
+        assert!(matches!(error, IntegrationError::StepTooSmall { .. }));
+        assert!(samples.next().is_none());
+        assert!(*ensemble.states() == *spinning().states());
+    }
+    let mut ensemble = spinning();
+    let mut samples = ensemble.integrate().samples(f64::NAN, 0.1);
+    let error = samples.next().unwrap().unwrap_err().error;
+    assert!(matches!(error, IntegrationError::NotFinite { .. }));
+}

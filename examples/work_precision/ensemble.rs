@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use nalgebra::Vector3;
 use newton_euler::ensemble::Ensemble;
-use newton_euler::integrate::{self, Classical4, DormandPrince8, Fixed, Tsitouras5};
+use newton_euler::integrate::{self, Classical4, DormandPrince8, Fixed, Tsitouras5, Verner9};
 use newton_euler::prelude::*;
 
 use crate::bodies::{self, many};
@@ -25,6 +25,7 @@ macro_rules! methods {
                     Some(moved.states().iter().collect())
                 },
             ),
+            methods!(@steps $ensemble, $seconds, "Runge-Kutta 9", Verner9),
             methods!(@steps $ensemble, $seconds, "Runge-Kutta 8", DormandPrince8),
             methods!(@steps $ensemble, $seconds, "Runge-Kutta 5", Tsitouras5),
             methods!(@steps $ensemble, $seconds, "Runge-Kutta 4", Classical4),

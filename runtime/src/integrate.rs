@@ -8,7 +8,7 @@
 //! | [`ClosedForm`] | `outputs: [flow]` | rounding |
 //! | [`TaylorSeries`] | `outputs: [taylor]` | below a tolerance; rounding only, if that is small enough |
 //! | [`DormandPrince`] | every body | below a tolerance |
-//! | [`Fixed`]`<`[`DormandPrince8`]`>`, [`Tsitouras5`], [`Classical4`] | every body, ensembles | of order 8, 5, 4 in the step |
+//! | [`Fixed`]`<`[`Verner9`]`>`, [`DormandPrince8`], [`Tsitouras5`], [`Classical4`] | every body, ensembles | of order 9, 8, 5, 4 in the step |
 //! | [`Fixed`]`<`[`Midpoint`]`>` | games: long runs in few steps | of order 2; energy does not drift |
 //! | [`Projected`] | bodies under constraints | that of the method it is given |
 //!
@@ -56,7 +56,7 @@ pub use integration::{Integrate, Integration};
 pub use method::{Method, Run, Tolerant};
 pub use projected::{Projected, ProjectedRun, cf4_projected};
 pub use runge_kutta::{
-    Classical4, DormandPrince8, Midpoint, RungeKutta, Tsitouras5, runge_kutta_step,
+    Classical4, DormandPrince8, Midpoint, RungeKutta, Tsitouras5, Verner9, runge_kutta_step,
 };
 pub use series::{SeriesRun, TaylorSeries};
 pub use step::Step;

@@ -6,7 +6,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector2, Vector3};
 use newton_euler::columns::{Generic, Source};
 use newton_euler::ensemble::{Blocks, Ensemble, InvalidMember};
 use newton_euler::integrate::{
-    Classical4, DormandPrince8, Fixed, Midpoint, RungeKutta, Tsitouras5,
+    Classical4, DormandPrince8, Fixed, Midpoint, RungeKutta, Tsitouras5, Verner9,
 };
 use newton_euler::lanes::Width;
 use newton_euler::{columns::Columns, integrate, prelude::*};
@@ -135,6 +135,14 @@ where
             width,
             Fixed {
                 method: DormandPrince8,
+                step: 0.1,
+            },
+        );
+        steps_as_if_alone(
+            &start,
+            width,
+            Fixed {
+                method: Verner9,
                 step: 0.1,
             },
         );

@@ -2,7 +2,7 @@
 
 use newton_euler::integrate::{
     Classical4, DormandPrince, DormandPrince8, Fixed, Midpoint, RungeKutta, TaylorSeries,
-    Tsitouras5, taylor,
+    Tsitouras5, Verner9, taylor,
 };
 use newton_euler::prelude::*;
 
@@ -36,17 +36,20 @@ fn fixed_methods() {
     shows(Classical4, [0.02, 0.01]);
     shows(Tsitouras5, [0.025, 0.0125]);
     shows(DormandPrince8, [0.2, 0.1]);
+    shows(Verner9, [0.25, 0.125]);
 }
 
 /// In small steps nothing but rounding is left.
 #[test]
-fn order_eight_comes_to_rounding() {
+fn high_orders_come_to_rounding() {
+    comes_to_rounding(DormandPrince8, 0.02);
+    comes_to_rounding(Verner9, 0.03125);
+}
+
+fn comes_to_rounding<M: RungeKutta>(method: M, step: f64) {
     for name in ["heavy_asym", "asymmetric_free"] {
         let [start, expected] = ends(name);
-        let fine = Fixed {
-            method: DormandPrince8,
-            step: 0.02,
-        };
+        let fine = Fixed { method, step };
         let end = if name == "heavy_asym" {
             HeavyTop::default().integrate(&start).method(fine).to(10.0)
         } else {

@@ -14,11 +14,13 @@ mod classical;
 mod dormand_prince;
 mod midpoint;
 mod tsitouras;
+mod verner;
 
 pub use classical::Classical4;
 pub use dormand_prince::DormandPrince8;
 pub use midpoint::Midpoint;
 pub use tsitouras::Tsitouras5;
+pub use verner::Verner9;
 
 /// A Runge–Kutta method: a step from nothing but the state at its start.
 pub trait RungeKutta: Copy + core::fmt::Debug + Send + Sync {

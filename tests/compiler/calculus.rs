@@ -62,6 +62,28 @@ fn a_common_factor_is_taken_out() {
     );
 }
 
+/// Moments of inertia of a box: `m (c^2 + a^2) - m (a^2 + b^2) = m (c - b) (c + b)`.
+#[test]
+fn a_difference_of_squares_is_a_product() {
+    let mut g = Graph::default();
+    let [m, a, b, c] = core::array::from_fn(|_| g.symbol(Stage::Parameter));
+    let moment = |g: &mut Graph, x, y| {
+        let (x, y) = (g.square(x), g.square(y));
+        let sum = g.add(x, y);
+        g.multiply(m, sum)
+    };
+    let (first, second) = (moment(&mut g, c, a), moment(&mut g, a, b));
+    let difference = g.difference(second, first);
+    let (less, sum) = (g.subtract(b, c), g.add(b, c));
+    let product = g.multiply(less, sum);
+    assert_eq!(difference, g.multiply(m, product));
+    // what is none stays as it stands
+    let (twice, once) = (moment(&mut g, c, c), moment(&mut g, a, b));
+    assert_eq!(g.difference(twice, once), g.subtract(twice, once));
+    assert_eq!(g.difference(a, b), g.subtract(a, b));
+    assert_eq!(g.difference(first, first), g.zero());
+}
+
 #[test]
 fn what_is_known_early_is_computed_early() {
     let mut g = Graph::default();

@@ -10,13 +10,22 @@ type Operation = (
     fn([f64; 3]) -> f64,
 );
 
-const OPERATIONS: [Operation; 34] = [
+const OPERATIONS: [Operation; 35] = [
     ("negate", |g, [a, ..]| g.negate(a), |[a, ..]| -a),
     ("add", |g, [a, b, _]| g.add(a, b), |[a, b, _]| a + b),
     (
         "subtract",
         |g, [a, b, _]| g.subtract(a, b),
         |[a, b, _]| a - b,
+    ),
+    (
+        "difference",
+        |g, [a, b, c]| {
+            let [x, y] = [g.powi(a, 2), g.powi(b, 2)];
+            let [x, y] = [x, y].map(|square| g.multiply(c, square));
+            g.difference(x, y)
+        },
+        |[a, b, c]| c * a * a - c * b * b,
     ),
     (
         "multiply",

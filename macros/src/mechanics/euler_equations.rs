@@ -75,7 +75,7 @@ impl Turning<'_> {
         );
         // (J_j - J_k) / J_i
         let mut coupling = |graph: &mut Graph, i: usize, j: usize, k: usize| {
-            let difference = graph.subtract(inertia[j], inertia[k]);
+            let difference = graph.difference(inertia[j], inertia[k]);
             let coupling = graph.multiply(difference, inverse[i]);
             labels.name(coupling, format!("coupling_{}", AXES[i]));
             coupling
@@ -120,7 +120,7 @@ impl Turning<'_> {
         let graph = &mut *self.graph;
         let mut deviator = *self.rows;
         for (i, row) in deviator.iter_mut().enumerate() {
-            row[i] = graph.subtract(row[i], self.rows[axis][axis]);
+            row[i] = graph.difference(row[i], self.rows[axis][axis]);
         }
         let relative = graph.transform(&deviator, self.w);
         let relative = graph.quantities(relative);

@@ -9,6 +9,7 @@ mod build;
 mod convolution;
 mod cost;
 mod derivative;
+mod difference;
 mod eigen;
 mod eliminate;
 mod evaluate;

@@ -77,6 +77,8 @@ pub fn cf4_step<B: RigidBody<Scalar: Scalar>>(
 /// held. Time may run backwards. With no steps the state is returned as it is.
 ///
 /// Step k begins at start + k · step, so that times do not collect rounding.
+/// States do: what a step adds is rounded to them, and where it is below that it is lost. Over many small steps, and far from
+/// the origin, [`integrate`](super::Integrate::integrate) compensates.
 ///
 /// ```
 /// use newton_euler::{gyroscopic, integrate, prelude::*};

@@ -14,6 +14,8 @@
 
 mod bodies;
 mod by_hand;
+#[path = "../../benches/measure/chart.rs"]
+mod chart;
 #[path = "../../benches/measure/clock.rs"]
 mod clock;
 mod diagram;

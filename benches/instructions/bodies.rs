@@ -25,11 +25,13 @@ examples! {
     lagrange_top "../../examples/lagrange_top.rs";
     plank "../../examples/plank.rs";
     quadrotor "../../examples/quadrotor.rs";
+    rigid_body_benchmarks "../../examples/rigid_body_benchmarks.rs";
     rotor "../../examples/rotor.rs";
     satellite "../../examples/satellite.rs";
     shuttlecock "../../examples/shuttlecock.rs";
     swarm "../../examples/swarm.rs";
     t_handle "../../examples/t_handle.rs";
+    tumbling_brick "../../examples/tumbling_brick.rs";
 }
 
 /// A body that can be evaluated once.
@@ -57,11 +59,15 @@ pub const BODIES: &[Body] = bodies![
     lagrange_top::Top,
     plank::Plank,
     quadrotor::Quadrotor,
+    rigid_body_benchmarks::Detest,
+    rigid_body_benchmarks::Driven,
+    rigid_body_benchmarks::Turning,
     rotor::Rotor,
     satellite::Satellite,
     shuttlecock::Shuttlecock,
     swarm::CubeSat<f64>,
     t_handle::Handle,
+    tumbling_brick::Brick,
 ];
 
 /// Examples of which no body is in the list; folders are measurements themselves.

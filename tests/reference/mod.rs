@@ -29,6 +29,16 @@ pub fn flight(name: &str) -> Value {
     file(include_str!("flights.json"))["problems"][name].take()
 }
 
+/// Attitudes of a free body after up to 2²⁴ s.
+pub fn long_runs() -> Value {
+    file(include_str!("long_runs.json"))
+}
+
+/// A problem that others have published, by name.
+pub fn published(name: &str) -> Value {
+    file(include_str!("published.json"))["problems"][name].take()
+}
+
 /// A number, written as one, as a decimal string or as a fraction.
 pub fn number(value: &Value) -> f64 {
     match value {

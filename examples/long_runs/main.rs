@@ -1,0 +1,85 @@
+//! Long runs: what a hundred million steps leave of energy, angular momentum and attitude, and a satellite's week.
+//!
+//! Each method follows each body from four starts in steps of equal length. After 2, 4, 8, ... steps its errors are noted, and
+//! the law of their growth is fitted, error = a nᵖ: rounding that is summed with compensation is a random walk, p = ½, and what a method
+//! loses in every step grows with their number, p = 1; an angle, which goes on with what is lost of the pace, by one power more. A table is printed,
+//! and written under `target/measures` as `long_runs.csv` and `long_runs.svg`:
+//!
+//! ```sh
+//! cargo run --release --example long_runs                  # a few seconds: 2¹⁷ steps
+//! cargo run --release --example long_runs -- 22            # 2²² steps
+//! cargo run --release --example long_runs -- --full        # a quarter of an hour: 2²⁷ = 1.3e8 steps
+//! ```
+//!
+//! To be checked: the exponents beside those that are expected, and energy and momentum of the Taylor series after all steps within 1e-12.
+
+mod bodies;
+#[path = "../../benches/measure/chart.rs"]
+mod chart;
+#[path = "../../benches/measure/drawing.rs"]
+mod drawing;
+#[path = "../../benches/measure/folder.rs"]
+mod folder;
+mod growth;
+mod march;
+mod problem;
+#[path = "../../tests/reference/mod.rs"]
+mod reference;
+mod report;
+mod week;
+
+use std::env;
+use std::error::Error;
+
+use bodies::{FreeBody, HeavyTop, LagrangeTop};
+use nalgebra::Vector3;
+use newton_euler::prelude::*;
+
+use growth::{Growth, follow};
+use problem::Problem;
+use report::Table;
+
+/// All methods on a problem, with what comes out.
+fn all<B>(problem: &Problem<'_, B>, doublings: u32) -> Vec<Growth>
+where
+    B: Taylor<State = Rotation, Input = ()> + Energy + Momentum<Angular = Vector3<f64>>,
+{
+    let ways = march::all();
+    let results: Vec<Growth> = ways
+        .iter()
+        .map(|way| follow(problem, way, doublings))
+        .collect();
+    println!("{}", Table(&results));
+    results
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let words: Vec<String> = env::args().skip(1).collect();
+    let doublings = match words.as_slice() {
+        [] => Some(17),
+        [word] if word == "--full" => Some(27),
+        [word] => word.parse().ok().filter(|doublings| *doublings < 40),
+        _ => None,
+    };
+    let doublings = doublings.ok_or("only --full or a number below 40 is understood")?;
+
+    let free = FreeBody::default();
+    let (lagrange, heavy) = (LagrangeTop::default(), HeavyTop::default());
+    println!("error at the end, and p of error = a nᵖ as fitted (and expected)\n");
+    let mut results = all(&problem::free(&free), doublings);
+    results.extend(all(&problem::lagrange(&lagrange), doublings));
+    results.extend(all(&problem::heavy(&heavy), doublings));
+    week::print()?;
+
+    // target/release/examples/long_runs
+    let program = env::current_exe()?;
+    let target = program.ancestors().nth(3).ok_or("not run by cargo")?;
+    folder::keep(
+        target,
+        &[
+            ("long_runs.csv", report::csv(&results)),
+            ("long_runs.svg", report::picture(&results)),
+        ],
+    )?;
+    Ok(())
+}

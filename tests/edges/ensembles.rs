@@ -77,14 +77,16 @@ fn times_and_steps_that_are_none() {
                 planks()
                     .integrate()
                     .method(STEPS)
-                    .controlled_to(end, 0.1, input)
+                    .control(0.1, input)
+                    .to(end)
                     .is_err()
             );
             assert!(
                 planks()
                     .integrate()
                     .starting_at(end)
-                    .controlled_to(1.0, 0.1, input)
+                    .control(0.1, input)
+                    .to(1.0)
                     .is_err()
             );
             planks().cf4(0.0..end, 3);
@@ -96,12 +98,7 @@ fn times_and_steps_that_are_none() {
             };
             assert!(planks().integrate().method(method).to(1.0).is_err());
             let input = |_: f64, _: usize, _: &Planar| PlankInput::default();
-            assert!(
-                planks()
-                    .integrate()
-                    .controlled_to(1.0, step, input)
-                    .is_err()
-            );
+            assert!(planks().integrate().control(step, input).to(1.0).is_err());
         }
         assert!(planks().integrate().tolerance(f64::NAN).to(1.0).is_err());
         // of none, nothing

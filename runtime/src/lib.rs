@@ -42,6 +42,13 @@
 //! flip and precess wrongly, and their energy and angular momentum are not conserved. This library uses the completed
 //! equation; [`gyroscopic`] has both matrices, what goes wrong without the second, and how the gap was found.
 //!
+//! # The same bits, no panics
+//!
+//! One version of this library computes the same bits in every build and on every processor, alone and in an ensemble; only series that are
+//! [integrated](integrate::TaylorSeries) know two, with fused operations and without. What is not a number is handed on by evaluations and is an
+//! [error](integrate::IntegrationError) of integration; neither panics, as a program shows that would not link otherwise. What exactly is promised, and how it is tried, is in
+//! `docs/trust.md` of the repository.
+//!
 //! # Features
 //!
 //! - `dispatch`, by default: series in the widest registers that the processor has, found at run time.

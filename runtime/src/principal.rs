@@ -8,9 +8,6 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use crate::attitude;
 use crate::private::math;
 
-/// The three pairs of axes and the axis that completes each, in cyclic order.
-const PLANES: [[usize; 3]; 3] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]];
-
 /// Sweeps through the three planes. Convergence is quadratic and takes four to six.
 const SWEEPS: usize = 12;
 
@@ -29,56 +26,69 @@ pub(crate) fn diagonalized(matrix: &Matrix3<f64>) -> PrincipalAxes {
     let mut j = *matrix;
     let mut axes = Quaternion::identity();
     for _ in 0..SWEEPS {
-        let mut done = true;
-        for [a, b, c] in PLANES {
-            // Negligible relative to the moments of this plane: what is left moves neither beyond rounding.
-            let negligible = f64::EPSILON * f64::EPSILON / 64.0 * (j[(a, a)] * j[(b, b)]).abs();
-            if j[(a, b)] * j[(a, b)] > negligible {
-                axes *= annihilated(&mut j, [a, b, c]);
-                done = false;
-            }
-        }
-        if done {
+        let turns = [
+            annihilated::<0, 1, 2>(&mut j),
+            annihilated::<1, 2, 0>(&mut j),
+            annihilated::<2, 0, 1>(&mut j),
+        ];
+        if turns == [None; 3] {
             break;
         }
+        turns.iter().flatten().for_each(|turn| axes *= turn);
     }
     let mut moments = j.diagonal();
-    for [a, b, c] in [PLANES[0], PLANES[1], PLANES[0]] {
-        if moments[a] > moments[b] {
-            moments.swap_rows(a, b);
-            axes *= turn_about(c, 0.0, 1.0);
-        }
-    }
+    ascending::<0, 1, 2>(&mut moments, &mut axes);
+    ascending::<1, 2, 0>(&mut moments, &mut axes);
+    ascending::<0, 1, 2>(&mut moments, &mut axes);
     PrincipalAxes {
         moments,
         axes: attitude::normalized(&axes),
     }
 }
 
-/// Turns axes a and b about axis c, by at most π/4, so that the entry (a, b) vanishes; returns the turn.
-fn annihilated(j: &mut Matrix3<f64>, [a, b, c]: [usize; 3]) -> Quaternion<f64> {
-    let product = j[(a, b)];
-    let cotangent = (j[(a, a)] - j[(b, b)]) / (2.0 * product); // of twice the angle
+/// Turns axes A and B about axis C, by at most π/4, so that the entry (A, B) vanishes; returns the turn, if there is something to turn.
+fn annihilated<const A: usize, const B: usize, const C: usize>(
+    j: &mut Matrix3<f64>,
+) -> Option<Quaternion<f64>> {
+    let product = j[(A, B)];
+    // relative to the moments of this plane: what is left moves neither beyond rounding
+    let negligible = f64::EPSILON * f64::EPSILON / 64.0 * (j[(A, A)] * j[(B, B)]).abs();
+    let is_there = product * product > negligible;
+    if !is_there {
+        return None;
+    }
+    let cotangent = (j[(A, A)] - j[(B, B)]) / (2.0 * product); // of twice the angle
     let tangent = f64::copysign(1.0, cotangent) / (cotangent.abs() + math::hypot(1.0, cotangent));
     let cosine = 1.0 / math::sqrt(1.0 + tangent * tangent);
     let sine = tangent * cosine;
-    let [ac, bc] = [j[(a, c)], j[(b, c)]];
-    j[(a, a)] += tangent * product;
-    j[(b, b)] -= tangent * product;
+    let [ac, bc] = [j[(A, C)], j[(B, C)]];
+    j[(A, A)] += tangent * product;
+    j[(B, B)] -= tangent * product;
     let mut set = |row, column, value| {
         j[(row, column)] = value;
         j[(column, row)] = value;
     };
-    set(a, b, 0.0);
-    set(a, c, cosine * ac + sine * bc);
-    set(b, c, cosine * bc - sine * ac);
-    turn_about(c, cosine, sine)
+    set(A, B, 0.0);
+    set(A, C, cosine * ac + sine * bc);
+    set(B, C, cosine * bc - sine * ac);
+    Some(turn_about::<C>(cosine, sine))
+}
+
+/// Exchanges axes A and B, by a turn about axis C, if their moments are not in order.
+fn ascending<const A: usize, const B: usize, const C: usize>(
+    moments: &mut Vector3<f64>,
+    axes: &mut Quaternion<f64>,
+) {
+    if moments[A] > moments[B] {
+        moments.swap_rows(A, B);
+        *axes *= turn_about::<C>(0.0, 1.0);
+    }
 }
 
 /// The unit quaternion of the turn about a coordinate axis with this cosine (not -1) and sine.
-fn turn_about(axis: usize, cosine: f64, sine: f64) -> Quaternion<f64> {
+fn turn_about<const AXIS: usize>(cosine: f64, sine: f64) -> Quaternion<f64> {
     let norm = math::sqrt(2.0 * (1.0 + cosine));
     let mut vector = Vector3::zeros();
-    vector[axis] = sine / norm;
+    vector[AXIS] = sine / norm;
     Quaternion::from_parts((1.0 + cosine) / norm, vector)
 }

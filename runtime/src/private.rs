@@ -123,17 +123,19 @@ pub fn reciprocal<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> Res
     Ok(divisor.constant(1.0, 1.0) / divisor)
 }
 
-/// The same where there is no way to return an error.
-///
-/// # Panics
-/// If the divisor is nothing but rounding: the constraints do not determine the unknown here.
+/// The same where there is no way to return an error, of each number for itself: where the divisor is nothing but rounding, what is computed
+/// with it is not a number.
 #[inline(always)]
 #[must_use]
-pub fn determined<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> T {
-    match reciprocal(unknown, divisor, scale) {
-        Ok(reciprocal) => reciprocal,
-        Err(singular) => panic!("{singular}"),
-    }
+pub fn determined<T: Scalar>(divisor: T, scale: T) -> T {
+    let eight = divisor.constant(8.0 * f64::EPSILON, 8.0 * f32::EPSILON);
+    let is_determined = (eight * scale).less(divisor.abs());
+    let reciprocal = divisor.constant(1.0, 1.0) / divisor;
+    T::select(
+        is_determined,
+        reciprocal,
+        divisor.constant(f64::NAN, f32::NAN),
+    )
 }
 
 /// What recurrences read of the order n of a coefficient.

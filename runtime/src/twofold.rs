@@ -18,12 +18,14 @@ pub(crate) struct Twofold {
 }
 
 impl Twofold {
-    /// The exact product of two doubles (unless it underflows).
+    /// The exact product of two doubles (unless it underflows): from their halves, whose products are exact.
     pub(crate) fn product(a: f64, b: f64) -> Self {
         let high = a * b;
+        let ([a, of_a], [b, of_b]) = (halves(a), halves(b));
+        let rest = ((high - a * b) - of_a * b) - a * of_b;
         Self {
             high,
-            low: libm::fma(a, b, -high),
+            low: of_a * of_b - rest,
         }
     }
 
@@ -136,4 +138,10 @@ impl Div for Twofold {
         let rest = self - other * Self::from(quotient);
         Self::ordered(quotient, rest.high / other.high)
     }
+}
+
+/// The nearest number of 26 bits, and what is left of 26 bits and a sign.
+fn halves(x: f64) -> [f64; 2] {
+    let upper = f64::from_bits(x.to_bits().wrapping_add(1 << 26) & (u64::MAX << 27));
+    [upper, x - upper]
 }

@@ -41,8 +41,8 @@ impl Documentation {
         if functions.acceleration.has_pivots {
             lines.extend(quote! {
                 #[doc = ""]
-                #[doc = " # Panics"]
-                #[doc = " `acceleration`, in configurations in which the constraints do not determine their reactions; `reactions`, if it is there, returns an error in them."]
+                #[doc = " # Singular configurations"]
+                #[doc = " Where the constraints do not determine their reactions, `acceleration` is not a number; `reactions`, if it is there, returns an error."]
             });
         }
         Self {

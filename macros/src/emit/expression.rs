@@ -121,16 +121,16 @@ impl Body<'_> {
                 (quote!(!#a), Precedence::Sign)
             }
             Node::Pivot(divisor, scale) => {
-                let unknown = self.unknown(id);
                 let private = &self.writer.private;
                 let (divisor, scale) = (
                     self.expression(divisor, Precedence::Lowest),
                     self.expression(scale, Precedence::Lowest),
                 );
                 let tokens = if self.writer.is_fallible {
+                    let unknown = self.unknown(id);
                     quote!(#private::reciprocal(#unknown, #divisor, #scale)?)
                 } else {
-                    quote!(#private::determined(#unknown, #divisor, #scale))
+                    quote!(#private::determined(#divisor, #scale))
                 };
                 (tokens, Precedence::Atom)
             }

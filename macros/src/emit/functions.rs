@@ -53,7 +53,7 @@ pub struct Function {
     pub text: Vec<String>,
     pub output_text: Vec<String>,
     pub reads: Vec<Source>,
-    /// Whether it panics where it would divide by nothing but rounding.
+    /// Whether there are states in which it would divide by nothing but rounding.
     pub has_pivots: bool,
     pub has_notes: bool,
     pub has_equality: bool,

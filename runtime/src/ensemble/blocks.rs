@@ -101,8 +101,10 @@ impl<C: Columns<f64>> Blocks<C> {
         }
     }
 
-    pub(super) fn rows(&self) -> &[Row] {
-        &self.rows
+    /// The rows of a block, if there is one.
+    #[inline(always)]
+    pub(super) fn block(&self, index: usize) -> Option<&[Row]> {
+        self.rows.get(range::<C>(index))
     }
 
     pub(super) fn rows_mut(&mut self) -> &mut [Row] {

@@ -5,7 +5,7 @@ use core::ops::Range;
 #[cfg(feature = "rayon")]
 use rayon::iter::{IndexedParallelIterator as _, ParallelIterator as _};
 
-use super::blocks::{BLOCK, Group, GroupMut, Row, range};
+use super::blocks::{BLOCK, Group, GroupMut, Row};
 use super::{Blocks, Ensemble, Members};
 use crate::body::RigidBody;
 use crate::columns::{Columns, Generic};
@@ -42,7 +42,7 @@ impl<B: Generic> Ensemble<B> {
         in_chunks(accelerations.rows_mut(), columns, |first, rows| {
             self.width.run(Accelerate {
                 members: &self.members,
-                states: self.states.rows(),
+                states: &self.states,
                 first,
                 time,
                 accelerations: rows,
@@ -102,38 +102,43 @@ pub(super) fn in_chunks(rows: &mut [Row], columns: usize, work: impl Fn(usize, &
 /// A body over lanes.
 pub(super) type Laned<B, S> = <B as Generic>::With<Lanes<S>>;
 
-impl<B: Generic> Members<B> {
-    #[inline(always)]
-    pub(super) fn bodies_of<S: Register>(
-        &self,
-        simd: S,
-        block: usize,
-        group: usize,
-    ) -> Laned<B, S> {
-        let block = if self.is_uniform { 0 } else { block };
-        read::<B, _, S>(simd, self.bodies.rows(), block, group)
-    }
+/// The members of one block, by the rows of their bodies and of their inputs.
+pub(super) struct Block<'m> {
+    bodies: &'m [Row],
+    inputs: &'m [Row],
+}
 
+impl<B: Generic> Members<B> {
+    /// All blocks from one on.
     #[inline(always)]
-    pub(super) fn inputs_of<S: Register>(
-        &self,
-        simd: S,
-        block: usize,
-        group: usize,
-    ) -> <Laned<B, S> as RigidBody>::Input {
-        read::<B::Input, _, S>(simd, self.inputs.rows(), block, group)
+    pub(super) fn blocks(&self, first: usize) -> impl Iterator<Item = Block<'_>> {
+        (first..).map_while(|index| {
+            Some(Block {
+                bodies: self.bodies.block(if self.is_uniform { 0 } else { index })?,
+                inputs: self.inputs.block(index)?,
+            })
+        })
     }
 }
 
-/// What a group of a block has in these rows, over lanes.
+impl Block<'_> {
+    /// Bodies and inputs of a group, over lanes.
+    #[inline(always)]
+    pub(super) fn group<B: Generic, S: Register>(
+        &self,
+        simd: S,
+        group: usize,
+    ) -> (Laned<B, S>, <Laned<B, S> as RigidBody>::Input) {
+        (
+            read(simd, self.bodies, group),
+            read(simd, self.inputs, group),
+        )
+    }
+}
+
+/// What a group has in the rows of its block, over lanes.
 #[inline(always)]
-pub(super) fn read<C: Columns<f64>, D: Columns<Lanes<S>>, S: Register>(
-    simd: S,
-    rows: &[Row],
-    block: usize,
-    group: usize,
-) -> D {
-    let rows = &rows[range::<C>(block)];
+pub(super) fn read<D: Columns<Lanes<S>>, S: Register>(simd: S, rows: &[Row], group: usize) -> D {
     D::read(&mut Group {
         simd,
         rows,
@@ -143,7 +148,7 @@ pub(super) fn read<C: Columns<f64>, D: Columns<Lanes<S>>, S: Register>(
 
 struct Accelerate<'e, B: Generic> {
     members: &'e Members<B>,
-    states: &'e [Row],
+    states: &'e Blocks<B::State>,
     first: usize,
     time: f64,
     accelerations: &'e mut [Row],
@@ -156,12 +161,13 @@ impl<B: Generic> Work for Accelerate<'_, B> {
     fn run<S: Register>(self, simd: S) {
         let time = Lanes::splat(simd, self.time);
         let columns = <Acceleration<B> as Columns<f64>>::COUNT;
-        for (index, rows) in self.accelerations.chunks_exact_mut(columns).enumerate() {
-            let block = self.first + index;
+        let states = (self.first..).map_while(|index| self.states.block(index));
+        let members = self.members.blocks(self.first).zip(states);
+        let accelerations = self.accelerations.chunks_exact_mut(columns);
+        for (rows, (block, states)) in accelerations.zip(members) {
             for group in 0..BLOCK / Lanes::<S>::COUNT {
-                let body = self.members.bodies_of(simd, block, group);
-                let input = self.members.inputs_of(simd, block, group);
-                let state = read::<B::State, _, S>(simd, self.states, block, group);
+                let (body, input) = block.group::<B, S>(simd, group);
+                let state = read(simd, states, group);
                 let acceleration = body.acceleration(time, &state, &input);
                 let rows = rows.iter_mut();
                 acceleration.write(&mut GroupMut { rows, index: group });
@@ -186,12 +192,11 @@ impl<B: Generic> Work for Advance<'_, B> {
     fn run<S: Register>(self, simd: S) {
         let step = Lanes::splat(simd, self.step);
         let columns = <B::State as Columns<f64>>::COUNT;
-        for (index, rows) in self.states.chunks_exact_mut(columns).enumerate() {
-            let block = self.first + index;
+        let states = self.states.chunks_exact_mut(columns);
+        for (rows, block) in states.zip(self.members.blocks(self.first)) {
             for group in 0..BLOCK / Lanes::<S>::COUNT {
-                let body = self.members.bodies_of(simd, block, group);
-                let input = self.members.inputs_of(simd, block, group);
-                let mut state = read::<B::State, _, S>(simd, rows, 0, group);
+                let (body, input) = block.group::<B, S>(simd, group);
+                let mut state = read(simd, rows, group);
                 for k in self.steps.clone() {
                     let time = Lanes::splat(simd, self.start + exact(k) * self.step);
                     state = cf4_step(&body, time, &state, &input, step);

@@ -66,7 +66,7 @@ impl<B: Generic, M: Method<B>> Moves<B> for OneByOne<M> {
         times: Range<f64>,
         observer: impl Fn(f64) + Sync,
     ) -> Result<(), MemberError<B::State>> {
-        if !times.end.is_finite() {
+        if !(times.start.is_finite() && times.end.is_finite()) {
             return ensemble.states.iter().next().map_or(Ok(()), |state| {
                 let time = times.start;
                 let error = IntegrationError::NotFinite { time, state };
@@ -196,16 +196,15 @@ impl<M: RungeKutta, B: Generic> Work for Advance<'_, M, B> {
     #[inline(always)]
     fn run<S: Register>(self, simd: S) {
         let columns = <B::State as Columns<f64>>::COUNT;
-        for (index, rows) in self.states.chunks_exact_mut(columns).enumerate() {
-            let block = self.first + index;
+        let states = self.states.chunks_exact_mut(columns);
+        for (rows, block) in states.zip(self.members.blocks(self.first)) {
             for group in 0..BLOCK / Lanes::<S>::COUNT {
-                let body = self.members.bodies_of(simd, block, group);
-                let input = self.members.inputs_of(simd, block, group);
+                let (body, input) = block.group::<B, S>(simd, group);
                 let equations = Equations {
                     body: &body,
                     input: &input,
                 };
-                let state = read::<B::State, _, S>(simd, rows, 0, group);
+                let state = read(simd, rows, group);
                 let end =
                     moved::<M, _, S>(simd, &equations, &state, self.start, self.step, self.steps);
                 let rows = rows.iter_mut();

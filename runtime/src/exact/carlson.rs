@@ -4,6 +4,7 @@
 //! Digital Library of Mathematical Functions, 19.36(i).
 
 use crate::private::math;
+use crate::scale;
 
 /// `R_J(x, y, z, p) = (3/2) ∫₀^∞ dt / ((t + p) √((t + x)(t + y)(t + z)))`.
 ///
@@ -21,6 +22,16 @@ pub fn r_j(x: f64, y: f64, z: f64, p: f64) -> f64 {
     if [x + y, y + z, z + x, p].contains(&0.0) {
         return f64::INFINITY;
     }
+    let largest = math::max(math::max(x, y), math::max(z, p));
+    if largest == f64::INFINITY {
+        return 1.0 / (x + y + z + p);
+    }
+    if largest > 0.0 && !(1e-90..1e90).contains(&largest) {
+        // R_J(4ⁿ x, ..) = 8⁻ⁿ R_J(x, ..)
+        let n = scale::exponent(largest) / 2;
+        let [x, y, z, p] = [x, y, z, p].map(|argument| libm::scalbn(argument, -2 * n));
+        return libm::scalbn(r_j(x, y, z, p), -3 * n);
+    }
     let [mut x, mut y, mut z, mut p] = [x, y, z, p];
     let mut center = (x + y + z + 2.0 * p) / 5.0;
     let [dx, dy, dz] = [x, y, z].map(|argument| center - argument);
@@ -28,7 +39,7 @@ pub fn r_j(x: f64, y: f64, z: f64, p: f64) -> f64 {
     let mut distance = 108.0 * f64::max(dx.abs().max(dy.abs()), dz.abs().max((center - p).abs()));
     let mut apart = (p - x) * (p - y) * (p - z);
     let (mut sum, mut scale) = (0.0, 1.0);
-    while distance >= center {
+    while distance >= center && center > 0.0 {
         let [a, b, c, d] = [x, y, z, p].map(math::sqrt);
         let mixed = a * b + (a + b) * c;
         let divisor = (d + a) * (d + b) * (d + c);

@@ -70,21 +70,30 @@ impl FreeRotation {
     /// ```
     #[must_use]
     pub fn principal(moments: [f64; 3], axes: &Matrix3<f64>, state: &Rotation) -> Self {
-        let w = axes.tr_mul(&state.angular_velocity);
-        let pairs = [[1, 2], [2, 0], [0, 1]];
+        let ([i, j, k], [a, b, c]) = (moments, <[[f64; 3]; 3]>::from(*axes));
+        let [x, y, z] = axes.tr_mul(&state.angular_velocity).into();
+        // two moments and the rates about their axes, the third one and its axis
+        let pairs = [
+            ([j, k], [y, z], i, a),
+            ([k, i], [z, x], j, b),
+            ([i, j], [x, y], k, c),
+        ];
         #[expect(clippy::float_cmp, reason = "what is nearly equal is no special case")]
-        let are_equal = |[i, j]: [usize; 2]| moments[i] == moments[j];
+        let are_equal = |[one, other]: [f64; 2]| one == other;
         let is_steady = pairs
-            .into_iter()
-            .all(|[i, j]| are_equal([i, j]) || w[i] == 0.0 || w[j] == 0.0);
+            .iter()
+            .all(|(pair, rates, ..)| are_equal(*pair) || rates.contains(&0.0));
         if is_steady {
             return Self(Motion::Regular(Regular::steady(state)));
         }
-        for (k, pair) in pairs.into_iter().enumerate() {
+        for (pair, _, along, axis) in pairs {
             if are_equal(pair) {
-                let both = [moments[pair[0]], moments[k]];
-                let axis = axes.column(k).into_owned();
-                return Self(Motion::Regular(Regular::symmetric(both, axis, state)));
+                let both = [pair[0], along];
+                return Self(Motion::Regular(Regular::symmetric(
+                    both,
+                    axis.into(),
+                    state,
+                )));
             }
         }
         Self(Motion::Circling(Circling::new(moments, axes, state)))

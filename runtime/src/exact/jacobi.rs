@@ -117,7 +117,7 @@ impl Jacobi {
         let mut quotient = cosine / sine;
         let mut c = self.mean * quotient;
         let mut dn = 1.0;
-        for [arithmetic, geometric] in self.levels[..self.count].iter().rev() {
+        for [arithmetic, geometric] in self.levels.iter().take(self.count).rev() {
             let square = quotient * c;
             c *= dn;
             dn = (geometric + square) / (arithmetic + square);

@@ -31,7 +31,7 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Method<B> for ClosedForm {
         PathRun {
             body,
             path: body.path(state),
-            start: time,
+            start: (time, state.clone()),
             time,
         }
     }
@@ -41,14 +41,15 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Method<B> for ClosedForm {
 pub struct PathRun<'b, B: Flow> {
     body: &'b B,
     path: B::Path,
-    start: f64,
+    /// Where the path begins.
+    start: (f64, B::State),
     time: f64,
 }
 
 impl<B: Flow> fmt::Debug for PathRun<'_, B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("PathRun")
-            .field("start", &self.start)
+            .field("start", &self.start.0)
             .field("time", &self.time)
             .finish_non_exhaustive()
     }
@@ -62,7 +63,12 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
     }
 
     fn state(&self) -> B::State {
-        self.path.at(self.time - self.start)
+        let (start, state) = &self.start;
+        if self.time.to_bits() == start.to_bits() {
+            state.clone()
+        } else {
+            self.path.at(self.time - start)
+        }
     }
 
     fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
@@ -77,12 +83,12 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
     }
 
     fn within(&self, time: f64, _input: &B::Input) -> B::State {
-        self.path.at(time - self.start)
+        self.path.at(time - self.start.0)
     }
 
     fn replace(&mut self, state: &B::State) {
         self.path = self.body.path(state);
-        self.start = self.time;
+        self.start = (self.time, state.clone());
     }
 
     fn seek(
@@ -91,7 +97,7 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
         _end: f64,
         _input: &B::Input,
     ) -> Result<(), IntegrationError<B::State>> {
-        let state = self.path.at(time - self.start);
+        let state = self.path.at(time - self.start.0);
         if !state.coordinates().as_ref().iter().sum::<f64>().is_finite() {
             let (time, state) = (self.time, self.state());
             return Err(IntegrationError::NotFinite { time, state });

@@ -40,12 +40,15 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         (end - self.time) + self.late
     }
 
-    /// Moves on by a change of coordinates in a step \[s\]; if that is not finite, it stays and says false.
+    /// Moves on by a change of coordinates in a step \[s\]; if what comes of it is not finite, it stays and says false.
     #[must_use]
     #[inline(always)]
     pub(super) fn advance(&mut self, mut change: S::Array, step: f64) -> bool {
         S::keep(&self.coordinates, &mut change);
-        let is_finite = change.as_ref().iter().sum::<f64>().is_finite();
+        let next = self.coordinates.as_ref().iter().zip(change.as_ref());
+        let is_finite = next.fold(true, |all, (coordinate, change)| {
+            all & (coordinate + change).is_finite()
+        });
         if is_finite {
             add(&mut self.coordinates, &mut self.lost, &change);
             (self.time, self.late) = compensated(self.time, self.late, step);

@@ -112,10 +112,8 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
 /// forbid does not grow, and the order is that of CF4.
 ///
 /// # Errors
-/// [`Inconsistent`] if a state is too far from its constraints: the first, or one after a step that is too long.
-///
-/// # Panics
-/// In configurations in which the constraints do not determine their reactions.
+/// [`Inconsistent`] if a state is too far from its constraints: the first, or one after a step that is too long, or one that is not a number,
+/// behind a configuration in which the constraints do not determine their reactions.
 pub fn cf4_projected<B: Constrained<Scalar = f64>>(
     body: &B,
     state: &B::State,

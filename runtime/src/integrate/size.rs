@@ -12,12 +12,11 @@ pub(super) fn relative_size<S: Coordinates<Scalar = f64>>(
     change: &S::Array,
     coordinates: &S::Array,
 ) -> f64 {
-    let mut first = 0;
+    let (mut changes, mut wholes) = (change.as_ref().iter(), coordinates.as_ref().iter());
     let groups = S::GROUPS.iter().map(|count| {
-        let group = first..first + count;
-        first += count;
-        let size = |list: &S::Array| largest(list.as_ref()[group.clone()].iter().map(|x| x.abs()));
-        size(change) / size(coordinates).max(1.0)
+        let size = largest(changes.by_ref().take(*count).map(|x| x.abs()));
+        let whole = largest(wholes.by_ref().take(*count).map(|x| x.abs()));
+        size / whole.max(1.0)
     });
     largest(groups)
 }

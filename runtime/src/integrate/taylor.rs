@@ -65,7 +65,7 @@ pub fn taylor<B: Taylor>(
     times: Range<f64>,
     tolerance: f64,
 ) -> Result<B::State, IntegrationError<B::State>> {
-    if !times.end.is_finite() {
+    if !(times.start.is_finite() && times.end.is_finite()) {
         let (time, state) = (times.start, state.clone());
         return Err(IntegrationError::NotFinite { time, state });
     }
@@ -140,9 +140,15 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     /// A motion that begins at a state.
     #[must_use]
     pub fn new(body: &'b B, time: f64, state: &B::State) -> Self {
+        // at no time nothing turns
+        let axes = if time.is_finite() {
+            body.axes(time, state)
+        } else {
+            Axes::BODY
+        };
         Self {
             body,
-            axes: body.axes(time, state),
+            axes,
             now: Point::new(time, state),
             length: 0.0,
             expander: Expander::best(),
@@ -181,6 +187,10 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         let rest = self.now.rest(end);
         if rest == 0.0 {
             return Ok(None);
+        }
+        if rest.is_nan() {
+            let (time, state) = (self.now.time, self.state());
+            return Err(IntegrationError::NotFinite { time, state });
         }
         self.expand(input);
         let (time, step) = (self.now.time, self.permitted(finest(tolerance)));

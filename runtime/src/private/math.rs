@@ -50,8 +50,6 @@ binary! {
     atan2(y, x) = libm::atan2, "The angle of the point (x, y) from the first axis, in (-π, π].";
     powf(x, y) = libm::pow, "x to the power of y.";
     hypot(x, y) = libm::hypot, "√(x² + y²) without overflow.";
-    min(x, y) = f64::min, "The smaller; of a number and NaN, the number.";
-    max(x, y) = f64::max, "The larger; of a number and NaN, the number.";
 }
 
 /// `(sin x, cos x)`, with one reduction of the argument.
@@ -59,4 +57,20 @@ binary! {
 #[must_use]
 pub fn sin_cos(x: f64) -> (f64, f64) {
     libm::sincos(x)
+}
+
+/// The smaller; of a number and NaN, the number; of 0 and -0, which for std's `min` are in any order, the second.
+#[inline]
+#[must_use]
+#[expect(clippy::eq_op, reason = "NaN alone is not equal to itself")]
+pub fn min<T: Copy + PartialOrd>(x: T, y: T) -> T {
+    if x < y || y != y { x } else { y }
+}
+
+/// The larger; of a number and NaN, the number; of 0 and -0, which for std's `max` are in any order, the second.
+#[inline]
+#[must_use]
+#[expect(clippy::eq_op, reason = "NaN alone is not equal to itself")]
+pub fn max<T: Copy + PartialOrd>(x: T, y: T) -> T {
+    if x > y || y != y { x } else { y }
 }

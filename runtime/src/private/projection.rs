@@ -48,22 +48,21 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
     let mut previous = f64::INFINITY;
     for _ in 0..STEPS {
         let system = rows(state);
-        let mut values = [0.0; N];
-        let mut kept = [false; N];
-        let mut worst = (0.0_f64, 0);
-        for (index, row) in system.iter().enumerate() {
+        let mut values = [None; N];
+        let mut worst = (0.0_f64, "", 0.0);
+        for ((row, seen), kept) in system.iter().zip(&mut sizes).zip(&mut values) {
             let Some((value, size)) = measured(row) else {
                 continue;
             };
-            sizes[index] = sizes[index].max(size);
-            (values[index], kept[index]) = (value, true);
+            *seen = seen.max(size);
+            *kept = Some(value);
             let relative = if value == 0.0 {
                 0.0
             } else {
-                value.abs() / sizes[index]
+                value.abs() / *seen
             };
             if relative.is_nan() || relative > worst.0 {
-                worst = (relative, index);
+                worst = (relative, row.name, value);
             }
         }
         if worst.0 <= 4.0 * f64::EPSILON {
@@ -74,13 +73,13 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
                 Ok(())
             } else {
                 Err(Inconsistent {
-                    constraint: system[worst.1].name,
-                    violation: values[worst.1],
+                    constraint: worst.1,
+                    violation: worst.2,
                 })
             };
         }
         previous = worst.0;
-        let factors = solve(&system, values, kept);
+        let factors = solve(&system, values);
         for (row, factor) in system.iter().zip(factors) {
             if factor != 0.0 {
                 *state = state.moved(&(direction(row) * -factor));
@@ -91,13 +90,10 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
 }
 
 /// `A M⁻¹ Aᵀ λ = g` by elimination along the diagonal, which is positive; what depends on the rows before it in this state has no part of its own.
-fn solve<R, const N: usize>(
-    system: &[Row<R, N>; N],
-    mut values: [f64; N],
-    kept: [bool; N],
-) -> [f64; N] {
+fn solve<R, const N: usize>(system: &[Row<R, N>; N], kept: [Option<f64>; N]) -> [f64; N] {
     let mut matrix: [[f64; N]; N] = core::array::from_fn(|row| system[row].coupling);
-    let mut used = kept;
+    let mut values = kept.map(Option::unwrap_or_default);
+    let mut used = kept.map(|value| value.is_some());
     for pivot in 0..N {
         let divisor = matrix[pivot][pivot];
         used[pivot] &= divisor > Singular::TOLERANCE * system[pivot].coupling[pivot];

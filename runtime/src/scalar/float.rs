@@ -108,6 +108,6 @@ primitive!(f32, |_, single| single, libm::sincosf, {
     signum() = f32::signum;
     floor() = libm::floorf;
     ceil() = libm::ceilf;
-    min(other) = f32::min;
-    max(other) = f32::max;
+    min(other) = math::min;
+    max(other) = math::max;
 });

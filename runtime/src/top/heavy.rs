@@ -9,9 +9,10 @@
 //!
 //! which is the moment balance about the horizontal axis perpendicular to the top's, divided by sin θ.
 
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::Vector3;
 
 use super::SymmetricTop;
+use crate::attitude;
 use crate::precession::Precession;
 use crate::private::math;
 use crate::twofold::Twofold;
@@ -126,7 +127,7 @@ impl HeavyTop {
     /// ```
     #[must_use]
     pub fn steady(&self, tilt: f64, axial_rate: f64, rate: f64) -> Precession {
-        let tilted = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), tilt);
+        let tilted = attitude::exp(&(Vector3::x() * tilt));
         let along = Twofold::product(rate, math::sin_cos(tilt).1);
         let spin = Twofold::from(axial_rate) - along;
         Precession::of(tilted, Vector3::z(), rate.into(), spin)

@@ -79,8 +79,6 @@ struct Arranged {
 
 /// Principal axes by ascending moments, right-handed, `ω₃ >= 0`; then 1 and 3 are exchanged where ω circles the least moment.
 fn arrange(moments: [f64; 3], principal: &Matrix3<f64>, w: &Vector3<f64>) -> Arranged {
-    let mut order = [0, 1, 2];
-    order.sort_unstable_by(|a, b| moments[*a].total_cmp(&moments[*b]));
     let size = |along: f64, from: f64, rate: f64| {
         let moment = Twofold::from(along) * Twofold::sum(along, -from);
         let moment = if moment.value() < 0.0 {
@@ -90,32 +88,42 @@ fn arrange(moments: [f64; 3], principal: &Matrix3<f64>, w: &Vector3<f64>) -> Arr
         };
         moment.sqrt() * Twofold::from(rate.abs())
     };
-    let [i, j, k] = order;
-    let rate = |axis: usize| principal.column(axis).dot(w);
-    let (least, largest) = (
-        size(moments[i], moments[j], rate(i)),
-        size(moments[k], moments[j], rate(k)),
-    );
-    let difference = (largest - least).value();
+    let ([i, j, k], [x, y, z]) = (moments, <[[f64; 3]; 3]>::from(*principal));
+    let [least, middle, largest] = ascending([(i, x.into()), (j, y.into()), (k, z.into())]);
+    let size_of = |(moment, axis): (f64, Vector3<f64>)| size(moment, middle.0, axis.dot(w));
+    let (of_least, of_largest) = (size_of(least), size_of(largest));
+    let difference = (of_largest - of_least).value();
     let sign = if difference < 0.0 { -1.0 } else { 1.0 };
-    let [first, third] = if difference < 0.0 { [k, i] } else { [i, k] };
-    let mut columns = [first, j, third].map(|axis| principal.column(axis).into_owned());
-    let is_cyclic = (first + 1) % 3 == j;
-    if !is_cyclic {
-        columns[0] = -columns[0];
+    let [mut first, mut second, mut third] = if difference < 0.0 {
+        [largest, middle, least]
+    } else {
+        [least, middle, largest]
+    };
+    let is_right_handed = first.1.cross(&second.1).dot(&third.1) > 0.0;
+    if !is_right_handed {
+        first.1 = -first.1;
     }
-    if columns[2].dot(w) < 0.0 {
-        columns[1] = -columns[1];
-        columns[2] = -columns[2];
+    if third.1.dot(w) < 0.0 {
+        second.1 = -second.1;
+        third.1 = -third.1;
     }
-    let axes = Matrix3::from_columns(&columns);
+    let axes = Matrix3::from([first.1.into(), second.1.into(), third.1.into()]);
     Arranged {
         axes,
-        moments: [first, j, third].map(|axis| moments[axis]),
+        moments: [first.0, second.0, third.0],
         rates: axes.tr_mul(w),
-        roots: [(largest + least).value(), difference.abs()].map(math::sqrt),
+        roots: [(of_largest + of_least).value(), difference.abs()].map(math::sqrt),
         sign,
     }
+}
+
+/// Moments and what belongs to them, in order.
+fn ascending<A>([a, b, c]: [(f64, A); 3]) -> [(f64, A); 3] {
+    let in_order = |a: (f64, A), b: (f64, A)| if b.0 < a.0 { (b, a) } else { (a, b) };
+    let (a, b) = in_order(a, b);
+    let (b, c) = in_order(b, c);
+    let (a, b) = in_order(a, b);
+    [a, b, c]
 }
 
 impl Circling {

@@ -1,0 +1,25 @@
+//! Numbers that are none: what comes of them, and that it comes to an end.
+//!
+//! Evaluations hand them on; what integrates says so, with the last state that was good. `docs/trust.md` has the rules.
+
+#![allow(clippy::float_cmp, reason = "the same to the bit")]
+#![allow(clippy::result_large_err, reason = "errors hold a state")]
+
+use std::sync::mpsc::channel;
+use std::time::Duration;
+
+mod by_hand;
+mod ensembles;
+mod evaluations;
+#[path = "../kinds/mod.rs"]
+mod kinds;
+mod motions;
+mod singular;
+
+/// What some work gives, if it ends within a time that is a hundred times what it needs.
+fn bounded<T: Send + 'static>(what: &str, work: impl FnOnce() -> T + Send + 'static) -> T {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || sender.send(work()));
+    let result = receiver.recv_timeout(Duration::from_secs(20));
+    result.unwrap_or_else(|error| panic!("{what}: {error}"))
+}

@@ -1,0 +1,31 @@
+//! The proof is tried, and that it can fail.
+
+use std::process::{Command, Output};
+
+/// Links the program with these features.
+fn link(features: &str) -> Output {
+    Command::new(env!("CARGO"))
+        .args(["build", "--quiet", "--profile", "proof"])
+        .args(["-p", "newton-euler-no-panic", "--features", features])
+        .env_remove("RUSTFLAGS")
+        .env_remove("CARGO_ENCODED_RUSTFLAGS")
+        .output()
+        .expect("cargo runs")
+}
+
+#[test]
+fn nothing_can_panic() {
+    let Output { status, stderr, .. } = link("proof");
+    assert!(status.success(), "{}", String::from_utf8_lossy(&stderr));
+}
+
+#[test]
+fn what_can_panic_does_not_link() {
+    let Output { status, stderr, .. } = link("broken");
+    let message = String::from_utf8_lossy(&stderr);
+    assert!(!status.success(), "it links");
+    assert!(
+        message.contains("detected panic in function `broken`"),
+        "{message}"
+    );
+}

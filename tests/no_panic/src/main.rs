@@ -1,0 +1,47 @@
+//! What cannot panic: `cargo build --profile proof -p newton-euler-no-panic --features proof`.
+//!
+//! The crate `no-panic` puts a guard into each function that follows. If it unwinds, the guard calls what nowhere exists; so this links if
+//! and only if the optimiser has removed every path on which it could. `docs/trust.md` has what is left out, and why.
+
+#![allow(clippy::result_large_err, reason = "errors hold a state")]
+
+mod by_hand;
+mod ensembles;
+mod evaluations;
+#[path = "../../kinds/mod.rs"]
+mod kinds;
+mod motions;
+
+/// Functions that cannot panic, and a function that has all of them linked.
+macro_rules! cannot_panic {
+    ($(fn $name:ident($($argument:ident: $kind:ty),* $(,)?) -> $result:ty $body:block)*) => {
+        $(
+            #[cfg_attr(feature = "proof", no_panic::no_panic)]
+            #[inline(never)]
+            fn $name($($argument: $kind),*) -> $result $body
+        )*
+
+        pub fn link() {
+            $(core::hint::black_box::<fn($($kind),*) -> $result>($name);)*
+        }
+    };
+}
+use cannot_panic;
+
+#[cfg(feature = "broken")]
+mod broken {
+    crate::cannot_panic! {
+        fn broken(list: &[f64], place: usize) -> f64 {
+            list[place]
+        }
+    }
+}
+
+fn main() {
+    evaluations::link();
+    motions::link();
+    by_hand::link();
+    ensembles::link();
+    #[cfg(feature = "broken")]
+    broken::link();
+}

@@ -1,0 +1,197 @@
+//! What is computed, to the bit: the same numbers in every build and on every processor.
+//!
+//! Only series that are integrated know two: one with fused operations, where they are dispatched and the processor has them, one without.
+//! `docs/trust.md` says what is promised, and what this was run on.
+
+mod bits;
+mod by_hand;
+#[cfg(feature = "ensemble")]
+mod ensembles;
+mod evaluations;
+#[path = "../../kinds/mod.rs"]
+mod kinds;
+mod motions;
+
+use bits::Bits;
+use newton_euler::integrate::{Classical4, DormandPrince8, Midpoint, Tsitouras5};
+
+/// Compares what is computed with what is on record, and shows all that is another.
+#[track_caller]
+fn check<const N: usize>(rows: [(&str, Bits, u64); N]) {
+    let others = rows
+        .iter()
+        .filter(|(_, found, recorded)| found.0 != *recorded);
+    let shown: Vec<String> = others
+        .map(|(name, found, recorded)| {
+            format!("{name}: {:#018x}, on record {recorded:#018x}", found.0)
+        })
+        .collect();
+    assert!(shown.is_empty(), "other bits\n{}", shown.join("\n"));
+}
+
+#[test]
+fn evaluations_in_double_precision() {
+    check([
+        ("craft", evaluations::craft::<f64>(), 0x7049_699f_a2aa_f179),
+        (
+            "turning",
+            evaluations::turning::<f64>(),
+            0xe9fd_c8b4_d620_155a,
+        ),
+        ("top", evaluations::top::<f64>(), 0x2e07_565c_a44c_6ec1),
+        ("rotor", evaluations::rotor::<f64>(), 0xa9a4_5451_1997_7055),
+        ("wave", evaluations::wave::<f64>(), 0xd1d1_029f_6fae_b91c),
+        (
+            "bubble",
+            evaluations::bubble::<f64>(),
+            0x0860_9692_3218_531b,
+        ),
+        ("slopes", evaluations::slopes(), 0x95bc_1c05_7fe2_a4e7),
+        ("plank", evaluations::plank::<f64>(), 0x8172_029b_2adb_bf59),
+        (
+            "slider",
+            evaluations::slider::<f64>(),
+            0x51ad_26e3_61f3_593b,
+        ),
+        (
+            "pendulum",
+            evaluations::pendulum::<f64>(),
+            0xbf9f_0807_4978_5b3f,
+        ),
+        ("stick", evaluations::stick::<f64>(), 0x1157_5e2a_a861_cca9),
+        ("quadrotor", evaluations::quadrotor(), 0xd081_dab8_d534_eff6),
+        ("dipole", evaluations::dipole(), 0xee06_4e41_2311_91a0),
+        ("bead", evaluations::bead(), 0x84ed_e769_e4f1_85ae),
+    ]);
+}
+
+#[test]
+fn evaluations_in_single_precision() {
+    check([
+        ("craft", evaluations::craft::<f32>(), 0xe913_0be6_86aa_cebd),
+        (
+            "turning",
+            evaluations::turning::<f32>(),
+            0x0ec7_18ca_1fce_00eb,
+        ),
+        ("top", evaluations::top::<f32>(), 0x8fd3_16ac_5c85_6237),
+        ("rotor", evaluations::rotor::<f32>(), 0x3648_6a70_dffb_0c36),
+        ("wave", evaluations::wave::<f32>(), 0xeeda_fcc9_87d7_82dd),
+        (
+            "bubble",
+            evaluations::bubble::<f32>(),
+            0xbed2_b339_8a9c_aafd,
+        ),
+        ("plank", evaluations::plank::<f32>(), 0xfdfb_32af_49a9_20c6),
+        (
+            "slider",
+            evaluations::slider::<f32>(),
+            0xf288_a254_184b_f5fb,
+        ),
+        (
+            "pendulum",
+            evaluations::pendulum::<f32>(),
+            0x42fc_0e33_ef5f_38cb,
+        ),
+        ("stick", evaluations::stick::<f32>(), 0xab47_85ec_45fe_c21c),
+    ]);
+}
+
+#[test]
+fn steps_over_any_scalar() {
+    check([
+        ("f64", motions::steps_of::<f64>(), 0x1b07_ae25_a2fb_f728),
+        ("f32", motions::steps_of::<f32>(), 0xef64_2655_04e6_b2ee),
+    ]);
+}
+
+#[test]
+fn motions_in_equal_steps() {
+    check([
+        ("Midpoint", motions::fixed(Midpoint), 0x8e87_102d_da0f_991b),
+        (
+            "Classical4",
+            motions::fixed(Classical4),
+            0x4ec5_ff6c_12eb_d6e1,
+        ),
+        (
+            "Tsitouras5",
+            motions::fixed(Tsitouras5),
+            0x575b_0a12_d789_71a1,
+        ),
+        (
+            "DormandPrince8",
+            motions::fixed(DormandPrince8),
+            0xc2f2_0919_19e0_1ffe,
+        ),
+    ]);
+}
+
+#[test]
+fn motions_by_tolerance() {
+    check([
+        ("DOP853", motions::adaptive(), 0xa4ab_e04e_3901_ac2d),
+        (
+            "on constraints",
+            motions::projected(),
+            0x88f0_3c34_14d9_e959,
+        ),
+        (
+            "controller, events",
+            motions::controlled(),
+            0x14ef_5f1d_0b30_6ad6,
+        ),
+    ]);
+}
+
+/// A step for itself has no fused operations.
+#[test]
+fn closed_forms_and_single_series() {
+    check([
+        (
+            "closed forms",
+            motions::closed_forms(),
+            0xc0ec_cc5d_b155_e2c2,
+        ),
+        (
+            "steps along series",
+            motions::series_steps(),
+            0x70a4_5646_1f3c_d607,
+        ),
+    ]);
+}
+
+#[test]
+fn motions_along_series() {
+    #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+    let is_fused = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+    #[cfg(not(all(feature = "dispatch", target_arch = "x86_64")))]
+    let is_fused = false;
+    if is_fused {
+        check([("fused", motions::series(), 0xb4d2_b700_6e8d_61f4)]);
+    } else {
+        check([("rounded each", motions::series(), 0x7152_2eb9_9e6c_0d7f)]);
+    }
+}
+
+/// Not optimised, a step of order eight in eight lanes of what has every function takes two to three megabytes of stack.
+#[cfg(feature = "ensemble")]
+#[test]
+fn ensembles_in_every_width() {
+    let thread = std::thread::Builder::new().stack_size(8 << 20);
+    let all = thread.spawn(ensembles::all).expect("a thread");
+    for (width, bits) in all.join().expect("ensembles") {
+        println!("{width:?}");
+        check([("ensembles", bits, 0xda38_40a3_67f1_8c53)]);
+    }
+}
+
+#[test]
+fn by_hand() {
+    check([
+        ("inertia", by_hand::inertia(), 0x34e2_9b0d_679d_c13a),
+        ("attitudes", by_hand::attitudes(), 0x2f07_6904_c72a_4b9b),
+        ("wrenches", by_hand::wrenches(), 0x848d_91a7_63ab_66df),
+        ("elliptic", by_hand::elliptic(), 0xa250_dd1b_129d_1dc5),
+    ]);
+}

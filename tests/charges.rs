@@ -273,3 +273,43 @@ fn operations_do_not_grow_with_the_charges() {
     assert!(count(counts::Six::OPERATIONS) <= 36);
     assert!(count(counts::Upright::OPERATIONS) <= 22);
 }
+
+/// Bodies on which a field acts beside what is not known, and without a motion of G.
+mod listed {
+    newton_euler::rigid_body!(Driven {
+        motion: spatial,
+        mass: 2[kg],
+        inertia: principal(1, 2, 2.5)[kg * m ^ 2],
+        points: [p = (0.1, 0.2, -0.3)],
+        forces: [thrust = body(_, _, _)],
+        moments: [wheels = body(_, _, _)],
+        fields: [
+            electric = world(3, 0, 0)[V / m].on([2[C].at(p)]),
+            weight = mass * world(0, 0, -9.8)
+        ],
+        potentials: [height = 1[N] * position.in_world().z],
+        outputs: [balance, inverse],
+    });
+
+    newton_euler::rigid_body!(Turning {
+        motion: rotation,
+        inertia: principal(1, 2, 2.5)[kg * m ^ 2],
+        points: [p = (0.1, 0, 0)],
+        fields: [electric = world(0, 3, 0)[V / m].on([2[C].at(p)])],
+        outputs: [balance],
+    });
+}
+
+#[test]
+fn loads_are_in_order_beside_drives() {
+    let loads = listed::Driven {}.loads(0.0, &Spatial::default(), &());
+    let names = loads.map(|load| load.name);
+    assert_eq!(names, ["electric", "weight", "height"]);
+}
+
+#[test]
+fn a_field_has_its_force_where_g_does_not_move() {
+    let [electric] = listed::Turning {}.loads(0.0, &Rotation::default(), &());
+    assert_eq!(electric.force, Vector3::new(0.0, 6.0, 0.0));
+    assert!((electric.moment - Vector3::new(0.0, 0.0, 0.6)).norm() < 1e-15);
+}

@@ -360,3 +360,36 @@ fn the_charges_are_those_of_the_file() {
         assert_eq!(numbers::<3>(&given[1]), point);
     }
 }
+
+/// H9: the arm of a force is that in the body, however far the other end of the spring is. By the distance from G to the other
+/// end, the moment would be right to 2e-16 of that times the force: to some 1e9 of these units.
+#[test]
+fn moments_do_not_see_far_distances() {
+    let state = Planar {
+        position: [1e9 + 3.0, 2e9 - 5.0].into(),
+        angle: 0.7,
+        ..Planar::default()
+    };
+    let input = scenes::MooredInput { k: 4.0 };
+    for far in [0.0, 1e9] {
+        let state = Planar {
+            position: state.position + Vector2::new(far, -far),
+            ..state
+        };
+        let applied = scenes::Moored {}.applied(0.0, &state, &input);
+        let arm = nalgebra::Rotation2::new(state.angle) * Vector2::new(0.25, -0.5);
+        let moment = arm.perp(&applied.force);
+        let largest = arm.norm() * applied.force.norm();
+        assert!((applied.moment - moment).abs() <= 8.0 * f64::EPSILON * largest);
+    }
+
+    let input = scenes::GuidedInput { k: 4.0 };
+    let state = Translation {
+        position: [3.0, -5.0, 2e9].into(),
+        ..Translation::default()
+    };
+    let applied = scenes::Guided {}.applied(0.0, &state, &input);
+    let arm = Vector3::new(0.25, -0.5, 1.0);
+    let largest = arm.norm() * applied.force.norm();
+    assert!((applied.moment - arm.cross(&applied.force)).norm() <= 8.0 * f64::EPSILON * largest);
+}

@@ -152,3 +152,25 @@ newton_euler::rigid_body!(Puck {
     potentials: [bowl = 3 * position.norm_squared() + 0.1 * position.in_world().x.powi(3)],
     outputs: [energy, balance],
 });
+
+newton_euler::rigid_body!(Moored {
+    doc: "A spring to somewhere far.",
+    motion: planar,
+    inputs: [k[N / m]],
+    mass: 2,
+    inertia: 3,
+    points: [cleat = (0.25, -0.5), quay = world(1e9, 2e9)],
+    potentials: [rope = k / 2 * (quay.position() - cleat.position()).norm_squared()],
+    outputs: [balance],
+});
+
+newton_euler::rigid_body!(Guided {
+    doc: "The same with a rest length, on guides.",
+    motion: translation,
+    inputs: [k[N / m]],
+    mass: 2,
+    points: [cleat = (0.25, -0.5, 1), quay = world(1e9, 2e9, 0)],
+    potentials: [rope = k / 2 * ((quay.position() - cleat.position()).norm() - 3[m]).powi(2),],
+    reactions: [guide = moment(world(_, _, _))],
+    outputs: [balance, reactions],
+});

@@ -144,24 +144,35 @@ fn carried(
     place: &HashSet<Id>,
     slope: Components,
 ) -> Option<Components> {
-    let graph = &mut model.frames.graph;
-    let (zero, one) = (graph.zero(), graph.one());
     if turn.to == Frame::World {
         return None;
     }
-    let mut factor = None;
-    for (component, symbol) in turn.vector.into_iter().zip(form.displacement) {
+    let factor = common_rate(model, turn.vector, form.displacement, place)?;
+    Some(model.frames.graph.scale_vector(factor, slope))
+}
+
+/// The rate, known early, at which each component of a vector follows its own of the `symbols`, and none of the others in
+/// `place`.
+fn common_rate(
+    model: &mut Model,
+    vector: Components,
+    symbols: Components,
+    place: &HashSet<Id>,
+) -> Option<Id> {
+    let graph = &mut model.frames.graph;
+    let (zero, one) = (graph.zero(), graph.one());
+    let mut common = None;
+    for (component, symbol) in vector.into_iter().zip(symbols) {
         let gradient = graph.gradient(&[(component, one)], |id| place.contains(&id));
         match gradient.as_slice() {
             [] if component == zero && symbol == zero => {}
-            [(along, rate)] if *along == symbol && factor.is_none_or(|known| known == *rate) => {
-                factor = Some(*rate);
+            [(along, rate)] if *along == symbol && common.is_none_or(|known| known == *rate) => {
+                common = Some(*rate);
             }
             _ => return None,
         }
     }
-    let factor = factor.filter(|factor| graph.is_early(*factor))?;
-    Some(graph.scale_vector(factor, slope))
+    common.filter(|rate| graph.is_early(*rate))
 }
 
 /// The moment that a slope along a turned vector amounts to.
@@ -171,15 +182,46 @@ fn turning(model: &mut Model, turn: &Turn, slope: Components) -> Components {
             let back = model.frames.turn(slope, Frame::Body);
             model.frames.graph.cross(back, turn.vector)
         }
-        Frame::Body => match model.frames.common_factor(slope) {
-            Some((factor, slope)) => {
+        Frame::Body => match beside(model, turn, slope) {
+            Some((factor, arm, direction)) => {
                 let graph = &mut model.frames.graph;
-                let turning = graph.cross(turn.turned, slope);
+                let turning = graph.cross(arm, direction);
                 graph.scale_vector(factor, turning)
             }
-            None => model.frames.graph.cross(turn.turned, slope),
+            None => match model.frames.common_factor(slope) {
+                Some((factor, slope)) => {
+                    let graph = &mut model.frames.graph;
+                    let turning = graph.cross(turn.turned, slope);
+                    graph.scale_vector(factor, turning)
+                }
+                None => model.frames.graph.cross(turn.turned, slope),
+            },
         },
     }
+}
+
+/// A slope `s (c r + b)` along the turned vector r, c known early, as s, `-b / c` and the rest: `r x (c r + b)` is `-b / c` times that,
+/// where what is far away is not there to cancel.
+fn beside(
+    model: &mut Model,
+    turn: &Turn,
+    slope: Components,
+) -> Option<(Id, Components, Components)> {
+    let (mut factor, mut direction) = (model.frames.graph.one(), slope);
+    while let Some((part, rest)) = model.frames.common_factor(direction) {
+        factor = model.frames.graph.multiply(factor, part);
+        direction = rest;
+    }
+    let place: HashSet<Id> = turn.turned.into_iter().collect();
+    let common = common_rate(model, direction, turn.turned, &place)?;
+    let graph = &mut model.frames.graph;
+    let zero = graph.zero();
+    let rest = graph.substitute(&direction, |id| place.contains(&id).then_some(zero));
+    let arm = [0, 1, 2].map(|axis| {
+        let part = graph.divide(rest[axis], common);
+        graph.negate(part)
+    });
+    Some((factor, arm, direction))
 }
 
 /// The symbols that say where the body is: of the displacement, the attitude and turned vectors.
@@ -253,12 +295,12 @@ fn pull(model: &mut Model, slopes: &Slopes) -> Components {
     model.frames.graph.negate_vector(slope)
 }
 
-/// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where a
-/// support determines the position. Names go with what they name.
+/// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where the
+/// position is no coordinate. Names go with what they name.
 fn expand(model: &mut Model, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = HashMap::new();
     let zero = model.frames.graph.zero();
-    if model.motion.is_supported() {
+    if !model.motion.translates() {
         values.extend(form.displacement.map(|symbol| (symbol, zero)));
     }
     for turn in &form.turns {

@@ -10,12 +10,13 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
 use crate::symbolic::{Components, Id, Node, Stage};
-use crate::syntax::{Description, Expression, Kind};
+use crate::syntax::{Description, Expression, Kind, Load};
 
 use super::dimension::Dimension;
 use super::frame::Frame;
 use super::lower::Lowering;
 use super::order::{Definition, definition_order};
+use super::reaction::{is_drive, is_unknown};
 use super::turned_vector::{Turn, Turns};
 use super::uniform_field::Charges;
 use super::value::Value;
@@ -30,7 +31,7 @@ pub struct Potentials {
 /// A scalar potential, or a uniform field on charges.
 pub struct Potential {
     pub name: Ident,
-    /// Its place among the loads.
+    /// Its place among the given loads.
     pub place: usize,
     /// Those that a uniform field acts on.
     pub charges: Option<Charges>,
@@ -42,23 +43,25 @@ pub struct Form {
     /// Those of the first energies.
     charges: Vec<Charges>,
     pub turns: Vec<Turn>,
-    /// The symbols of a displacement of the body: the position of G, or what is added to it where a
-    /// support determines it.
+    /// The symbols of a displacement of the body: the position of G, or what is added to it where it is no
+    /// coordinate.
     pub displacement: Components,
 }
 
 impl Lowering<'_> {
     /// Reads all potentials, and the uniform fields on charges.
     pub fn potentials(&mut self, description: &Description) -> Option<Potentials> {
-        let on_charges = description
-            .loads
+        let loads = description.loads.iter();
+        let given: Vec<&Load> = loads
+            .filter(|load| !is_unknown(load) && !is_drive(load))
+            .collect();
+        let on_charges = given
             .iter()
             .enumerate()
             .filter(|(_, load)| load.charges.is_some())
             .map(|(place, load)| (place, &load.name));
         let scalars = description.potentials.iter().enumerate();
-        let scalars =
-            scalars.map(|(index, scalar)| (description.loads.len() + index, &scalar.name));
+        let scalars = scalars.map(|(index, scalar)| (given.len() + index, &scalar.name));
         let mut list: Vec<Potential> = on_charges
             .chain(scalars)
             .map(|(place, name)| Potential {
@@ -113,10 +116,9 @@ impl Lowering<'_> {
         Some((form, turns.met_mixed))
     }
 
-    /// The position of G, where it is a coordinate; a virtual displacement, where a support
-    /// determines the position, which is added to it.
+    /// The position of G, where it is a coordinate; else a virtual displacement, which is added to it.
     fn displacement(&mut self) -> Components {
-        if !self.motion.is_supported() {
+        if self.motion.translates() {
             return self.state.position.world;
         }
         let axes = self.motion.axes();

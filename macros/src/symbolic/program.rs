@@ -23,6 +23,7 @@ pub struct Program {
 impl Graph {
     /// Schedules `outputs` for evaluation at `stage`. An expression becomes a statement if it is
     /// a quantity, if it is used more than once, or if the statement it stands in would grow too long.
+    /// A condition is no number, so that none is kept from an earlier stage.
     pub fn schedule(&self, outputs: &[Id], stage: Stage) -> Program {
         let is_leaf = |id: Id| {
             matches!(
@@ -30,7 +31,13 @@ impl Graph {
                 Node::Number(_) | Node::Truth(_) | Node::Undefined | Node::Symbol(_)
             )
         };
-        let computed = |id: Id| !is_leaf(id) && self.stage(id) == stage;
+        let is_condition = |id: Id| {
+            matches!(
+                self.node(id),
+                Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_)
+            )
+        };
+        let computed = |id: Id| !is_leaf(id) && (self.stage(id) == stage || is_condition(id));
         let reached = self.reachable(outputs, computed);
         let (nodes, rest): (Vec<Id>, Vec<Id>) = reached.into_iter().partition(|id| computed(*id));
         let (symbols, rest): (Vec<Id>, Vec<Id>) = rest

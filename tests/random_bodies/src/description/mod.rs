@@ -1,0 +1,11 @@
+//! Descriptions of bodies as data: drawn at random, written in the language of `rigid_body!`.
+
+pub mod body;
+pub mod draw;
+pub mod expression;
+pub mod inertia;
+pub mod literal;
+pub mod loads;
+pub mod reactions;
+pub mod terms;
+pub mod written;

@@ -1,0 +1,77 @@
+//! Where a body is asked: time, state, inputs and parameters as lists of numbers.
+
+use nalgebra::{Vector2, Vector3};
+use newton_euler::prelude::*;
+use newton_euler::state::Coordinates;
+
+#[derive(Clone, Debug, Default)]
+pub struct Given {
+    pub time: f64,
+    pub params: Vec<f64>,
+    pub inputs: Vec<f64>,
+    /// The coordinates of the state.
+    pub state: Vec<f64>,
+    /// An acceleration, to ask for the residual in it.
+    pub motion: Vec<f64>,
+}
+
+/// The state in the body's own type.
+pub fn state<S: Coordinates<Scalar = f64>>(given: &Given) -> S {
+    let mut array = S::Array::default();
+    array.as_mut().copy_from_slice(&given.state);
+    S::from_coordinates(&array)
+}
+
+/// The acceleration in the body's own type.
+pub fn motion<A: Motion>(given: &Given) -> A {
+    A::read(&given.motion)
+}
+
+pub trait Motion {
+    fn read(numbers: &[f64]) -> Self;
+}
+
+impl Motion for f64 {
+    fn read(numbers: &[f64]) -> Self {
+        numbers[0]
+    }
+}
+
+impl Motion for Vector2<f64> {
+    fn read(numbers: &[f64]) -> Self {
+        Self::new(numbers[0], numbers[1])
+    }
+}
+
+impl Motion for Vector3<f64> {
+    fn read(numbers: &[f64]) -> Self {
+        Self::new(numbers[0], numbers[1], numbers[2])
+    }
+}
+
+impl Motion for PlanarAcceleration {
+    fn read(numbers: &[f64]) -> Self {
+        Self {
+            linear: Vector2::read(numbers),
+            angular: numbers[2],
+        }
+    }
+}
+
+impl Motion for SpatialAcceleration {
+    fn read(numbers: &[f64]) -> Self {
+        Self {
+            linear: Vector3::read(numbers),
+            angular: Vector3::read(&numbers[3..]),
+        }
+    }
+}
+
+impl Motion for RodAcceleration {
+    fn read(numbers: &[f64]) -> Self {
+        Self {
+            linear: Vector3::read(numbers),
+            axis: Vector3::read(&numbers[3..]),
+        }
+    }
+}

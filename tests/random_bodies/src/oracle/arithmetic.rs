@@ -1,0 +1,73 @@
+//! Scalars made of scalars, whatever these are read from.
+
+use std::cell::Cell;
+
+use crate::description::expression::{Binary, Condition, Scalar, Unary};
+
+use super::number::{NEAR, Number};
+
+/// Where scalars have their values.
+pub trait Values {
+    fn scalar(&self, scalar: &Scalar) -> Number;
+
+    /// Told when a condition or a jump is so near that rounding may take the other side.
+    fn near_switch(&self) -> &Cell<bool>;
+
+    /// The operations: everything but names and vectors.
+    fn operation(&self, scalar: &Scalar) -> Number {
+        let read = |scalar: &Scalar| self.scalar(scalar);
+        match scalar {
+            Scalar::Literal(literal) => Number::known(literal.value),
+            Scalar::Negative(a) => -read(a),
+            Scalar::Sum(a, b) => read(a) + read(b),
+            Scalar::Difference(a, b) => read(a) - read(b),
+            Scalar::Product(a, b) => read(a) * read(b),
+            Scalar::Quotient(a, b) => read(a) / read(b),
+            Scalar::Power(a, n) => read(a).powi(*n),
+            Scalar::Unary(function, a) => self.unary(*function, read(a)),
+            Scalar::Binary(function, a, b) => {
+                let (a, b) = (read(a), read(b));
+                if *function == Binary::Atan2 && b.float() < 0.0 {
+                    self.is_near(a);
+                }
+                a.combine(*function, b)
+            }
+            Scalar::If(condition, a, b) => read(if self.holds(condition) { a } else { b }),
+            other => unreachable!("{other:?} is read from somewhere"),
+        }
+    }
+
+    fn unary(&self, function: Unary, x: Number) -> Number {
+        match function {
+            Unary::Signum => self.is_near(x),
+            Unary::Floor | Unary::Ceil => {
+                let whole = Number::given(x.float().round());
+                self.is_near(x - whole);
+            }
+            _ => {}
+        }
+        x.apply(function)
+    }
+
+    fn holds(&self, condition: &Condition) -> bool {
+        match condition {
+            Condition::Less(a, b) => self.is_less(a, b),
+            Condition::AtLeast(a, b) => !self.is_less(a, b),
+            Condition::And(a, b) => self.holds(a) & self.holds(b),
+            Condition::Or(a, b) => self.holds(a) | self.holds(b),
+            Condition::Not(a) => !self.holds(a),
+        }
+    }
+
+    fn is_less(&self, a: &Scalar, b: &Scalar) -> bool {
+        let difference = self.scalar(a) - self.scalar(b);
+        self.is_near(difference);
+        difference.float() < 0.0
+    }
+
+    fn is_near(&self, x: Number) {
+        if x.float().abs() <= NEAR * x.size {
+            self.near_switch().set(true);
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! Each load by itself: its force, its moment about G and about the point that is held, its potential.
+
+use crate::description::body::{Input, Key, Load, Local, Param, What};
+use crate::description::expression::{Axes, Place, Scalar, Vector as Written};
+
+use super::arithmetic::Values;
+use super::inertia::sum;
+use super::number::Number;
+use super::scene::Scene;
+use super::vector::Vector;
+
+#[derive(Clone, Copy)]
+pub struct Wrench {
+    pub force: Vector,
+    pub about_center: Vector,
+    pub about_held: Vector,
+}
+
+/// A load in a state.
+pub struct Acting {
+    pub wrench: Wrench,
+    /// From the world's origin, where the load has a point of its own.
+    pub point: Option<Vector>,
+    /// What it adds to the potential energy.
+    pub energy: Number,
+}
+
+impl Wrench {
+    pub const ZERO: Self = Self {
+        force: Vector::ZERO,
+        about_center: Vector::ZERO,
+        about_held: Vector::ZERO,
+    };
+
+    /// A force at a place.
+    pub fn of_force(scene: &Scene<'_>, force: Vector, place: &Place) -> Self {
+        Self {
+            force,
+            about_center: scene.arm(place).cross(force),
+            about_held: scene.arm_from_held(place).cross(force),
+        }
+    }
+
+    pub fn couple(moment: Vector) -> Self {
+        Self {
+            force: Vector::ZERO,
+            about_center: moment,
+            about_held: moment,
+        }
+    }
+
+    /// That of a potential: its moment is derived about the point that is held, if there is one, and moved to G.
+    pub fn derived(self, scene: &Scene<'_>) -> Self {
+        let carried = scene.arm_from_held(&Place::Center).size * self.force.size;
+        let size = self.about_center.size.max(carried);
+        Self {
+            about_center: Vector {
+                size,
+                ..self.about_center
+            },
+            ..self
+        }
+    }
+
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            force: self.force + other.force,
+            about_center: self.about_center + other.about_center,
+            about_held: self.about_held + other.about_held,
+        }
+    }
+}
+
+/// The load, if it is given; of one that is known in part, `None`.
+pub fn acting(scene: &Scene<'_>, load: &Load) -> Option<Acting> {
+    let couple = |moment: Vector| Acting {
+        wrench: Wrench::couple(moment),
+        point: None,
+        energy: Number::ZERO,
+    };
+    let acting = match &load.what {
+        What::Force(vector, place) => {
+            let force = scene.vector(vector);
+            let wrench = Wrench::of_force(scene, force, place);
+            let energy = if load.key == Key::Fields && is_uniform(scene, vector, place) {
+                -force.dot(scene.position(place))
+            } else {
+                Number::ZERO
+            };
+            Acting {
+                wrench,
+                point: Some(scene.position(place)),
+                energy,
+            }
+        }
+        What::Moment(vector) => couple(scene.vector(vector)),
+        What::PlaneMoment(scalar) => couple(Vector::normal(scene.scalar(scalar))),
+        What::Charges(field, charges) => {
+            let field = scene.vector(field);
+            let each = charges.iter().map(|(charge, place)| {
+                let force = field.scaled(scene.scalar(charge));
+                let of_charge = Wrench::of_force(scene, force, place);
+                (of_charge, -force.dot(scene.position(place)))
+            });
+            let each: Vec<(Wrench, Number)> = each.collect();
+            let wrench = each
+                .iter()
+                .fold(Wrench::ZERO, |all, (one, _)| all.and(*one));
+            Acting {
+                wrench: wrench.derived(scene),
+                point: None,
+                energy: sum(each.iter().map(|(_, energy)| *energy)),
+            }
+        }
+        What::Potential(potential) => scene.potential(potential),
+        What::OpenForce(..) | What::OpenMoment(..) => return None,
+    };
+    Some(acting)
+}
+
+/// The same in world axes for every state, on a point of the body.
+fn is_uniform(scene: &Scene<'_>, vector: &Written, place: &Place) -> bool {
+    let body = scene.constants.body;
+    let is_on_body = match place {
+        Place::Center => true,
+        Place::Named(i) => body.points[*i].axes == Axes::Body,
+        Place::Shifted(..) => false,
+    };
+    is_on_body && is_constant_vector(scene, vector)
+}
+
+fn is_constant_vector(scene: &Scene<'_>, vector: &Written) -> bool {
+    let body = scene.constants.body;
+    let turns = |axes: Axes| axes == Axes::Body && body.motion.turns();
+    let vectors =
+        |a: &Written, b: &Written| is_constant_vector(scene, a) && is_constant_vector(scene, b);
+    match vector {
+        Written::Written(axes, components) => {
+            !turns(*axes)
+                && components
+                    .iter()
+                    .all(|component| is_constant(scene, component))
+        }
+        Written::Param(i) => !matches!(body.params[*i], Param::Vector(axes, _) if turns(axes)),
+        Written::Input(i) => !matches!(body.inputs[*i], Input::Vector(axes) if turns(axes)),
+        Written::Local(i) => match &body.locals[*i] {
+            Local::Vector(vector) => is_constant_vector(scene, vector),
+            Local::Scalar(_) => false,
+        },
+        Written::Cross(a, b) => is_parallel(scene, a, b) || vectors(a, b),
+        Written::Sum(a, b) | Written::Difference(a, b) => vectors(a, b),
+        Written::Negative(a) | Written::Normalized(a) => is_constant_vector(scene, a),
+        Written::Scaled(s, a) | Written::Over(a, s) | Written::Turned(s, a) => {
+            is_constant(scene, s) && is_constant_vector(scene, a)
+        }
+        _ => false,
+    }
+}
+
+fn is_constant(scene: &Scene<'_>, scalar: &Scalar) -> bool {
+    match scalar {
+        Scalar::Literal(_) | Scalar::Param(_) | Scalar::Input(_) | Scalar::Time | Scalar::Mass => {
+            true
+        }
+        Scalar::Local(i) => match &scene.constants.body.locals[*i] {
+            Local::Scalar(scalar) => is_constant(scene, scalar),
+            Local::Vector(_) => false,
+        },
+        Scalar::Negative(a) | Scalar::Unary(_, a) | Scalar::Power(a, _) => is_constant(scene, a),
+        // whatever these are, nothing is left
+        Scalar::PlaneCross(a, b) => is_parallel(scene, a, b),
+        Scalar::Sum(a, b)
+        | Scalar::Difference(a, b)
+        | Scalar::Product(a, b)
+        | Scalar::Quotient(a, b)
+        | Scalar::Binary(_, a, b) => is_constant(scene, a) && is_constant(scene, b),
+        _ => false,
+    }
+}
+
+/// Whether both are constants times the same vector.
+fn is_parallel(scene: &Scene<'_>, a: &Written, b: &Written) -> bool {
+    let [a, b] = [a, b].map(|vector| format!("{:?}", without_factor(scene, vector)));
+    a == b
+}
+
+fn without_factor<'a>(scene: &Scene<'_>, vector: &'a Written) -> &'a Written {
+    match vector {
+        Written::Scaled(factor, inner) if is_constant(scene, factor) => {
+            without_factor(scene, inner)
+        }
+        Written::Negative(inner) => without_factor(scene, inner),
+        other => other,
+    }
+}

@@ -1,0 +1,19 @@
+//! The vector law in twice the precision of doubles.
+//!
+//! Nothing here is shared with the macro or the runtime. All vectors are in world axes, the balances are those of the
+//! textbook, about G or about the point that is held, and unknown loads are what is missing in both.
+
+mod arithmetic;
+mod constants;
+mod expected;
+mod inertia;
+mod law;
+mod loads;
+mod number;
+mod potentials;
+mod scene;
+mod unknowns;
+mod vector;
+
+pub use constants::Constants;
+pub use expected::{Expected, expected};

@@ -1,0 +1,199 @@
+//! Scalars that remember how large the terms were of which they are sums.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::description::expression::{Binary, Unary};
+use crate::wide::Wide;
+
+/// Below this fraction of its size, a difference decides nothing.
+pub const NEAR: f64 = 1e-11;
+
+/// A number and its size: that of the largest term that a sum of products has, written out. A rounding somewhere on the way
+/// to it is a unit in the last place of that, at most.
+///
+/// What is made of literals alone is known at compile time: it has its own size, whatever cancels in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Number {
+    pub value: Wide,
+    pub size: f64,
+    pub known: bool,
+}
+
+impl Number {
+    pub const ZERO: Self = Self::known(Wide::ZERO);
+    pub const ONE: Self = Self::known(Wide::ONE);
+
+    pub const fn known(value: Wide) -> Self {
+        Self {
+            value,
+            size: value.high.abs(),
+            known: true,
+        }
+    }
+
+    /// Given at run time.
+    pub fn given(value: f64) -> Self {
+        Self {
+            known: false,
+            ..Self::known(value.into())
+        }
+    }
+
+    /// Made of others, all of them known or not.
+    pub fn made(value: Wide, size: f64, known: bool) -> Self {
+        let least = value.high.abs();
+        Self {
+            value,
+            size: if known { least } else { size.max(least) },
+            known,
+        }
+    }
+
+    pub fn float(self) -> f64 {
+        self.value.high
+    }
+
+    pub fn squared(self) -> Self {
+        self * self
+    }
+
+    pub fn powi(self, n: i32) -> Self {
+        let value = self.value.powi(n);
+        // of a sum, the terms of the power are those of its factors
+        let size = if n < 0 {
+            self.slope(value, f64::from(n) * value.high / self.float())
+        } else {
+            self.size.powi(n)
+        };
+        Self::made(value, size, self.known)
+    }
+
+    /// What a unit in the last place of this number changes in a function of it, in the same units.
+    fn slope(self, value: Wide, slope: f64) -> f64 {
+        value.high.abs().max(slope.abs() * self.size)
+    }
+
+    pub fn apply(self, function: Unary) -> Self {
+        let (x, one) = (self.value, Wide::ONE);
+        let v = x.high;
+        let (value, slope) = match function {
+            Unary::Sqrt => {
+                let root = x.sqrt();
+                (root, 0.5 / root.high)
+            }
+            Unary::Cbrt => {
+                let root = x.cbrt();
+                (root, 1.0 / (3.0 * root.high.powi(2)))
+            }
+            Unary::Exp => (x.exp(), x.exp().high),
+            Unary::Ln => (x.ln(), 1.0 / v),
+            Unary::Sin => (x.sin_cos().0, v.cos()),
+            Unary::Cos => (x.sin_cos().1, v.sin()),
+            Unary::Tan => {
+                let (sine, cosine) = x.sin_cos();
+                (sine / cosine, 1.0 / cosine.high.powi(2))
+            }
+            Unary::Asin => {
+                let root = (one - x * x).sqrt();
+                (x.atan2(root), 1.0 / root.high)
+            }
+            Unary::Acos => {
+                let root = (one - x * x).sqrt();
+                (root.atan2(x), 1.0 / root.high)
+            }
+            Unary::Atan => (x.atan2(one), 1.0 / (1.0 + v * v)),
+            Unary::Sinh => (x.sinh(), x.cosh().high),
+            Unary::Cosh => (x.cosh(), x.sinh().high),
+            Unary::Tanh => (x.sinh() / x.cosh(), x.cosh().high.powi(-2)),
+            Unary::Abs => (x.abs(), 1.0),
+            Unary::Signum => (v.signum().into(), 0.0),
+            Unary::Floor => (x.floor(), 0.0),
+            Unary::Ceil => (-(-x).floor(), 0.0),
+            Unary::Recip => return Self::ONE / self,
+        };
+        Self::made(value, self.slope(value, slope), self.known)
+    }
+
+    pub fn combine(self, function: Binary, other: Self) -> Self {
+        let (x, y) = (self.value, other.value);
+        let known = self.known && other.known;
+        match function {
+            Binary::Hypot => {
+                (self.squared() + other.squared()).apply_root(self.size.max(other.size))
+            }
+            Binary::Min | Binary::Max => {
+                let is_first = (x < y) == (function == Binary::Min);
+                let chosen = if is_first { self } else { other };
+                // where they are nearly equal, rounding may choose
+                let size = self.size.max(other.size);
+                if (x - y).high.abs() > NEAR * size {
+                    return chosen;
+                }
+                Self::made(chosen.value, size, known)
+            }
+            Binary::Atan2 => {
+                let value = x.atan2(y);
+                let radius = (x * x + y * y).sqrt().high;
+                Self::made(value, self.size.max(other.size) / radius, known)
+            }
+            Binary::Powf => {
+                let value = (y * x.ln()).exp();
+                let of_base = y.high * value.high / x.high * self.size;
+                let of_power = x.ln().high * value.high * other.size;
+                Self::made(value, of_base.abs().max(of_power.abs()), known)
+            }
+        }
+    }
+
+    /// The root of a sum of squares of numbers of this size: a length, which changes no more than they do.
+    pub fn apply_root(self, size: f64) -> Self {
+        Self::made(self.value.sqrt(), size, self.known)
+    }
+}
+
+impl Neg for Number {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            value: -self.value,
+            ..self
+        }
+    }
+}
+
+impl Add for Number {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let size = self.size.max(other.size);
+        Self::made(self.value + other.value, size, self.known && other.known)
+    }
+}
+
+impl Sub for Number {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Number {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let size = self.size * other.size;
+        Self::made(self.value * other.value, size, self.known && other.known)
+    }
+}
+
+impl Div for Number {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let divisor = other.float().abs();
+        let size = self.size / divisor * (other.size / divisor);
+        Self::made(self.value / other.value, size, self.known && other.known)
+    }
+}

@@ -165,7 +165,7 @@ fn tops() {
 fn bodies_that_spin_up() {
     for rates in RATES {
         check(&Stage::default(), &thrown(rates));
-        check(&Pinwheel::default(), &spun(rates));
+        check(&Pinwheel::<f64>::default(), &spun(rates));
         check(&Drill::default(), &spun(rates));
         check(&Sphere::default(), &thrown(rates));
     }
@@ -179,8 +179,9 @@ fn a_body_that_spins_up_by_series() {
     let series = integrate::taylor(&Stage::default(), &start, &(), 0.0..5.0, 1e-15).unwrap();
     assert!(end.apart(&series) < 1e-12, "{:e}", end.apart(&series));
     let start = spun([1.0, 4.0, -1.6]);
-    let end = Pinwheel::default().flow(&start, -9.0);
-    let series = integrate::taylor(&Pinwheel::default(), &start, &(), 0.0..-9.0, 1e-15).unwrap();
+    let end = Pinwheel::<f64>::default().flow(&start, -9.0);
+    let series =
+        integrate::taylor(&Pinwheel::<f64>::default(), &start, &(), 0.0..-9.0, 1e-15).unwrap();
     assert!(end.apart(&series) < 1e-12, "{:e}", end.apart(&series));
 }
 
@@ -309,7 +310,7 @@ fn the_motion_is_chosen_at_expansion() {
     let _: fn(&Handle, &Rotation) -> FreeRotation = Flow::path;
     let _: fn(&Top, &Rotation) -> LagrangeTop = Flow::path;
     let _: fn(&Weighted, &Spatial) -> Flight<LagrangeTop, 3> = Flow::path;
-    let _: fn(&Pinwheel, &Rotation) -> AxialTorque = Flow::path;
+    let _: fn(&Pinwheel<f64>, &Rotation) -> AxialTorque = Flow::path;
     let _: fn(&Stage, &Spatial) -> Flight<AxialTorque, 3> = Flow::path;
     let _: fn(&Plank, &Planar) -> Flight<Parabola<1>, 2> = Flow::path;
     let _: fn(&Towed, &Planar) -> Flight<Pendulum, 2> = Flow::path;

@@ -271,8 +271,8 @@ rigid_body!(Stage {
     outputs: [flow, taylor],
 });
 
-rigid_body!(Pinwheel {
-    doc: "Of parameters: a pair of jets, about the second axis.",
+rigid_body!(Pinwheel::<T> {
+    doc: "Of parameters, and generic: a pair of jets, about the second axis.",
     motion: rotation,
     params: [across = 0.3, along = 0.5, arm = 0.4[m], thrust = 0.25[N]],
     inertia: principal(across, along, across),

@@ -160,6 +160,9 @@ def cases():
         yield case("hardly slow", [1.0, 0.5], 1.0, [0.0, 9.0 * (1 + off), -5.0], 6.0)
         yield case("begins at the edge", [1.0, 0.5], 1.0, [0.7, 0.2, -18.0 * (1 + off)], 19.0)
         yield case("ends at the edge", [1.0, 0.5], 1.0, [0.7, 0.2, -1.0], 9.5 * (1 + off))
+    # hardly at all: w^2/4b from 1e3 to 1e10
+    for torque in (1e-9, 1e-5, 1e-2):
+        yield case("hardly swept", [1.0, 0.5], torque, [6.0, 3.0, -20 * torque], 20.0)
     # before and after
     for rates, time in (([0.2, 0.1, 30.0], 1e-6), ([0.2, 0.1, 0.1], -1e-9), ([4.0, 1.0, 30.0], 3.0), ([4.0, 1.0, -30.0], -3.0),
                         ([2.0, 1.0, -30.0], 3.0), ([2.0, 1.0, 3.0], -16.0)):

@@ -88,7 +88,7 @@ impl Path for AxialTorque {
             Motion::Free(free) => free.pace(time),
             Motion::Spinning(spinning) => {
                 let w = spinning.angular_velocity(time, [0.0, 1.0]);
-                // in the second time it turns by a radian from rest
+                // from rest it turns by half a radian in 1/√(N/C)
                 1.0 / (w.norm() + math::sqrt(spinning.acceleration))
             }
         }

@@ -77,8 +77,9 @@ impl Passage {
 struct Precession {
     time: Twofold,
     place: Place,
+    /// By what the phase differs from `∫ λ dt`, counted from where u vanishes.
     lag: f64,
-    /// The lag where u vanishes; from one sign of u to the other no precession leads where there is a reversal, and this is zero.
+    /// The lag where u vanishes; zero where there is a reversal, for then u keeps its sign.
     middle: f64,
     /// With what P begins.
     before: Quaternion<f64>,

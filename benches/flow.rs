@@ -57,6 +57,13 @@ rigid_body!(Top {
     outputs: [flow],
 });
 
+rigid_body!(Stage {
+    motion: rotation,
+    inertia: principal(0.3, 0.3, 0.1),
+    moments: [motor = body(0, 0, 0.2)],
+    outputs: [flow],
+});
+
 rigid_body!(Clock {
     motion: pivot(pin),
     mass: 2[kg],
@@ -142,6 +149,14 @@ fn main() {
             angular_velocity: rates.into(),
         };
         measure(what, &Top::default(), &start, 100.0);
+    }
+    for (what, wobble, spin, span) in [
+        ("spun up", 0.3, 20.0, 100.0),
+        ("spun down and up, all of it", 0.3, -100.0, 100.0),
+        ("spun down and up, while it reverses", 0.3, -20.0, 20.0),
+        ("spun up, with a fast wobble", 9.0, 0.0, 100.0),
+    ] {
+        measure(what, &Stage::default(), &spun([wobble, 0.0, spin]), span);
     }
     for (what, angular_velocity) in [("pendulum, swinging", 3.0), ("pendulum, going round", 9.0)] {
         let start = Hinge {

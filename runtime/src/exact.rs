@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`FreeRotation`] | an inertia tensor and a state that turns |
 //! | [`LagrangeTop`] | moments of inertia and axis of a symmetric body, a couple, and a state that turns |
+//! | [`AxialTorque`] | moments of inertia and axis of a symmetric body, a constant couple along it, and a state that turns |
 //! | [`GreatCircle`] | the axis of a rod |
 //! | [`Pendulum`] | its rate of small oscillations, where it hangs at rest, and a state |
 //! | [`Parabola`] | constant acceleration |
@@ -15,6 +16,7 @@
 //! Elliptic functions are [`Jacobi`]'s, integrals of the third kind are [`r_j`]. They are our own: of the libraries that there are,
 //! none has elliptic functions from the complementary modulus, which carries the digits near a separatrix.
 
+mod axial_torque;
 mod carlson;
 mod flight;
 mod free_rotation;
@@ -26,6 +28,7 @@ mod pendulum;
 mod phase;
 mod third_kind;
 
+pub use axial_torque::AxialTorque;
 pub use carlson::r_j;
 pub use flight::Flight;
 pub use free_rotation::FreeRotation;
@@ -52,7 +55,7 @@ pub trait Path {
     /// The state at a time \[s\]; the path began at time zero, and negative times are before.
     fn at(&self, time: f64) -> Self::State;
 
-    /// A time \[s\] in which the motion does not change its course more than a few times: about that of a radian; infinite where it never
-    /// does.
-    fn pace(&self) -> f64;
+    /// From a time on \[s\], or before it, a time in which the motion does not change its course more than a few times: about that of a radian;
+    /// infinite where it never does.
+    fn pace(&self, time: f64) -> f64;
 }

@@ -9,7 +9,9 @@ pub use crate::body::{
 };
 pub use crate::columns::{Columns, Generic, Sink, Source};
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
-pub use crate::exact::{Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Path, Pendulum};
+pub use crate::exact::{
+    AxialTorque, Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Path, Pendulum,
+};
 use crate::inertia::check_turning;
 pub use crate::integrate::{ClosedForm, DormandPrince, Integrate, Projected, TaylorSeries};
 pub use crate::load::{Family, Load, PlanarLoad};
@@ -37,7 +39,7 @@ mod projection;
 
 pub use crate::principal::PrincipalAxes;
 pub use path::{
-    lagrange_top, principal_axes, principal_rotation, rotation_about, rotation_along,
+    axial_torque, lagrange_top, principal_axes, principal_rotation, rotation_about, rotation_along,
     symmetric_rotation,
 };
 pub use projection::{Row, project};

@@ -161,6 +161,44 @@ fn tops() {
     }
 }
 
+#[test]
+fn bodies_that_spin_up() {
+    for rates in RATES {
+        check(&Stage::default(), &thrown(rates));
+        check(&Pinwheel::<f64>::default(), &spun(rates));
+        check(&Drill::default(), &spun(rates));
+        check(&Sphere::default(), &thrown(rates));
+    }
+}
+
+/// Series are another solution of the same equations: here the spin reverses on the way.
+#[test]
+fn a_body_that_spins_up_by_series() {
+    let start = thrown([1.0, -1.6, -4.0]);
+    let end = Stage::default().flow(&start, 5.0);
+    let series = integrate::taylor(&Stage::default(), &start, &(), 0.0..5.0, 1e-15).unwrap();
+    assert!(end.apart(&series) < 1e-12, "{:e}", end.apart(&series));
+    let start = spun([1.0, 4.0, -1.6]);
+    let end = Pinwheel::<f64>::default().flow(&start, -9.0);
+    let series =
+        integrate::taylor(&Pinwheel::<f64>::default(), &start, &(), 0.0..-9.0, 1e-15).unwrap();
+    assert!(end.apart(&series) < 1e-12, "{:e}", end.apart(&series));
+}
+
+/// It turns faster and faster: by `t²` in a minute, with an axis level at every half turn.
+#[test]
+fn events_of_a_body_that_spins_up() {
+    let start = Spatial::default();
+    let level = |_: f64, state: &Spatial| (state.attitude * Vector3::x()).x;
+    let mut events = 0;
+    for event in Stage::default().integrate(&start).events(60.0, level) {
+        let turned = event.unwrap().time.powi(2) / std::f64::consts::PI - 0.5;
+        assert!((turned - f64::from(events)).abs() < 1e-10, "{events}");
+        events += 1;
+    }
+    assert_eq!(events, 1146); // 3600 rad
+}
+
 /// Parameters that are the constants, about another axis: the same motion.
 #[test]
 fn a_top_of_parameters() {
@@ -265,11 +303,15 @@ fn zeros_stay() {
 /// The type of the path says which motion it is.
 #[test]
 fn the_motion_is_chosen_at_expansion() {
-    use newton_euler::exact::{Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Pendulum};
+    use newton_euler::exact::{
+        AxialTorque, Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Pendulum,
+    };
     let _: fn(&Brick, &Spatial) -> Flight<FreeRotation, 3> = Flow::path;
     let _: fn(&Handle, &Rotation) -> FreeRotation = Flow::path;
     let _: fn(&Top, &Rotation) -> LagrangeTop = Flow::path;
     let _: fn(&Weighted, &Spatial) -> Flight<LagrangeTop, 3> = Flow::path;
+    let _: fn(&Pinwheel<f64>, &Rotation) -> AxialTorque = Flow::path;
+    let _: fn(&Stage, &Spatial) -> Flight<AxialTorque, 3> = Flow::path;
     let _: fn(&Plank, &Planar) -> Flight<Parabola<1>, 2> = Flow::path;
     let _: fn(&Towed, &Planar) -> Flight<Pendulum, 2> = Flow::path;
     let _: fn(&Swing, &Hinge) -> Pendulum = Flow::path;

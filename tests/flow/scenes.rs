@@ -260,3 +260,51 @@ rigid_body!(Weighted {
     forces: [string = world(0.1, 0.4, 1)[N].at(ear)],
     outputs: [flow],
 });
+
+rigid_body!(Stage {
+    doc: "Spun up about its axis while it falls.",
+    motion: spatial,
+    mass: 2[kg],
+    inertia: principal(0.3, 0.3, 0.1),
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    moments: [motor = body(0, 0, 0.2)],
+    outputs: [flow, taylor],
+});
+
+rigid_body!(Pinwheel::<T> {
+    doc: "Of parameters, and generic: a pair of jets, about the second axis.",
+    motion: rotation,
+    params: [across = 0.3, along = 0.5, arm = 0.4[m], thrust = 0.25[N]],
+    inertia: principal(across, along, across),
+    points: [left = (arm, 0, 0), right = (-arm, 0, 0)],
+    forces: [
+        first = body(0, 0, thrust).at(left),
+        second = body(0, 0, -thrust).at(right)
+    ],
+    outputs: [flow, taylor],
+});
+
+rigid_body!(Drill {
+    doc: "An axis of symmetry that is no axis of the user's, held at a point of it.",
+    motion: fixed_point(tip),
+    mass: 2[kg],
+    inertia: cylinder(0.1[m], 0.7[m]).along(body(0, 3, 4)),
+    points: [tip = (0, 0.3, 0.4)],
+    moments: [motor = body(0, -0.003, -0.004)],
+    outputs: [flow],
+});
+
+rigid_body!(Sphere {
+    doc: "A moment in any direction is along an axis of symmetry; two jets, of which the forces cancel.",
+    motion: spatial,
+    mass: 2[kg],
+    inertia: sphere(0.3[m]),
+    points: [left = (0.3, 0, 0), right = (-0.3, 0, 0)],
+    forces: [
+        first = body(0, 0.1, 0.2)[N].at(left),
+        second = body(0, -0.1, -0.2)[N].at(right),
+        wind = world(1, 2, 0)[N],
+    ],
+    moments: [motor = body(0.01, 0, 0)],
+    outputs: [flow],
+});

@@ -22,6 +22,7 @@ pub fn path_type(shapes: &Shapes, turning: &Turning) -> TokenStream {
             Turning::None => None,
             Turning::Free(_) => Some(quote!(#private::FreeRotation)),
             Turning::Top(_) => Some(quote!(#private::LagrangeTop)),
+            Turning::Axial(_) => Some(quote!(#private::AxialTorque)),
             Turning::GreatCircle => Some(quote!(#private::GreatCircle)),
             Turning::Uniform(_) => Some(quote!(#private::Parabola<1>)),
             Turning::Pendulum { .. } => Some(quote!(#private::Pendulum)),
@@ -111,6 +112,7 @@ fn rotation(shapes: &Shapes, turning: &Turning, values: &mut Values<'_>) -> Opti
         }
         Turning::Free(free) => free_rotation(shapes, free, values),
         Turning::Top(_) => lagrange_top(shapes, values),
+        Turning::Axial(_) => axial_torque(shapes, values),
     })
 }
 
@@ -162,6 +164,14 @@ fn lagrange_top(shapes: &Shapes, values: &mut Values<'_>) -> TokenStream {
     let state = turning_state(shapes, "Rotation", "attitude");
     let (moments, axis, couple) = (list(values, 2), list(values, 3), list(values, 3));
     quote!(#private::lagrange_top(#moments, #axis, #couple, #state))
+}
+
+/// `axial_torque([..], [..], torque, state)`
+fn axial_torque(shapes: &Shapes, values: &mut Values<'_>) -> TokenStream {
+    let private = &shapes.private;
+    let state = turning_state(shapes, "Rotation", "attitude");
+    let (moments, axis, torque) = (list(values, 2), list(values, 3), values.next());
+    quote!(#private::axial_torque(#moments, #axis, #torque, #state))
 }
 
 /// `[..]` of the values that follow.

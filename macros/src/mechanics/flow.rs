@@ -6,6 +6,7 @@
 //! ```text
 //! in space        freely: no moment about G, or about the point that is held
 //!                 as Lagrange's top: a couple k x e, of a body that is symmetric about e
+//!                 spinning up: a constant moment N e, of such a body
 //! about an axis   with constant acceleration, or as a pendulum: w' = a sin theta + b cos theta
 //! as a rod        freely, along a great circle
 //! ```
@@ -15,6 +16,7 @@ use crate::model::{Frame, Meaning, Model, Motion, Vector};
 use crate::symbolic::{Components, Id, Node};
 
 use super::about_axis::about_axis;
+use super::axial_torque::{AxialTorque, axial_torque};
 use super::free_rotation::{Free, free};
 use super::lagrange_top::{Top, lagrange_top};
 use super::newton_euler::moments_about;
@@ -36,6 +38,8 @@ pub enum Turning {
     Free(Free),
     /// In space, under a couple.
     Top(Top),
+    /// In space, under a constant moment along its axis of symmetry.
+    Axial(AxialTorque),
     /// As a rod, without a moment.
     GreatCircle,
     /// About an axis, with a constant acceleration.
@@ -72,6 +76,9 @@ impl Flow {
                 Some("the body turns freely, in a way that its moments of inertia decide")
             }
             Turning::Top(_) => Some("the body turns as Lagrange's top, by elliptic functions"),
+            Turning::Axial(_) => Some(
+                "the spin about the axis of symmetry is linear in time, the attitude goes by parabolic cylinder functions",
+            ),
             Turning::GreatCircle => Some("the axis turns along a great circle"),
             Turning::Uniform(_) => Some("the angle is quadratic in time"),
             Turning::Pendulum { .. } => {
@@ -89,6 +96,7 @@ impl Turning {
             Self::None | Self::GreatCircle => Vec::new(),
             Self::Free(free) => free.roots(),
             Self::Top(top) => top.roots(),
+            Self::Axial(axial) => axial.roots(),
             Self::Uniform(acceleration) => vec![*acceleration],
             Self::Pendulum { rate, hanging } => vec![*rate, *hanging],
         }
@@ -236,12 +244,14 @@ fn turning(
         return free(model).map(Turning::Free);
     } else if let Some(top) = lagrange_top(model, total) {
         return Some(Turning::Top(top));
+    } else if let Some(axial) = axial_torque(model, total) {
+        return Some(Turning::Axial(axial));
     }
     report_moments(model, contributions, obstacles);
     None
 }
 
-/// What is in the way of free rotation, and does not make a top either.
+/// What is in the way of free rotation, and does not make a top or a spin that is linear in time either.
 fn report_moments(model: &mut Model, contributions: &[Contribution], obstacles: &mut Vec<String>) {
     let center = if model.motion.is_supported() {
         "the point that is held"
@@ -251,12 +261,17 @@ fn report_moments(model: &mut Model, contributions: &[Contribution], obstacles: 
     let others = if model.motion == Motion::Rod {
         ""
     } else {
-        ", or with that of a constant force on the axis of a symmetric body"
+        ", or, of a symmetric body, under a constant moment along its axis, or constant forces on it"
     };
     for load in contributions {
         if !vanish(model, &load.moment).into_iter().all(|zero| zero) {
+            let manner = if model.frames.graph.are_early(&load.moment) {
+                "is constant in the body".to_owned()
+            } else {
+                format!("depends on {}", dependence(model, &load.moment))
+            };
             obstacles.push(format!(
-                "`{}` has a moment about {center}, and only rotation without a moment has one{others}",
+                "the moment of `{}` about {center} {manner}, and only rotation without a moment has one{others}",
                 load.name
             ));
         }

@@ -5,6 +5,8 @@
 
 mod about_axis;
 mod axes;
+mod axial_torque;
+mod axis_of_symmetry;
 mod balance;
 mod charges;
 mod consistency;

@@ -23,8 +23,8 @@ use crate::state::{Hinge, Planar, Rod, Rotation, Spatial};
 pub struct Flight<R, const D: usize> {
     /// Of G, world axes.
     pub center: Parabola<D>,
-    /// A [`FreeRotation`](super::FreeRotation) or a [`LagrangeTop`](super::LagrangeTop), of a rod a [`GreatCircle`], in the plane a path of the angle: a [`Parabola`] or a
-    /// [`Pendulum`](super::Pendulum).
+    /// A [`FreeRotation`](super::FreeRotation), a [`LagrangeTop`](super::LagrangeTop) or an [`AxialTorque`](super::AxialTorque), of a rod a
+    /// [`GreatCircle`], in the plane a path of the angle: a [`Parabola`] or a [`Pendulum`](super::Pendulum).
     pub rotation: R,
 }
 
@@ -44,8 +44,8 @@ impl<R: Path<State = Rotation>> Path for Flight<R, 3> {
         }
     }
 
-    fn pace(&self) -> f64 {
-        self.rotation.pace()
+    fn pace(&self, time: f64) -> f64 {
+        self.rotation.pace(time)
     }
 }
 
@@ -65,8 +65,8 @@ impl<R: Path<State = Hinge>> Path for Flight<R, 2> {
         }
     }
 
-    fn pace(&self) -> f64 {
-        self.rotation.pace()
+    fn pace(&self, time: f64) -> f64 {
+        self.rotation.pace(time)
     }
 }
 
@@ -83,7 +83,7 @@ impl Path for Flight<GreatCircle, 3> {
         }
     }
 
-    fn pace(&self) -> f64 {
+    fn pace(&self, _time: f64) -> f64 {
         self.rotation.pace()
     }
 }

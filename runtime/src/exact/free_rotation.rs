@@ -155,7 +155,7 @@ impl Path for FreeRotation {
         }
     }
 
-    fn pace(&self) -> f64 {
+    fn pace(&self, _time: f64) -> f64 {
         1.0 / self.at(0.0).angular_velocity.norm()
     }
 }

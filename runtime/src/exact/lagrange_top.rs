@@ -96,9 +96,9 @@ impl Path for LagrangeTop {
         }
     }
 
-    fn pace(&self) -> f64 {
+    fn pace(&self, time: f64) -> f64 {
         match &self.0 {
-            Motion::Free(free) => free.pace(),
+            Motion::Free(free) => free.pace(time),
             Motion::Nutating(nutation) => {
                 let turning = self.at(0.0).angular_velocity.norm();
                 // falling from upright, it turns at twice the rate of the phase

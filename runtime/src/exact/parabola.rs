@@ -49,7 +49,7 @@ impl Path for Parabola<3> {
         }
     }
 
-    fn pace(&self) -> f64 {
+    fn pace(&self, _time: f64) -> f64 {
         f64::INFINITY
     }
 }
@@ -64,7 +64,7 @@ impl Path for Parabola<2> {
         }
     }
 
-    fn pace(&self) -> f64 {
+    fn pace(&self, _time: f64) -> f64 {
         f64::INFINITY
     }
 }
@@ -79,7 +79,7 @@ impl Path for Parabola<1> {
         }
     }
 
-    fn pace(&self) -> f64 {
+    fn pace(&self, _time: f64) -> f64 {
         f64::INFINITY
     }
 }

@@ -131,7 +131,7 @@ impl Path for Pendulum {
         }
     }
 
-    fn pace(&self) -> f64 {
+    fn pace(&self, _time: f64) -> f64 {
         1.0 / self.phase.rate.max(2.0 * self.rate)
     }
 }

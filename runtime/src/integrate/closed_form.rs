@@ -73,7 +73,11 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
 
     fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
         let (time, rest) = (self.time, end - self.time);
-        let step = self.path.pace().min(rest.abs()).copysign(rest);
+        let step = self
+            .path
+            .pace(time - self.start)
+            .min(rest.abs())
+            .copysign(rest);
         let next = if step == rest { end } else { time + step };
         if next == time {
             let state = self.state();

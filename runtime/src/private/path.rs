@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 
-use crate::exact::{FreeRotation, LagrangeTop};
+use crate::exact::{AxialTorque, FreeRotation, LagrangeTop};
 use crate::inertia::InertiaTensor;
 use crate::principal::PrincipalAxes;
 use crate::state::Rotation;
@@ -63,4 +63,15 @@ pub fn lagrange_top(
         couple.into(),
         state,
     )
+}
+
+/// Of the moments across an axis and about it, its unit vector, and the moment along it.
+#[must_use]
+pub fn axial_torque(
+    moments: [f64; 2],
+    axis: [f64; 3],
+    torque: f64,
+    state: &Rotation,
+) -> AxialTorque {
+    AxialTorque::new(moments, Unit::new_unchecked(axis.into()), torque, state)
 }

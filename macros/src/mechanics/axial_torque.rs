@@ -1,0 +1,44 @@
+//! A constant moment N e along the axis of symmetry of a body.
+
+use crate::model::Model;
+use crate::symbolic::{Components, Id};
+
+use super::axis_of_symmetry::axes_of_symmetry;
+use super::samples::vanish;
+
+/// What the motion of a body under a moment along its axis depends on.
+pub struct AxialTorque {
+    /// Across the axis and about it.
+    pub moments: [Id; 2],
+    /// Unit vector, body axes.
+    pub axis: Components,
+    /// N
+    pub torque: Id,
+}
+
+impl AxialTorque {
+    pub fn roots(&self) -> Vec<Id> {
+        [&self.moments[..], &self.axis[..], &[self.torque]].concat()
+    }
+}
+
+/// The axis and the torque along it, if the moment, body axes, is constant and is along an axis of symmetry.
+pub fn axial_torque(model: &mut Model, moment: Components) -> Option<AxialTorque> {
+    if !model.frames.graph.are_early(&moment) {
+        return None;
+    }
+    axes_of_symmetry(model, &[moment])
+        .into_iter()
+        .find_map(|(moments, axis)| {
+            let graph = &mut model.frames.graph;
+            let torque = graph.dot(moment, axis);
+            let along = graph.scale_vector(torque, axis);
+            let across = [0, 1, 2].map(|i| graph.subtract(moment[i], along[i]));
+            let is_axial = vanish(model, &across).into_iter().all(|zero| zero);
+            is_axial.then_some(AxialTorque {
+                moments,
+                axis,
+                torque,
+            })
+        })
+}

@@ -1,0 +1,68 @@
+//! Axes about which the inertia of a body is symmetric.
+
+use crate::model::{Inertia, Model};
+use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
+
+use super::dyadic::constant;
+use super::free_rotation::unit;
+use super::newton_euler::inertia_about_center;
+use super::samples::vanish;
+
+/// Moments of inertia across and along axes about which the body is symmetric, and unit vectors along them: of a spherical one, along one of
+/// these directions, if it is known, and the axes of the body.
+pub fn axes_of_symmetry(
+    model: &mut Model,
+    directions: &[Components],
+) -> Vec<([Id; 2], Components)> {
+    let Inertia::Spatial(rows) = inertia_about_center(model) else {
+        return Vec::new();
+    };
+    let graph = &mut model.frames.graph;
+    let units = graph.unit_vectors();
+    let Some(tensor) = constant(graph, &rows) else {
+        return (0..3)
+            .filter(|axis| is_symmetric(model, &rows, *axis))
+            .map(|axis| {
+                (
+                    [rows[(axis + 1) % 3][(axis + 1) % 3], rows[axis][axis]],
+                    units[axis],
+                )
+            })
+            .collect();
+    };
+    match Spectrum::of(&tensor) {
+        Spectrum::General(_) => Vec::new(),
+        Spectrum::Symmetric(symmetry) => {
+            let moments =
+                [&symmetry.across, &symmetry.along].map(|moment| graph.number(moment.clone()));
+            vec![(moments, unit(graph, &symmetry.axis))]
+        }
+        Spectrum::Spherical(moment) => {
+            let moments = [graph.number(moment); 2];
+            let known = directions
+                .iter()
+                .find_map(|vector| known_direction(graph, vector));
+            known
+                .into_iter()
+                .chain(units)
+                .map(|axis| (moments, axis))
+                .collect()
+        }
+    }
+}
+
+/// Of a tensor of parameters, whether it is symmetric about a coordinate axis.
+fn is_symmetric(model: &mut Model, rows: &[Components; 3], axis: usize) -> bool {
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let difference = model.frames.graph.subtract(rows[i][i], rows[j][j]);
+    let roots = [difference, rows[0][1], rows[1][2], rows[2][0]];
+    vanish(model, &roots).into_iter().all(|zero| zero)
+}
+
+/// The unit vector along a vector of numbers that is not zero.
+fn known_direction(graph: &mut Graph, vector: &Components) -> Option<Components> {
+    let number = |i: usize| graph.as_number(vector[i]).cloned();
+    let components = [number(0)?, number(1)?, number(2)?];
+    let is_zero = components.iter().all(Number::is_zero);
+    (!is_zero).then(|| unit(graph, &components))
+}

@@ -1,0 +1,10 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Satellite {
+    motion: rotation,
+    inertia: principal(0.3, 0.3, 0.1),
+    moments: [motor = body(0, 0, 0.2[N * m / s] * t)],
+    outputs: [flow],
+});
+
+fn main() {}

@@ -261,3 +261,14 @@ fn names_in_the_constructor_are_distinct() {
     assert!(count > 10);
     assert_eq!(names.len(), count, "{constructor}");
 }
+
+/// Beyond the stated limit there is one error, whatever else is in the description.
+#[test]
+fn descriptions_have_a_size() {
+    let tokens = expand_description(many_forces(2000)).to_string();
+    assert!(
+        tokens.contains("here this description has more than 50000 tokens"),
+        "{tokens}"
+    );
+    assert_eq!(tokens.matches("compile_error").count(), 1);
+}

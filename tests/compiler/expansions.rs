@@ -272,3 +272,16 @@ fn descriptions_have_a_size() {
     );
     assert_eq!(tokens.matches("compile_error").count(), 1);
 }
+
+/// A line of such a number is no case to be read in `tests/compile_fail`.
+#[test]
+fn numbers_have_a_length() {
+    let with_mass = |digits: usize| {
+        let mass: proc_macro2::Literal = format!("0.{}", "1".repeat(digits)).parse().unwrap();
+        expand_description(quote!(Body { motion: planar_translation, mass: #mass })).to_string()
+    };
+    assert!(!with_mass(1100).contains("compile_error"));
+    let tokens = with_mass(1300);
+    assert!(tokens.contains("a number of more than 1200 digits: `f64` keeps 17 of them"));
+    assert_eq!(tokens.matches("compile_error").count(), 1);
+}

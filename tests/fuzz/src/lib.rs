@@ -3,6 +3,11 @@
 //! The compiler is mounted here, since a proc-macro crate cannot be linked. Every execution follows from a seed and its number
 //! alone, so that what was found is found again.
 #![allow(missing_docs, dead_code)]
+#![allow(
+    clippy::must_use_candidate,
+    clippy::missing_panics_doc,
+    reason = "the package is a command, and nobody's library"
+)]
 
 #[path = "../../../macros/src/emit/mod.rs"]
 mod emit;

@@ -15,7 +15,7 @@ pub fn mutant(corpus: &[Vec<Token>], words: &Words, rng: &mut Rng) -> Vec<Token>
     if rng.u8(..64) == 0 {
         return flat;
     }
-    for _ in 0..1 + rng.u8(..8) * rng.u8(..2) {
+    for _ in 0..=(rng.u8(..8) * rng.u8(..2)) {
         mutate(&mut flat, corpus, words, rng);
     }
     flat
@@ -125,7 +125,7 @@ fn unit(rng: &mut Rng) -> Vec<Token> {
         "0x10",
     ];
     let mut flat = vec![Token::Open(Delimiter::Bracket)];
-    for _ in 0..1 + rng.usize(..4) * rng.usize(..10) {
+    for _ in 0..=(rng.usize(..4) * rng.usize(..10)) {
         let leaf = |text: TokenTree| Token::Leaf(text);
         flat.push(leaf(ident(units[rng.usize(..units.len())])));
         flat.push(leaf(punct(if rng.u8(..4) == 0 { '*' } else { '^' })));

@@ -59,10 +59,13 @@ fn compare<T: core::fmt::Debug, E: core::fmt::Display>(
     }
 }
 
+/// One execution.
+type Execute = fn(&mut Rng);
+
 /// Runs so many executions, each of one kind.
 #[must_use]
 pub fn run(executions: u64, seed: u64) -> [(&'static str, Count); 4] {
-    let kinds: [(&str, fn(&mut Rng)); 4] = [
+    let kinds: [(&str, Execute); 4] = [
         ("tensors", inertia::tensors),
         ("attitudes and maps", states::maps),
         ("states, read", states::read),
@@ -70,7 +73,8 @@ pub fn run(executions: u64, seed: u64) -> [(&'static str, Count); 4] {
     ];
     kinds.map(|(name, execute)| {
         let mut count = Count::default();
-        (ACCEPTED.set(0), REFUSED.set(0));
+        ACCEPTED.set(0);
+        REFUSED.set(0);
         for number in 0..executions / 4 {
             let mut rng = Rng::with_seed(seed.rotate_left(32) ^ number);
             let outcome = catch_unwind(AssertUnwindSafe(|| execute(&mut rng)));

@@ -15,7 +15,7 @@ pub fn tensor(entries: &[f64; 6]) -> Verdict {
     if entries.iter().any(|entry| !entry.is_finite()) {
         return Verdict::Impossible;
     }
-    let exact = entries.clone().map(rational);
+    let exact = entries.map(rational);
     if second_moments(&exact, &RBig::ZERO) {
         return Verdict::Possible;
     }
@@ -31,7 +31,7 @@ pub fn tensor(entries: &[f64; 6]) -> Verdict {
 
 /// Whether a tensor, less this on its diagonal, is positive definite.
 pub fn turns(entries: &[f64; 6], less: f64) -> bool {
-    let [xx, yy, zz, xy, yz, zx] = entries.clone().map(rational);
+    let [xx, yy, zz, xy, yz, zx] = entries.map(rational);
     let less = rational(less);
     let diagonal = [xx, yy, zz].map(|moment| moment - less.clone());
     minors(&diagonal, &[xy, yz, zx])

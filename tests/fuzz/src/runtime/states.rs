@@ -43,6 +43,11 @@ impl Attitude {
 }
 
 /// Each kind of state, from numbers of which its conditions are known exactly.
+#[allow(
+    clippy::too_many_lines,
+    clippy::items_after_statements,
+    reason = "seven states, each with its form, one after another"
+)]
 pub fn read(rng: &mut Rng) {
     let number = either(rng, 2);
     let [p, v, w]: [[f64; 3]; 3] = core::array::from_fn(|_| all(rng, number));

@@ -39,7 +39,7 @@ const TEXT: &[u8] = b"0123456789.eE+-{}[]\":, nulltraxyzw\\u\x00\xFF";
 
 /// A few bytes changed, left out, put in or repeated.
 fn damaged(mut bytes: Vec<u8>, rng: &mut Rng, byte: impl Fn(&mut Rng) -> u8) -> Vec<u8> {
-    for _ in 0..1 + rng.usize(..3) {
+    for _ in 0..=rng.usize(..3) {
         if bytes.is_empty() {
             break;
         }

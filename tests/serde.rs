@@ -4,7 +4,7 @@
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;
 use proptest::prelude::*;
-use serde::{Serialize, de::DeserializeOwned};
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use serde_json::{Value, from_value, json};
 
 /// Every bit of every number: `{:?}` tells -0 from 0 and prints as many digits as one double needs. (`serde_json` reads
@@ -160,4 +160,32 @@ fn inertias_that_cannot_be() {
         refusal::<InertiaTensor>(tensor(1.0, 0.6)),
         "the product xy is 0.6 in magnitude, more than half the moment about the third axis, 0.5",
     );
+}
+
+/// Text cannot say what is not finite, but as an overflow, which serde_json refuses; formats of bytes can.
+#[test]
+fn states_that_are_not_finite() {
+    use serde::de::value::{Error, MapDeserializer};
+    let hinge = |angle: f64| {
+        let entries = [("angle", angle), ("angular_velocity", 2.0)];
+        Hinge::deserialize(MapDeserializer::<_, Error>::new(entries.into_iter()))
+    };
+    assert_eq!(
+        hinge(0.5).unwrap(),
+        Hinge {
+            angle: 0.5,
+            angular_velocity: 2.0
+        }
+    );
+    for (angle, shown) in [
+        (f64::NAN, "NaN"),
+        (f64::INFINITY, "inf"),
+        (f64::NEG_INFINITY, "-inf"),
+    ] {
+        let message = hinge(angle).unwrap_err().to_string();
+        assert_eq!(
+            message,
+            format!("a state is finite, and one of its numbers is {shown}")
+        );
+    }
 }

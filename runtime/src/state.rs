@@ -8,6 +8,8 @@
 use core::ops::{Add, Mul, Sub};
 
 mod coordinates;
+#[cfg(feature = "serde")]
+mod finite;
 mod hinge;
 mod planar;
 mod rod;

@@ -261,3 +261,27 @@ fn names_in_the_constructor_are_distinct() {
     assert!(count > 10);
     assert_eq!(names.len(), count, "{constructor}");
 }
+
+/// Beyond the stated limit there is one error, whatever else is in the description.
+#[test]
+fn descriptions_have_a_size() {
+    let tokens = expand_description(many_forces(2000)).to_string();
+    assert!(
+        tokens.contains("here this description has more than 50000 tokens"),
+        "{tokens}"
+    );
+    assert_eq!(tokens.matches("compile_error").count(), 1);
+}
+
+/// A line of such a number is no case to be read in `tests/compile_fail`.
+#[test]
+fn numbers_have_a_length() {
+    let with_mass = |digits: usize| {
+        let mass: proc_macro2::Literal = format!("0.{}", "1".repeat(digits)).parse().unwrap();
+        expand_description(quote!(Body { motion: planar_translation, mass: #mass })).to_string()
+    };
+    assert!(!with_mass(1100).contains("compile_error"));
+    let tokens = with_mass(1300);
+    assert!(tokens.contains("a number of more than 1200 digits: `f64` keeps 17 of them"));
+    assert_eq!(tokens.matches("compile_error").count(), 1);
+}

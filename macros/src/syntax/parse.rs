@@ -10,7 +10,8 @@ use super::entries::parse_entry;
 use super::expression::Expression;
 use super::motion::parse_motion;
 use super::tokens::{
-    Entry, after_sign, is_punct, skip_attributes, split, start, stream, without_attributes,
+    Entry, after_sign, is_punct, skip_attributes, split, start, stream, token_beyond,
+    without_attributes,
 };
 use super::words::{check_name, is_keyword};
 use super::{Description, Written};
@@ -35,8 +36,19 @@ const LISTS: [(&str, &str); 13] = [
 const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
 /// Keys of the language that are not there yet.
 const LATER: [&str; 1] = ["checks"];
-/// Parses `(runtime) Name { key: value, .. }`. Only without a name is there no description at all.
+/// Tokens that a description may have: a stated limit instead of minutes of waiting.
+const TOKENS: usize = 50_000;
+
+/// Parses `(runtime) Name { key: value, .. }`. Without a name, or beyond the limit, there is no
+/// description at all.
 pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Description> {
+    if let Some(crossed) = token_beyond(&tokens, TOKENS) {
+        let message = format!(
+            "here this description has more than {TOKENS} tokens: take forces together, or make them inputs"
+        );
+        errors.push(start(&crossed), message);
+        return None;
+    }
     let (mut description, body) = parse_head(tokens, errors)?;
     // a list without brackets, whose entries look like keys
     let mut open_list = None;

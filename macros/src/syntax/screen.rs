@@ -8,12 +8,14 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, 
 
 use crate::errors::{Errors, Extent};
 
-use super::tokens::{is_punct, start};
+use super::tokens::{group_beyond, is_punct, start, token_beyond};
 use super::unit::UnitExpression;
 use super::words::is_keyword;
 
 /// Tokens that one expression may have: a stated limit instead of an exhausted stack.
 const TOKENS: usize = 2000;
+/// Digits that a number may have, and its point and exponent with them: every double has fewer.
+const DIGITS: usize = 1200;
 /// Brackets that may be nested in each other.
 const NESTING: usize = 48;
 /// Brackets, prefixes, methods and branches that may be nested in each other.
@@ -44,32 +46,17 @@ pub fn screen(tokens: TokenStream, errors: &mut Errors) -> Option<Screened> {
 
 /// The token at which a limit is crossed, found without recursion.
 fn crossed_limit(tokens: &TokenStream) -> Option<(Span, String)> {
-    let mut open = vec![tokens.clone().into_iter()];
-    let mut count = 0;
-    while let Some(current) = open.last_mut() {
-        let Some(token) = current.next() else {
-            open.pop();
-            continue;
-        };
-        count += 1;
-        if count > TOKENS {
-            let message = format!(
-                "here this expression has more than {TOKENS} tokens: name parts of it as `locals`"
-            );
-            return Some((start(&token), message));
-        }
-        if let TokenTree::Group(group) = &token {
-            open.push(group.stream().into_iter());
-            if open.len() > NESTING {
-                let message = format!(
-                    "brackets nested more than {NESTING} deep: name parts of this expression as \
-                     `locals`"
-                );
-                return Some((start(&token), message));
-            }
-        }
+    if let Some(token) = token_beyond(tokens, TOKENS) {
+        let message = format!(
+            "here this expression has more than {TOKENS} tokens: name parts of it as `locals`"
+        );
+        return Some((start(&token), message));
     }
-    None
+    let group = group_beyond(tokens, NESTING)?;
+    let message = format!(
+        "brackets nested more than {NESTING} deep: name parts of this expression as `locals`"
+    );
+    Some((group.span_open(), message))
 }
 
 pub fn too_deep() -> String {
@@ -116,10 +103,9 @@ impl Screen<'_> {
                         1
                     })
                 }
-                TokenTree::Literal(_) => {
+                TokenTree::Literal(literal) => self.literal(literal).inspect(|_| {
                     shown.push(token.clone());
-                    Some(1)
-                }
+                }),
                 TokenTree::Punct(_) => {
                     let read = self.sign(&tokens[index..]);
                     shown.extend(tokens[index..index + read.unwrap_or(0)].iter().cloned());
@@ -142,6 +128,16 @@ impl Screen<'_> {
         self.errors.push(place, message);
         self.refused = true;
         None
+    }
+
+    /// One token, unless it is a number that takes long to read.
+    fn literal(&mut self, literal: &Literal) -> Option<usize> {
+        let text = literal.to_string();
+        if text.starts_with(|first: char| first.is_ascii_digit()) && text.len() > DIGITS {
+            let message = format!("a number of more than {DIGITS} digits: `f64` keeps 17 of them");
+            return self.refuse(literal.span(), &message);
+        }
+        Some(1)
     }
 
     fn group(

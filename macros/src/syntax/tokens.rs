@@ -130,17 +130,38 @@ pub fn stream(tokens: &[TokenTree]) -> TokenStream {
     tokens.iter().cloned().collect()
 }
 
-/// The deepest nesting of brackets in `tokens`, found without recursion.
-pub fn nesting(tokens: &TokenStream) -> usize {
-    let mut deepest = 0;
-    let mut pending = vec![(tokens.clone(), 0)];
-    while let Some((stream, depth)) = pending.pop() {
-        deepest = deepest.max(depth);
-        let groups = stream.into_iter().filter_map(|token| match token {
-            TokenTree::Group(group) => Some((group.stream(), depth + 1)),
-            _ => None,
-        });
-        pending.extend(groups);
+/// The first token after so many others, those in brackets counted, found without recursion.
+pub fn token_beyond(tokens: &TokenStream, count: usize) -> Option<TokenTree> {
+    let mut seen = 0;
+    let mut open = vec![tokens.clone().into_iter()];
+    while let Some(current) = open.last_mut() {
+        let Some(token) = current.next() else {
+            open.pop();
+            continue;
+        };
+        seen += 1;
+        if seen > count {
+            return Some(token);
+        }
+        if let TokenTree::Group(group) = &token {
+            open.push(group.stream().into_iter());
+        }
     }
-    deepest
+    None
+}
+
+/// The first group that is nested deeper than this, found without recursion.
+pub fn group_beyond(tokens: &TokenStream, depth: usize) -> Option<Group> {
+    let mut open = vec![tokens.clone().into_iter()];
+    while let Some(current) = open.last_mut() {
+        match current.next() {
+            Some(TokenTree::Group(group)) if open.len() > depth => return Some(group),
+            Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
+            Some(_) => {}
+            None => {
+                open.pop();
+            }
+        }
+    }
+    None
 }

@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent};
 
-use super::tokens::nesting;
+use super::tokens::group_beyond;
 use super::words::is_keyword;
 
 /// A product of powers of named units.
@@ -33,7 +33,7 @@ impl UnitExpression {
             return None;
         }
         let extent = Extent::of(&tokens);
-        if nesting(&tokens) > NESTING {
+        if group_beyond(&tokens, NESTING).is_some() {
             let message = format!("parentheses nested more than {NESTING} deep in a unit");
             errors.push(extent, message);
             return None;

@@ -5,6 +5,8 @@ use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use super::State;
+#[cfg(feature = "serde")]
+use super::finite;
 use crate::scalar::Scalar;
 
 /// State of `motion: pivot` and `motion: fixed_axis`, one degree of freedom; its acceleration is a scalar \[rad/s²\].
@@ -18,11 +20,17 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))
+)]
 pub struct Hinge<T: Scalar> {
     /// Zero with body axes along world axes; right-handed about the axis, in the plane anticlockwise; not wrapped
     /// \[rad\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub angle: T,
     /// Rate of the angle \[rad/s\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub angular_velocity: T,
 }
 

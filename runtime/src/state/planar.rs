@@ -5,19 +5,29 @@ use nalgebra::{Vector2, Vector4, Vector6};
 use serde::{Deserialize, Serialize};
 
 use super::State;
+#[cfg(feature = "serde")]
+use super::finite;
 use crate::scalar::Scalar;
 
 /// State of `motion: planar`, three degrees of freedom.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))
+)]
 pub struct Planar<T: Scalar> {
     /// Position of G, world axes \[m\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub position: Vector2<T>,
     /// From world x to body x, anticlockwise, not wrapped \[rad\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub angle: T,
     /// Velocity of G, world axes \[m/s\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub velocity: Vector2<T>,
     /// Rate of the angle \[rad/s\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub angular_velocity: T,
 }
 
@@ -34,10 +44,16 @@ pub struct PlanarAcceleration<T: Scalar> {
 /// State of `motion: planar_translation`, two degrees of freedom; body axes stay along world axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))
+)]
 pub struct PlanarTranslation<T: Scalar> {
     /// Position of G, world axes \[m\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub position: Vector2<T>,
     /// Velocity of G, world axes \[m/s\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub velocity: Vector2<T>,
 }
 

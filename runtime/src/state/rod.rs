@@ -198,6 +198,7 @@ mod written {
     use nalgebra::{Unit, Vector3};
     use serde::{Deserialize, Serialize};
 
+    use super::super::finite;
     use crate::scalar::Scalar;
 
     /// How far |u|² may be from 1, and u·u̇ from 0 relative to |u̇|: as for attitudes, nine printed digits pass, single
@@ -207,10 +208,15 @@ mod written {
     }
 
     #[derive(Serialize, Deserialize)]
+    #[serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))]
     pub(super) struct Rod<T: Scalar> {
+        #[serde(deserialize_with = "finite::vector")]
         position: Vector3<T>,
+        #[serde(deserialize_with = "finite::vector")]
         velocity: Vector3<T>,
+        #[serde(deserialize_with = "finite::vector")]
         axis: Vector3<T>,
+        #[serde(deserialize_with = "finite::vector")]
         axis_rate: Vector3<T>,
     }
 

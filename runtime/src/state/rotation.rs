@@ -5,17 +5,24 @@ use nalgebra::{UnitQuaternion, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 use super::State;
+#[cfg(feature = "serde")]
+use super::finite;
 use crate::attitude;
 use crate::scalar::Scalar;
 
 /// State of `motion: rotation`, three degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))
+)]
 pub struct Rotation<T: Scalar> {
     /// Takes body components to world components.
     #[cfg_attr(feature = "serde", serde(with = "attitude::checked"))]
     pub attitude: UnitQuaternion<T>,
     /// Angular velocity, body axes \[rad/s\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub angular_velocity: Vector3<T>,
 }
 

@@ -5,21 +5,30 @@ use nalgebra::{SVector, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::State;
+#[cfg(feature = "serde")]
+use super::finite;
 use crate::attitude;
 use crate::scalar::Scalar;
 
 /// State of `motion: spatial`, six degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))
+)]
 pub struct Spatial<T: Scalar> {
     /// Position of G, world axes \[m\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub position: Vector3<T>,
     /// Takes body components to world components.
     #[cfg_attr(feature = "serde", serde(with = "attitude::checked"))]
     pub attitude: UnitQuaternion<T>,
     /// Velocity of G, world axes \[m/s\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub velocity: Vector3<T>,
     /// Angular velocity, body axes \[rad/s\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub angular_velocity: Vector3<T>,
 }
 

@@ -5,15 +5,23 @@ use nalgebra::{Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 use super::State;
+#[cfg(feature = "serde")]
+use super::finite;
 use crate::scalar::Scalar;
 
 /// State of `motion: translation`, three degrees of freedom; body axes stay along world axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))
+)]
 pub struct Translation<T: Scalar> {
     /// Position of G, world axes \[m\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub position: Vector3<T>,
     /// Velocity of G, world axes \[m/s\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub velocity: Vector3<T>,
 }
 

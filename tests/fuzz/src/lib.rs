@@ -1,0 +1,35 @@
+//! Bad input without end: what the expander and the runtime say to anything.
+//!
+//! The compiler is mounted here, since a proc-macro crate cannot be linked. Every execution follows from a seed and its number
+//! alone, so that what was found is found again.
+#![allow(missing_docs, dead_code)]
+#![allow(
+    clippy::must_use_candidate,
+    clippy::missing_panics_doc,
+    reason = "the package is a command, and nobody's library"
+)]
+
+#[path = "../../../macros/src/emit/mod.rs"]
+mod emit;
+#[path = "../../../macros/src/errors.rs"]
+mod errors;
+#[path = "../../../macros/src/expand.rs"]
+mod expand;
+#[path = "../../../macros/src/mechanics/mod.rs"]
+mod mechanics;
+#[path = "../../../macros/src/model/mod.rs"]
+mod model;
+#[path = "../../../macros/src/symbolic/mod.rs"]
+mod symbolic;
+#[path = "../../../macros/src/syntax/mod.rs"]
+mod syntax;
+
+pub mod corpus;
+pub mod flat;
+pub mod generate;
+pub mod mutate;
+pub mod run;
+pub mod runtime;
+pub mod times;
+pub mod verdict;
+pub mod words;

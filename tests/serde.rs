@@ -162,7 +162,7 @@ fn inertias_that_cannot_be() {
     );
 }
 
-/// Text cannot say what is not finite, but as an overflow, which serde_json refuses; formats of bytes can.
+/// Text cannot say what is not finite, but as an overflow, which `serde_json` refuses; formats of bytes can.
 #[test]
 fn states_that_are_not_finite() {
     use serde::de::value::{Error, MapDeserializer};

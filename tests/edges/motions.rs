@@ -2,7 +2,7 @@
 
 use newton_euler::integrate::{
     Classical4, ClosedForm, DormandPrince, DormandPrince8, Fixed, IntegrationError, Method,
-    Midpoint, Motion, Projected, TaylorSeries, Tsitouras5, cf4, taylor,
+    Midpoint, Motion, Projected, TaylorSeries, Tsitouras5, Verner9, cf4, taylor,
 };
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
@@ -152,6 +152,15 @@ fn in_equal_steps() {
         spun(),
         Fixed {
             method: DormandPrince8,
+            step,
+        },
+    );
+    check(
+        "Verner9",
+        Craft::default(),
+        spun(),
+        Fixed {
+            method: Verner9,
             step,
         },
     );

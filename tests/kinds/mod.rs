@@ -241,3 +241,13 @@ rigid_body!(Tethered {
     reactions: [string = _ * (position / 1[m])],
     outputs: [reactions],
 });
+
+rigid_body!(Stage {
+    doc: "Spun up about its axis while it falls.",
+    motion: spatial,
+    mass: 2[kg],
+    inertia: principal(0.3, 0.3, 0.1)[kg * m ^ 2],
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    moments: [motor = body(0, 0, 0.2)[N * m]],
+    outputs: [flow],
+});

@@ -75,7 +75,7 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
         let (time, rest) = (self.time, end - self.time);
         let step = self
             .path
-            .pace(time - self.start)
+            .pace(time - self.start.0)
             .min(rest.abs())
             .copysign(rest);
         let next = if step == rest { end } else { time + step };

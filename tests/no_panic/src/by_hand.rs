@@ -1,6 +1,8 @@
 //! What the runtime has for use by hand.
 
-use newton_euler::exact::{Elliptic, FreeRotation, Jacobi, LagrangeTop, Path, Pendulum, r_j};
+use newton_euler::exact::{
+    AxialTorque, Elliptic, FreeRotation, Jacobi, LagrangeTop, Path, Pendulum, r_j,
+};
 use newton_euler::inertia::{InertiaTensor, InvalidInertia};
 use newton_euler::nalgebra::{Matrix3, Quaternion, UnitQuaternion, UnitVector3, Vector3};
 use newton_euler::prelude::*;
@@ -106,7 +108,7 @@ crate::cannot_panic! {
     }
 
     fn free_rotation_at(motion: &FreeRotation, time: f64) -> (Rotation, f64) {
-        (motion.at(time), motion.pace())
+        (motion.at(time), motion.pace(time))
     }
 
     fn lagrange_top(moments: [f64; 2], axis: UnitVector3<f64>, couple: Vector3<f64>, state: &Rotation) -> LagrangeTop {
@@ -114,7 +116,15 @@ crate::cannot_panic! {
     }
 
     fn lagrange_top_at(motion: &LagrangeTop, time: f64) -> (Rotation, f64) {
-        (motion.at(time), motion.pace())
+        (motion.at(time), motion.pace(time))
+    }
+
+    fn axial_torque(moments: [f64; 2], axis: UnitVector3<f64>, torque: f64, state: &Rotation) -> AxialTorque {
+        AxialTorque::new(moments, axis, torque, state)
+    }
+
+    fn axial_torque_at(motion: &AxialTorque, time: f64) -> (Rotation, f64) {
+        (motion.at(time), motion.pace(time))
     }
 
     fn pendulum(rate: f64, hanging: f64, state: &Hinge) -> Pendulum {
@@ -122,6 +132,6 @@ crate::cannot_panic! {
     }
 
     fn pendulum_at(motion: &Pendulum, time: f64) -> (Hinge, f64) {
-        (motion.at(time), motion.pace())
+        (motion.at(time), motion.pace(time))
     }
 }

@@ -2,8 +2,8 @@
 
 use newton_euler::integrate::{
     Classical4, ClosedForm, DormandPrince, DormandPrince8, Event, Fixed, IntegrationError, Method,
-    Midpoint, Projected, Run, Sample, TaylorSeries, Tsitouras5, cf4_step, runge_kutta_step,
-    taylor_step,
+    Midpoint, Projected, Run, Sample, TaylorSeries, Tsitouras5, Verner9, cf4_step,
+    runge_kutta_step, taylor_step,
 };
 use newton_euler::prelude::*;
 
@@ -128,6 +128,7 @@ motions! {
     classical: Craft<f64>, Fixed<Classical4>;
     tsitouras: Craft<f64>, Fixed<Tsitouras5>;
     dormand_prince: Craft<f64>, Fixed<DormandPrince8>;
+    verner: Craft<f64>, Fixed<Verner9>;
     craft_adaptive: Craft<f64>, DormandPrince;
     turning_adaptive: Turning<f64>, DormandPrince;
     rotor_adaptive: Rotor<f64>, DormandPrince;

@@ -13,7 +13,7 @@ mod kinds;
 mod motions;
 
 use bits::Bits;
-use newton_euler::integrate::{Classical4, DormandPrince8, Midpoint, Tsitouras5};
+use newton_euler::integrate::{Classical4, DormandPrince8, Midpoint, Tsitouras5, Verner9};
 
 /// Compares what is computed with what is on record, and shows all that is another.
 #[track_caller]
@@ -124,6 +124,7 @@ fn motions_in_equal_steps() {
             motions::fixed(DormandPrince8),
             0xc2f2_0919_19e0_1ffe,
         ),
+        ("Verner9", motions::fixed(Verner9), 0),
     ]);
 }
 

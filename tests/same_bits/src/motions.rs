@@ -121,6 +121,7 @@ pub fn closed_forms() -> Bits {
     moved(&mut bits, &Top::<f64>::default(), ClosedForm);
     moved(&mut bits, &Pendulum::<f64>::default(), ClosedForm);
     moved(&mut bits, &Needle::default(), ClosedForm);
+    moved(&mut bits, &Stage::default(), ClosedForm);
     bits
 }
 

@@ -108,7 +108,7 @@ fn steps_over_any_scalar() {
 #[test]
 fn motions_in_equal_steps() {
     check([
-        ("Midpoint", motions::fixed(Midpoint), 0x8e87_102d_da0f_991b),
+        ("Midpoint", motions::fixed(Midpoint), 0xa11e_1097_6241_885d),
         (
             "Classical4",
             motions::fixed(Classical4),
@@ -124,7 +124,7 @@ fn motions_in_equal_steps() {
             motions::fixed(DormandPrince8),
             0xc2f2_0919_19e0_1ffe,
         ),
-        ("Verner9", motions::fixed(Verner9), 0),
+        ("Verner9", motions::fixed(Verner9), 0x2343_50cd_d517_a7ae),
     ]);
 }
 
@@ -152,7 +152,7 @@ fn closed_forms_and_single_series() {
         (
             "closed forms",
             motions::closed_forms(),
-            0xc0ec_cc5d_b155_e2c2,
+            0x1902_bdb1_a095_05a9,
         ),
         (
             "steps along series",
@@ -183,7 +183,7 @@ fn ensembles_in_every_width() {
     let all = thread.spawn(ensembles::all).expect("a thread");
     for (width, bits) in all.join().expect("ensembles") {
         println!("{width:?}");
-        check([("ensembles", bits, 0xda38_40a3_67f1_8c53)]);
+        check([("ensembles", bits, 0xc2bc_30c6_156e_0b21)]);
     }
 }
 

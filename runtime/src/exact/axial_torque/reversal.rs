@@ -68,7 +68,7 @@ impl Reversal {
             clippy::cast_sign_loss,
             reason = "a small whole number"
         )]
-        let node = &self.nodes[nearest as usize];
+        let node = &self.nodes[(nearest as usize).min(NODES - 1)];
         // τ in twice the precision: out there R turns by many radians for each unit
         let rest = (along - Twofold::from(nearest)).value();
         let r = advanced(node, self.across, nearest, rest);

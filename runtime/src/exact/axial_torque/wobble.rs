@@ -25,32 +25,31 @@ use coefficients::{LAG, ORDER, TILT};
 /// Real and imaginary part of z, from c, s and ε.
 pub(super) fn tilt(cosine: f64, sine: f64, ratio: f64) -> [f64; 2] {
     let square = cosine * cosine;
-    let (mut parts, mut power) = ([0.0; 2], sine);
-    for (n, coefficients) in TILT[..orders(ratio)].iter().enumerate() {
+    let (mut real, mut imaginary, mut power) = (0.0, 0.0, sine);
+    for (n, coefficients) in TILT.iter().take(orders(ratio)).enumerate() {
         power *= ratio;
         let odd = n % 2;
-        let even_part = (odd..=n)
-            .rev()
-            .step_by(2)
-            .fold(0.0, |sum, j| sum * square + coefficients[j]);
+        let polynomial = coefficients.iter().take(n + 1).skip(odd).step_by(2).rev();
+        let even_part = polynomial.fold(0.0, |sum, coefficient| sum * square + coefficient);
         let size = power
             * if odd == 1 {
                 cosine * even_part
             } else {
                 even_part
             };
-        parts[odd] += if n % 4 < 2 { size } else { -size };
+        let part = if odd == 1 { &mut imaginary } else { &mut real };
+        *part += if n % 4 < 2 { size } else { -size };
     }
-    parts
+    [real, imaginary]
 }
 
 /// `Ψ - ∫ λ dt`, from |c| and ε.
 pub(super) fn lag(cosine: f64, ratio: f64) -> f64 {
     let factor = ratio / (1.0 + cosine);
     let (square, mut power, mut sum) = (factor * factor, factor, 0.0);
-    for (k, coefficients) in LAG[..orders(ratio).div_ceil(2)].iter().enumerate() {
+    for (k, coefficients) in LAG.iter().take(orders(ratio).div_ceil(2)).enumerate() {
         let degree = 4 * k + 2;
-        let polynomial = coefficients[..=degree].iter().rev();
+        let polynomial = coefficients.iter().take(degree + 1).rev();
         sum += power * polynomial.fold(0.0, |sum, coefficient| sum * cosine + coefficient);
         power *= square;
     }

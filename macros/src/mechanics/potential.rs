@@ -182,46 +182,31 @@ fn turning(model: &mut Model, turn: &Turn, slope: Components) -> Components {
             let back = model.frames.turn(slope, Frame::Body);
             model.frames.graph.cross(back, turn.vector)
         }
-        Frame::Body => match beside(model, turn, slope) {
-            Some((factor, arm, direction)) => {
-                let graph = &mut model.frames.graph;
-                let turning = graph.cross(arm, direction);
-                graph.scale_vector(factor, turning)
-            }
-            None => match model.frames.common_factor(slope) {
-                Some((factor, slope)) => {
-                    let graph = &mut model.frames.graph;
-                    let turning = graph.cross(turn.turned, slope);
-                    graph.scale_vector(factor, turning)
-                }
-                None => model.frames.graph.cross(turn.turned, slope),
-            },
-        },
+        Frame::Body => {
+            let (factor, slope) = beside(model, turn, slope);
+            let graph = &mut model.frames.graph;
+            let turning = graph.cross(turn.turned, slope);
+            graph.scale_vector(factor, turning)
+        }
     }
 }
 
-/// A slope `s (c r + b)` along the turned vector r, c known early, as s, `-b / c` and the rest: `r x (c r + b)` is `-b / c` times that,
-/// where what is far away is not there to cancel.
-fn beside(
-    model: &mut Model,
-    turn: &Turn,
-    slope: Components,
-) -> Option<(Id, Components, Components)> {
-    let (mut factor, mut direction) = (model.frames.graph.one(), slope);
-    while let Some((part, rest)) = model.frames.common_factor(direction) {
+/// A slope `s (c r + b)` beside the turned vector r, as s and b: of `r x (c r + b)` the part along r is left out, which only rounding would
+/// keep, the more the farther r reaches. Where c is not known early, b is all of the bracket.
+fn beside(model: &mut Model, turn: &Turn, slope: Components) -> (Id, Components) {
+    let (mut factor, mut rest) = (model.frames.graph.one(), slope);
+    while let Some((part, others)) = model.frames.common_factor(rest) {
         factor = model.frames.graph.multiply(factor, part);
-        direction = rest;
+        rest = others;
     }
     let place: HashSet<Id> = turn.turned.into_iter().collect();
-    let common = common_rate(model, direction, turn.turned, &place)?;
-    let graph = &mut model.frames.graph;
-    let zero = graph.zero();
-    let rest = graph.substitute(&direction, |id| place.contains(&id).then_some(zero));
-    let arm = [0, 1, 2].map(|axis| {
-        let part = graph.divide(rest[axis], common);
-        graph.negate(part)
-    });
-    Some((factor, arm, direction))
+    if common_rate(model, rest, turn.turned, &place).is_some() {
+        let graph = &mut model.frames.graph;
+        let zero = graph.zero();
+        let others = graph.substitute(&rest, |id| place.contains(&id).then_some(zero));
+        rest = [others[0], others[1], others[2]];
+    }
+    (factor, rest)
 }
 
 /// The symbols that say where the body is: of the displacement, the attitude and turned vectors.

@@ -2,7 +2,7 @@
 
 use newton_euler::integrate::{
     Classical4, ClosedForm, DormandPrince, DormandPrince8, Fixed, IntegrationError, Method,
-    Midpoint, Motion, Projected, TaylorSeries, Tsitouras5, Verner9, cf4, taylor,
+    Midpoint, Motion, Projected, RungeKutta, TaylorSeries, Tsitouras5, Verner9, cf4, taylor,
 };
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
@@ -118,52 +118,15 @@ fn hanging() -> Planar {
 
 #[test]
 fn in_equal_steps() {
-    let step = 0.03;
-    check(
-        "Midpoint",
-        Craft::default(),
-        spun(),
-        Fixed {
-            method: Midpoint,
-            step,
-        },
-    );
-    check(
-        "Classical4",
-        Craft::default(),
-        spun(),
-        Fixed {
-            method: Classical4,
-            step,
-        },
-    );
-    check(
-        "Tsitouras5",
-        Craft::default(),
-        spun(),
-        Fixed {
-            method: Tsitouras5,
-            step,
-        },
-    );
-    check(
-        "DormandPrince8",
-        Craft::default(),
-        spun(),
-        Fixed {
-            method: DormandPrince8,
-            step,
-        },
-    );
-    check(
-        "Verner9",
-        Craft::default(),
-        spun(),
-        Fixed {
-            method: Verner9,
-            step,
-        },
-    );
+    fn by(what: &'static str, method: impl RungeKutta + 'static) {
+        let step = 0.03;
+        check(what, Craft::default(), spun(), Fixed { method, step });
+    }
+    by("Midpoint", Midpoint);
+    by("Classical4", Classical4);
+    by("Tsitouras5", Tsitouras5);
+    by("DormandPrince8", DormandPrince8);
+    by("Verner9", Verner9);
 }
 
 #[test]

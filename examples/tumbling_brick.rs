@@ -250,7 +250,7 @@ fn main() {
     println!("case 2, no load: p, q, r in deg/s after 30 s");
     row("closed form", &degrees(&end.angular_velocity));
     row(
-        "in 40 digits, rounded",
+        "in 60 digits, rounded",
         &[12.618390775914, -17.397474761611, 31.119588886944],
     );
     for (name, published) in TURNS {

@@ -88,7 +88,7 @@ pub fn plane_bodies() -> Vec<Record> {
     let plain = f64::from(u8::from(!is_triangle([0.7, 0.1, 0.8])));
     records.push(
         Record::fails(
-            "numbers, (0.7, 0.1, 0.8), error of its coupling",
+            "numbers, (0.7, 0.1, 0.8): refused, or error of its coupling",
             plain,
             1.0,
         )

@@ -393,3 +393,28 @@ fn moments_do_not_see_far_distances() {
     let largest = arm.norm() * applied.force.norm();
     assert!((applied.moment - arm.cross(&applied.force)).norm() <= 8.0 * f64::EPSILON * largest);
 }
+
+/// Springs of one potential whose stiffnesses vanish, or cancel, or nearly: their sum divides nothing.
+#[test]
+fn stiffnesses_that_cancel() {
+    let state = Spatial {
+        position: [0.3, -0.2, 0.1].into(),
+        attitude: newton_euler::attitude::exp(&[0.4, -0.3, 0.2].into()),
+        ..Spatial::default()
+    };
+    let wall = Vector3::new(3.0, 2.0, -1.0);
+    for (k, h) in [(0.0, 0.0), (2.0, -2.0), (1.0, -1.0 + 1e-13), (1.5, 0.0)] {
+        let braced = scenes::Braced::new(scenes::BracedParams { k, h }).unwrap();
+        let arms = [Vector3::new(0.5, 0.0, 0.25), Vector3::new(0.0, -0.5, 0.0)];
+        let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        for (stiffness, arm) in [k, h].into_iter().zip(arms) {
+            let arm = state.attitude * arm;
+            let pull = stiffness * (wall - state.position - arm);
+            force += pull;
+            moment += arm.cross(&pull);
+        }
+        let applied = braced.applied(0.0, &state, &());
+        assert!((applied.force - force).norm() < 1e-14, "{k}, {h}");
+        assert!((applied.moment - moment).norm() < 1e-14, "{k}, {h}");
+    }
+}

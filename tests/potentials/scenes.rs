@@ -174,3 +174,21 @@ newton_euler::rigid_body!(Guided {
     reactions: [guide = moment(world(_, _, _))],
     outputs: [balance, reactions],
 });
+
+newton_euler::rigid_body!(Braced {
+    doc: "Two springs to one place, of stiffnesses that may vanish or cancel.",
+    motion: spatial,
+    params: [k = 1[N / m], h = 1[N / m]],
+    mass: 2,
+    inertia: principal(1, 2, 2.5),
+    points: [
+        tip = (0.5, 0, 0.25),
+        foot = (0, -0.5, 0),
+        wall = world(3, 2, -1)
+    ],
+    potentials: [
+        springs = k / 2 * (tip.position() - wall.position()).norm_squared()
+            + h / 2 * (foot.position() - wall.position()).norm_squared(),
+    ],
+    outputs: [balance],
+});

@@ -46,17 +46,16 @@ pub fn screen(tokens: TokenStream, errors: &mut Errors) -> Option<Screened> {
 
 /// The token at which a limit is crossed, found without recursion.
 fn crossed_limit(tokens: &TokenStream) -> Option<(Span, String)> {
-    if let Some(token) = token_beyond(tokens, TOKENS) {
+    if let Some(group) = group_beyond(tokens, NESTING) {
         let message = format!(
-            "here this expression has more than {TOKENS} tokens: name parts of it as `locals`"
+            "brackets nested more than {NESTING} deep: name parts of this expression as `locals`"
         );
-        return Some((start(&token), message));
+        return Some((group.span_open(), message));
     }
-    let group = group_beyond(tokens, NESTING)?;
-    let message = format!(
-        "brackets nested more than {NESTING} deep: name parts of this expression as `locals`"
-    );
-    Some((group.span_open(), message))
+    let token = token_beyond(tokens, TOKENS)?;
+    let message =
+        format!("here this expression has more than {TOKENS} tokens: name parts of it as `locals`");
+    Some((start(&token), message))
 }
 
 pub fn too_deep() -> String {

@@ -129,7 +129,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         self.course(end).seek(end)
     }
 
-    /// The states of all members at the start and every so many seconds after, up to the end \[s\], that included; the ensemble itself moves along.
+    /// The states of all members at the start and every so many seconds after, up to the end \[s\]; that is the last of them if it is a whole number of
+    /// periods away. The ensemble itself moves along, and stays at the last.
     /// Unlike those of one body, steps end at the samples. An error is the last item.
     pub fn samples(self, end: f64, period: f64) -> EnsembleSamples<'e, B, M, C>
     where

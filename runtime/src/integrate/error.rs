@@ -76,7 +76,7 @@ impl<S> fmt::Display for IntegrationError<S> {
             Self::NotFinite { time, .. } => write!(f, "the motion is not finite after {time} s"),
             Self::StepTooSmall { time, step, .. } => write!(
                 f,
-                "at {time} s the step is {step:e} s, which is lost in rounding"
+                "at {time} s the step or period is {step:e} s, which is not positive or lost in rounding"
             ),
             Self::Inconsistent { time, violated, .. } => write!(f, "at {time} s: {violated}"),
         }

@@ -52,8 +52,12 @@ impl Iterator for Instants {
         if self.next == self.count {
             return None;
         }
-        let time = self.start + self.period * exact(self.next);
+        let passed = self.next;
         self.next += 1;
+        if passed == 0 {
+            return Some(self.start);
+        }
+        let time = self.start + self.period * exact(passed);
         Some(if self.period > 0.0 {
             time.min(self.end)
         } else {

@@ -218,7 +218,7 @@ where
         Ok(course.run.state())
     }
 
-    /// The states at the start and every so many seconds after, up to the end \[s\], that included. Steps are as long as they would be otherwise.
+    /// The states at the start and every so many seconds after, up to the end \[s\]; that is the last of them if it is a whole number of periods away. Steps are as long as they would be otherwise.
     pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B> {
         Samples::new(self.course(end), period)
     }

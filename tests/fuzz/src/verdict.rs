@@ -93,7 +93,7 @@ fn judge(output: TokenStream) -> Result<Answer, Failure> {
         if is_error {
             answer = Answer::Rejected;
             let message = syn::parse2::<syn::LitStr>(item.mac.tokens.clone());
-            if message.is_ok_and(|message| message.value().trim().is_empty()) {
+            if !message.is_ok_and(|message| !message.value().trim().is_empty()) {
                 return Err(Failure::Wordless);
             }
         }

@@ -1,7 +1,7 @@
 //! Each load by itself: its force, its moment about G and about the point that is held, its potential.
 
 use crate::description::body::{Input, Key, Load, Local, Param, What};
-use crate::description::expression::{Axes, Place, Scalar, Vector as Written};
+use crate::description::expression::{Axes, Condition, Place, Scalar, Vector as Written};
 
 use super::arithmetic::Values;
 use super::inertia::sum;
@@ -126,55 +126,74 @@ fn is_uniform(scene: &Scene<'_>, vector: &Written, place: &Place) -> bool {
         Place::Named(i) => body.points[*i].axes == Axes::Body,
         Place::Shifted(..) => false,
     };
-    is_on_body && is_constant_vector(scene, vector)
+    is_on_body && is_fixed(scene, Axes::World, vector)
 }
 
-fn is_constant_vector(scene: &Scene<'_>, vector: &Written) -> bool {
+/// Whether the components in these axes are the same for every state.
+fn is_fixed(scene: &Scene<'_>, axes: Axes, vector: &Written) -> bool {
     let body = scene.constants.body;
-    let turns = |axes: Axes| axes == Axes::Body && body.motion.turns();
-    let vectors =
-        |a: &Written, b: &Written| is_constant_vector(scene, a) && is_constant_vector(scene, b);
+    let are = |own: Axes| own == axes || !body.motion.turns();
+    let fixed = |a: &Written| is_fixed(scene, axes, a);
     match vector {
-        Written::Written(axes, components) => {
-            !turns(*axes)
-                && components
-                    .iter()
-                    .all(|component| is_constant(scene, component))
+        Written::Written(own, components) => {
+            are(*own) && components.iter().all(|one| is_constant(scene, one))
         }
-        Written::Param(i) => !matches!(body.params[*i], Param::Vector(axes, _) if turns(axes)),
-        Written::Input(i) => !matches!(body.inputs[*i], Input::Vector(axes) if turns(axes)),
+        Written::Param(i) => matches!(body.params[*i], Param::Vector(own, _) if are(own)),
+        Written::Input(i) => matches!(body.inputs[*i], Input::Vector(own) if are(own)),
         Written::Local(i) => match &body.locals[*i] {
-            Local::Vector(vector) => is_constant_vector(scene, vector),
+            Local::Vector(vector) => fixed(vector),
             Local::Scalar(_) => false,
         },
-        Written::Cross(a, b) => is_parallel(scene, a, b) || vectors(a, b),
-        Written::Sum(a, b) | Written::Difference(a, b) => vectors(a, b),
-        Written::Negative(a) | Written::Normalized(a) => is_constant_vector(scene, a),
+        Written::Cross(a, b) => is_parallel(scene, a, b) || fixed(a) && fixed(b),
+        Written::Sum(a, b) | Written::Difference(a, b) => fixed(a) && fixed(b),
+        Written::Negative(a) | Written::Normalized(a) => fixed(a),
         Written::Scaled(s, a) | Written::Over(a, s) | Written::Turned(s, a) => {
-            is_constant(scene, s) && is_constant_vector(scene, a)
+            is_constant(scene, s) && fixed(a)
         }
+        Written::If(condition, a, b) => is_decided(scene, condition) && fixed(a) && fixed(b),
         _ => false,
     }
 }
 
+/// Whether it is the same for every state.
 fn is_constant(scene: &Scene<'_>, scalar: &Scalar) -> bool {
+    let constant = |a: &Scalar| is_constant(scene, a);
+    let fixed = |vectors: &[&Written]| {
+        let in_axes = |axes: Axes| vectors.iter().all(|vector| is_fixed(scene, axes, vector));
+        in_axes(Axes::World) || in_axes(Axes::Body)
+    };
     match scalar {
         Scalar::Literal(_) | Scalar::Param(_) | Scalar::Input(_) | Scalar::Time | Scalar::Mass => {
             true
         }
         Scalar::Local(i) => match &scene.constants.body.locals[*i] {
-            Local::Scalar(scalar) => is_constant(scene, scalar),
+            Local::Scalar(scalar) => constant(scalar),
             Local::Vector(_) => false,
         },
-        Scalar::Negative(a) | Scalar::Unary(_, a) | Scalar::Power(a, _) => is_constant(scene, a),
+        Scalar::Component(vector, axes, _) => is_fixed(scene, *axes, vector),
+        Scalar::Norm(a) | Scalar::NormSquared(a) => fixed(&[a]),
+        Scalar::Dot(a, b) => fixed(&[a, b]),
         // whatever these are, nothing is left
-        Scalar::PlaneCross(a, b) => is_parallel(scene, a, b),
+        Scalar::PlaneCross(a, b) => is_parallel(scene, a, b) || fixed(&[a, b]),
+        Scalar::Negative(a) | Scalar::Unary(_, a) | Scalar::Power(a, _) => constant(a),
         Scalar::Sum(a, b)
         | Scalar::Difference(a, b)
         | Scalar::Product(a, b)
         | Scalar::Quotient(a, b)
-        | Scalar::Binary(_, a, b) => is_constant(scene, a) && is_constant(scene, b),
-        _ => false,
+        | Scalar::Binary(_, a, b) => constant(a) && constant(b),
+        Scalar::If(condition, a, b) => is_decided(scene, condition) && constant(a) && constant(b),
+        Scalar::Angle | Scalar::AngularRate | Scalar::Attitude(_) => false,
+    }
+}
+
+/// Whether it holds for every state or for none.
+fn is_decided(scene: &Scene<'_>, condition: &Condition) -> bool {
+    match condition {
+        Condition::Less(a, b) | Condition::AtLeast(a, b) => {
+            is_constant(scene, a) && is_constant(scene, b)
+        }
+        Condition::And(a, b) | Condition::Or(a, b) => is_decided(scene, a) && is_decided(scene, b),
+        Condition::Not(a) => is_decided(scene, a),
     }
 }
 

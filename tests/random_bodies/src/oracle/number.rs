@@ -104,7 +104,10 @@ impl Number {
             Unary::Atan => (x.atan2(one), 1.0 / (1.0 + v * v)),
             Unary::Sinh => (x.sinh(), x.cosh().high),
             Unary::Cosh => (x.cosh(), x.sinh().high),
-            Unary::Tanh => (x.sinh() / x.cosh(), x.cosh().high.powi(-2)),
+            Unary::Tanh => {
+                let value = x.tanh();
+                (value, (one - value * value).high)
+            }
             Unary::Abs => (x.abs(), 1.0),
             Unary::Signum => (v.signum().into(), 0.0),
             Unary::Floor => (x.floor(), 0.0),

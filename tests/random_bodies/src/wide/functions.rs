@@ -64,6 +64,14 @@ impl Wide {
         (e + Self::ONE / e) * 0.5
     }
 
+    /// One, to all digits, from 40 on: where the others are too large for doubles, too.
+    pub fn tanh(self) -> Self {
+        if self.high.abs() > 40.0 {
+            return self.high.signum().into();
+        }
+        self.sinh() / self.cosh()
+    }
+
     /// Halley's method.
     pub fn cbrt(self) -> Self {
         let root = Self::from(self.high.cbrt());
@@ -99,7 +107,7 @@ mod tests {
     type Function = fn(Wide) -> Wide;
 
     /// Values of mpmath 1.3 at 400 bits, each split into two doubles.
-    const TABLE: [(Function, f64, [f64; 2]); 22] = [
+    const TABLE: [(Function, f64, [f64; 2]); 25] = [
         (
             Wide::exp,
             0.7,
@@ -175,6 +183,13 @@ mod tests {
             0.7,
             [0.8879040017426006, 4.3733757090121296e-17],
         ),
+        (
+            Wide::tanh,
+            -0.7,
+            [-0.6043677771171635, 2.7916180015425346e-17],
+        ),
+        (Wide::tanh, 39.0, [1.0, -2.6672296310045227e-34]),
+        (Wide::tanh, -400000.0, [-1.0, 0.0]),
         (Wide::cbrt, 1e-09, [0.001, -5.615122579506676e-23]),
         (
             |x| (-x).atan2(-Wide::ONE),

@@ -22,11 +22,11 @@ pub fn tensor(entries: &[f64; 6]) -> Verdict {
     let [xx, yy, zz, ..] = &exact;
     let largest = xx.max(yy).max(zz).clone();
     let slack = largest * rational(64.0 * f64::EPSILON);
-    let has_negative = exact[..3].iter().any(|moment| *moment < RBig::ZERO);
-    if has_negative || !second_moments(&exact, &slack) {
-        return Verdict::Impossible;
+    if second_moments(&exact, &slack) {
+        Verdict::Marginal
+    } else {
+        Verdict::Impossible
     }
-    Verdict::Marginal
 }
 
 /// Whether a tensor, less this on its diagonal, is positive definite.

@@ -25,6 +25,8 @@ pub use width::Width;
 pub struct Lanes<S: Register> {
     simd: S,
     numbers: S::f64s,
+    /// Nothing, in the place that is best for a register.
+    aligned: [S::Aligned; 0],
 }
 
 impl<S: Register> Lanes<S> {
@@ -34,7 +36,11 @@ impl<S: Register> Lanes<S> {
     /// The numbers of a register.
     #[inline(always)]
     pub fn new(simd: S, numbers: S::f64s) -> Self {
-        Self { simd, numbers }
+        Self {
+            simd,
+            numbers,
+            aligned: [],
+        }
     }
 
     /// The same number in all lanes.

@@ -76,46 +76,38 @@ pub fn runge_kutta_step<M: RungeKutta, B: RigidBody<Scalar: Scalar, State: Coord
     B::State::from_coordinates(&coordinates)
 }
 
-/// `start + h (a₁ k₁ + a₂ k₂ + ..)`, coordinate by coordinate.
+/// `start + (h a₁ k₁ + h a₂ k₂ + ..)`, coordinate by coordinate.
 #[inline(always)]
 fn moved<S: Coordinates, const M: usize>(
     start: &S::Array,
     step: S::Scalar,
     terms: [(f64, &S::Array); M],
 ) -> S::Array {
-    let mut moved = *start;
-    for (place, coordinate) in moved.as_mut().iter_mut().enumerate() {
-        *coordinate += step * weighted::<S, M>(&terms, place, step);
+    let mut moved = change::<S, M>(step, terms);
+    for (coordinate, start) in moved.as_mut().iter_mut().zip(start.as_ref()) {
+        *coordinate += *start;
     }
     moved
 }
 
-/// `h (a₁ k₁ + a₂ k₂ + ..)`, coordinate by coordinate.
+/// `h a₁ k₁ + h a₂ k₂ + ..`, coordinate by coordinate.
+///
+/// The factors h a are those of all coordinates, and in equal steps of all steps: they are computed once.
 #[inline(always)]
 fn change<S: Coordinates, const M: usize>(
     step: S::Scalar,
     terms: [(f64, &S::Array); M],
 ) -> S::Array {
-    let mut change = S::Array::default();
+    let factor = |weight: f64| number(step, weight) * step;
+    let (first, rates) = terms[0];
+    let mut change = *rates;
     for (place, coordinate) in change.as_mut().iter_mut().enumerate() {
-        *coordinate = step * weighted::<S, M>(&terms, place, step);
+        *coordinate *= factor(first);
+        for (weight, rates) in &terms[1..] {
+            *coordinate += factor(*weight) * rates.as_ref()[place];
+        }
     }
     change
-}
-
-/// `a₁ k₁ + a₂ k₂ + ..`, of one coordinate.
-#[inline(always)]
-fn weighted<S: Coordinates, const M: usize>(
-    terms: &[(f64, &S::Array); M],
-    place: usize,
-    like: S::Scalar,
-) -> S::Scalar {
-    let (first, rates) = terms[0];
-    let mut sum = number(like, first) * rates.as_ref()[place];
-    for (weight, rates) in &terms[1..] {
-        sum += number(like, *weight) * rates.as_ref()[place];
-    }
-    sum
 }
 
 /// A coefficient as a scalar.

@@ -100,8 +100,8 @@ fn evaluations_in_single_precision() {
 #[test]
 fn steps_over_any_scalar() {
     check([
-        ("f64", motions::steps_of::<f64>(), 0x1b07_ae25_a2fb_f728),
-        ("f32", motions::steps_of::<f32>(), 0xef64_2655_04e6_b2ee),
+        ("f64", motions::steps_of::<f64>(), 0x4fee_e768_859c_6e22),
+        ("f32", motions::steps_of::<f32>(), 0x49f8_0e90_019c_2590),
     ]);
 }
 
@@ -112,35 +112,35 @@ fn motions_in_equal_steps() {
         (
             "Classical4",
             motions::fixed(Classical4),
-            0x4ec5_ff6c_12eb_d6e1,
+            0xec03_91e0_e980_e9c4,
         ),
         (
             "Tsitouras5",
             motions::fixed(Tsitouras5),
-            0x575b_0a12_d789_71a1,
+            0x09ae_8ec0_5dd7_05e4,
         ),
         (
             "DormandPrince8",
             motions::fixed(DormandPrince8),
-            0xc2f2_0919_19e0_1ffe,
+            0x5ade_df52_ce98_fb49,
         ),
-        ("Verner9", motions::fixed(Verner9), 0x2343_50cd_d517_a7ae),
+        ("Verner9", motions::fixed(Verner9), 0x145a_b864_a746_befc),
     ]);
 }
 
 #[test]
 fn motions_by_tolerance() {
     check([
-        ("DOP853", motions::adaptive(), 0xa4ab_e04e_3901_ac2d),
+        ("DOP853", motions::adaptive(), 0x0edf_0408_7b98_fda4),
         (
             "on constraints",
             motions::projected(),
-            0x88f0_3c34_14d9_e959,
+            0xf0d5_b323_8376_6736,
         ),
         (
             "controller, events",
             motions::controlled(),
-            0x14ef_5f1d_0b30_6ad6,
+            0xaca4_7d48_3ad6_1ba7,
         ),
     ]);
 }
@@ -183,7 +183,7 @@ fn ensembles_in_every_width() {
     let all = thread.spawn(ensembles::all).expect("a thread");
     for (width, bits) in all.join().expect("ensembles") {
         println!("{width:?}");
-        check([("ensembles", bits, 0xc2bc_30c6_156e_0b21)]);
+        check([("ensembles", bits, 0x9e31_7821_667d_24c7)]);
     }
 }
 

@@ -26,7 +26,7 @@ pub struct Lanes<S: Register> {
     simd: S,
     numbers: S::f64s,
     /// Nothing, in the place that is best for a register.
-    aligned: [S::Aligned; 0],
+    _place: [S::Aligned; 0],
 }
 
 impl<S: Register> Lanes<S> {
@@ -39,7 +39,7 @@ impl<S: Register> Lanes<S> {
         Self {
             simd,
             numbers,
-            aligned: [],
+            _place: [],
         }
     }
 

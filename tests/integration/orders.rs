@@ -158,7 +158,7 @@ fn a_kick_after_rest() {
         .integrate(&Translation::default())
         .to(20.0)
         .unwrap();
-    assert!((end.position.x - 14.5).abs() < 1e-7, "{end:?}");
+    assert!((end.position.x - 14.5).abs() < 1e-6, "{end:?}");
 }
 
 /// There and back again.

@@ -1,9 +1,11 @@
 //! Sums of products laid out in registers: each sum in a lane, its products one after another.
 
+use std::iter::{once, repeat_n};
+
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::symbolic::{Sum, Term};
+use crate::symbolic::{Id, Sum, Term};
 
 /// Numbers in a register.
 const REGISTER: usize = 8;
@@ -27,6 +29,7 @@ pub struct Batch<'r> {
 pub struct Part<'r> {
     pub sum: &'r Sum,
     terms: &'r [Term],
+    linear: &'r [(Id, Id)],
 }
 
 /// The sums in batches, by level.
@@ -68,13 +71,23 @@ fn best_count(sums: &[Sum]) -> usize {
 
 fn parts(sums: &[Sum], count: usize) -> impl Iterator<Item = Part<'_>> {
     sums.iter().flat_map(move |sum| {
-        let terms = sum.terms.chunks(count);
-        terms.map(move |terms| Part { sum, terms })
+        let (first, rest) = sum.terms.split_at(count.min(sum.terms.len()));
+        let first = Part {
+            sum,
+            terms: first,
+            linear: &sum.linear,
+        };
+        let rest = rest.chunks(count).map(move |terms| Part {
+            sum,
+            terms,
+            linear: &[],
+        });
+        once(first).chain(rest)
     })
 }
 
 /// Up to two lanes are left alone; more fill registers of four.
-fn filled(lanes: usize) -> usize {
+pub fn filled(lanes: usize) -> usize {
     match lanes {
         1 | 2 => lanes,
         _ => lanes.next_multiple_of(REGISTER / 2),
@@ -96,16 +109,30 @@ impl Batch<'_> {
 
     /// `[[term, ..], ..]`, lane by lane.
     pub fn rows(&self, fill: &TokenStream, term: impl Fn(&Term) -> TokenStream) -> TokenStream {
-        let count = Literal::usize_unsuffixed(self.count);
-        let empty = quote!([#fill; #count]);
-        let rows = self.parts.iter().map(|part| {
-            let terms = part.terms.iter().map(&term);
-            let rest = core::iter::repeat_n(fill, self.count - part.terms.len());
-            let terms = terms.chain(rest.cloned());
-            quote!([#(#terms),*])
+        let rows = self.parts.iter().map(|part| part.terms.iter().map(&term));
+        self.filled(rows, self.count, fill)
+    }
+
+    /// `[[(weight, coefficient), ..], ..]`, lane by lane, of what is added to the products, if there is anything.
+    pub fn linear(&self, term: impl Fn(&(Id, Id)) -> TokenStream) -> Option<TokenStream> {
+        let most = self.parts.iter().map(|part| part.linear.len()).max()?;
+        let rows = self.parts.iter().map(|part| part.linear.iter().map(&term));
+        (most > 0).then(|| self.filled(rows, most, &quote!((0.0, 0.0))))
+    }
+
+    fn filled(
+        &self,
+        rows: impl Iterator<Item = impl Iterator<Item = TokenStream>>,
+        count: usize,
+        fill: &TokenStream,
+    ) -> TokenStream {
+        let rows = rows.map(|row| {
+            let row = row.chain(repeat_n(fill.clone(), count)).take(count);
+            quote!([#(#row),*])
         });
-        let rest = core::iter::repeat_n(&empty, self.lanes - self.parts.len());
-        let rows = rows.chain(rest.cloned());
+        let count = Literal::usize_unsuffixed(count);
+        let empty = quote!([#fill; #count]);
+        let rows = rows.chain(repeat_n(empty, self.lanes - self.parts.len()));
         quote!([#(#rows),*])
     }
 

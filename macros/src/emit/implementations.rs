@@ -347,11 +347,7 @@ fn emit_taylor(outline: &Outline, functions: &Functions) -> TokenStream {
     let time = function.argument(Source::Time, "time");
     let input = function.argument(Source::Input, "input");
     let (state, series) = (local("state"), local("series"));
-    let products = local(if functions.product_count == 0 {
-        "_products"
-    } else {
-        "products"
-    });
+    let products = local("products");
     let (lints, body) = (function.lints(), &function.body);
     let axes = functions.axes.as_ref().map(|axes| {
         let (state, time) = (

@@ -22,6 +22,7 @@ mod scalar;
 mod shapes;
 mod structure;
 mod taylor;
+mod taylor_names;
 mod text;
 
 use proc_macro2::TokenStream;

@@ -98,6 +98,7 @@ impl Body<'_> {
                 operand(a).zip(operand(b)).map(|(a, b)| format!("{a}_{b}")),
                 "product",
             ),
+            Node::Negate(a) => (operand(a).map(|a| format!("minus_{a}")), "opposite"),
             Node::Unary(function, a) => {
                 let name = function.name();
                 (operand(a).map(|a| format!("{name}_{a}")), name)

@@ -3,32 +3,36 @@
 //! ```text
 //! products.start::<0, 8, 3>([[(0.5, qy, wz), (-0.5, qz, wy), (0.5, qw, wx)], ..]);
 //! series.start(state);
-//! let mut rates = [..];
+//! let mut rates = products.times([..], 1.0);
 //! for n in 1..COUNT - 1 {
-//!     let [qx_n, ..] = series.extend(n, rates);
+//!     let [qx_n, ..] = series.extend(products, n, rates);
 //!     let [qx_rate_n, ..] = products.terms::<0, 8, 3>(n, [[(qy_n, wz_n), (qz_n, wy_n), (qw_n, wx_n)], ..]);
 //!     rates = [..];
 //! }
-//! series.extend(COUNT - 1, rates);
+//! series.extend(products, COUNT - 1, rates);
 //! ```
+//!
+//! Where the sums are the rates of all coordinates, they go on as they are.
 
 use std::collections::{BTreeSet, HashMap};
+use std::iter::repeat_n;
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{ToTokens, quote};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
 use crate::mechanics::{Axes, Taylor};
-use crate::symbolic::{Graph, Id, Node, Origin, Program, Recurrences, Stage, Sum, Term};
+use crate::symbolic::{Graph, Id, Node, Program, Recurrences, Stage, Term};
 
-use super::batch::{Batch, batches};
-use super::code::{Body, Fields, Source, Writer};
+use super::batch::{Batch, batches, filled};
+use super::code::{Body, Source, Writer};
 use super::expression::Precedence;
 use super::functions::Function;
 use super::naming::local;
 use super::scalar::{Scalar, number_literal};
+use super::taylor_names::{name_coefficients, name_results, name_sums};
 
 /// Names that the method has beside those of all functions.
-const TAKEN: [&str; 4] = ["n", "products", "series", "rates"];
+const TAKEN: [&str; 5] = ["n", "products", "series", "rates", "sums"];
 
 /// The method that expands a motion.
 pub struct Expansion {
@@ -103,7 +107,14 @@ fn of_order(recurrences: &Recurrences) -> BTreeSet<Id> {
 fn of_each_order(recurrences: &Recurrences) -> Vec<Id> {
     let factors = terms(recurrences).flat_map(|term| term.factors);
     let factors = factors.map(|factor| factor.next);
-    recurrences.rates.iter().copied().chain(factors).collect()
+    let linear = linear(recurrences).map(|(_, next)| *next);
+    let rates = recurrences.rates.iter().copied();
+    rates.chain(factors).chain(linear).collect()
+}
+
+/// What is added to the sums of products: weights, and coefficients.
+fn linear(recurrences: &Recurrences) -> impl Iterator<Item = &(Id, Id)> {
+    recurrences.sums.iter().flat_map(|sum| &sum.linear)
 }
 
 fn terms(recurrences: &Recurrences) -> impl Iterator<Item = &Term> {
@@ -129,6 +140,8 @@ fn held(graph: &Graph, recurrences: &Recurrences) -> BTreeSet<Id> {
         let is_held = |operand: &Id| !moves.contains(operand) && !graph.is_early(*operand);
         held.extend(operands.filter(is_held));
     }
+    let weights = linear(recurrences).map(|(weight, _)| *weight);
+    held.extend(weights.filter(|weight| !graph.is_early(*weight)));
     held
 }
 
@@ -174,33 +187,19 @@ fn start(
     let values = coordinates(body, &recurrences.start);
     tokens.extend(quote! {
         #series.start(#state);
-        let mut #rates = [#(#values),*];
+        let mut #rates = #products.times([#(#values),*], 1.0);
     });
     tokens
 }
 
-/// The n-th coefficients of quotients and functions are called after these.
-fn name_results(body: &mut Body<'_>, recurrences: &Recurrences) -> Fields {
-    let graph = &body.writer.model.frames.graph;
-    let results = recurrences.results.iter();
-    let computed = results.filter(|(_, next)| !matches!(graph.node(*next), Node::Symbol(_)));
-    let named = computed.map(|(result, next)| (*next, name_after(body, *result, "n")));
-    Fields(named.collect())
-}
-
-/// A name after that of an expression at the start, or after what it is.
-fn name_after(body: &mut Body<'_>, id: Id, suffix: &str) -> Ident {
-    let known = body.names.get(&id).map(ToString::to_string);
-    let base = known.unwrap_or_else(|| body.describe(id));
-    body.unique(&format!("{base}_{suffix}"))
-}
-
-/// The rates of the coordinates, without that of time.
+/// The rates of the coordinates, without that of time, and what fills the last register.
 fn coordinates(body: &Body<'_>, rates: &[Id]) -> Vec<TokenStream> {
     let rates = rates.split_last().map_or(rates, |(_, rates)| rates);
+    let rest = filled(rates.len()) - rates.len();
     rates
         .iter()
         .map(|rate| body.expression(*rate, Precedence::Lowest))
+        .chain(repeat_n(quote!(0.0), rest))
         .collect()
 }
 
@@ -235,49 +234,48 @@ fn orders(body: &mut Body<'_>, taylor: &Taylor, batches: &[Batch<'_>]) -> TokenS
                 quote!((#left, #right))
             }),
         );
+        let mut sums = quote!(#products.terms::<#sizes>(#n, #rows));
+        let linear = batch.linear(|(weight, next)| {
+            let [weight, next] = [*weight, *next].map(|id| body.expression(id, Precedence::Lowest));
+            quote!((#weight, #next))
+        });
+        if let Some(linear) = linear {
+            let name = local("sums");
+            tokens.extend(quote!(let #name = #sums;));
+            sums = quote!(#products.plus(#name, #linear));
+        }
+        if is_of_rates(batch, recurrences) {
+            tokens.extend(quote!(#rates = #sums;));
+            continue;
+        }
         let (names, gathered) = name_sums(body, taylor, batch);
         tokens.extend(quote! {
-            let [#names] = #products.terms::<#sizes>(#n, #rows);
+            let [#names] = #sums;
             #gathered
         });
     }
     tokens.extend(body.statements(&program, |_| true).0);
     tokens.extend(complete(body, batches, level));
-    let values = coordinates(body, &recurrences.rates);
+    if !batches.iter().any(|batch| is_of_rates(batch, recurrences)) {
+        let values = coordinates(body, &recurrences.rates);
+        tokens.extend(quote!(#rates = [#(#values),*];));
+    }
     quote! {
         for #n in 1..COUNT - 1 {
-            #coefficients #series.extend(#n, #rates);
+            #coefficients #series.extend(#products, #n, #rates);
             #tokens
-            #rates = [#(#values),*];
         }
-        #series.extend(COUNT - 1, #rates);
+        #series.extend(#products, COUNT - 1, #rates);
     }
 }
 
-/// `let [qx_n, _, ..] =`
-fn name_coefficients(body: &mut Body<'_>, taylor: &Taylor, program: &Program) -> TokenStream {
-    let pairs = taylor.symbols.iter().zip(&taylor.recurrences.coefficients);
-    let count = taylor.symbols.len() - 1;
-    let mut pattern = Vec::new();
-    for (symbol, coefficient) in pairs.take(count) {
-        let is_read = program.symbols.contains(coefficient);
-        let base = body.names.get(symbol).filter(|_| is_read);
-        let Some(base) = base.map(|base| format!("{base}_n")) else {
-            pattern.push(quote!(_));
-            continue;
-        };
-        let name = body.unique(&base);
-        body.names.insert(*coefficient, name.clone());
-        pattern.push(name.into_token_stream());
-    }
-    let is_read = taylor.recurrences.coefficients[..count]
-        .iter()
-        .any(|coefficient| program.symbols.contains(coefficient));
-    if is_read {
-        quote!(let [#(#pattern),*] =)
-    } else {
-        TokenStream::new()
-    }
+/// Whether the sums of a batch are the rates of all coordinates, and nothing else reads them.
+fn is_of_rates(batch: &Batch<'_>, recurrences: &Recurrences) -> bool {
+    let rates = &recurrences.rates[..recurrences.rates.len() - 1];
+    let sums = batch.parts.iter().map(|part| part.sum.value);
+    let factors = terms(recurrences).flat_map(|term| term.factors);
+    let mut nexts = factors.map(|factor| factor.next);
+    sums.eq(rates.iter().copied()) && !nexts.any(|next| rates.contains(&next))
 }
 
 /// n, its reciprocal, and the coefficient of time, if they are read.
@@ -300,48 +298,6 @@ fn read_order(body: &mut Body<'_>, recurrences: &Recurrences, program: &Program)
         body.names.insert(symbol, name);
     }
     tokens
-}
-
-/// The names of what a batch gives, and the sums of those that are in parts.
-fn name_sums(
-    body: &mut Body<'_>,
-    taylor: &Taylor,
-    batch: &Batch<'_>,
-) -> (TokenStream, TokenStream) {
-    let (mut names, mut gathered) = (Vec::new(), TokenStream::new());
-    for parts in batch.parts.chunk_by(|a, b| a.sum.value == b.sum.value) {
-        let name = name_sum(body, taylor, parts[0].sum);
-        if parts.len() == 1 {
-            names.push(name);
-            continue;
-        }
-        let places = 1..=parts.len();
-        let parts: Vec<Ident> = places
-            .map(|place| body.unique(&format!("{name}_{place}")))
-            .collect();
-        gathered.extend(quote!(let #name = #(#parts)+*;));
-        names.extend(parts);
-    }
-    let rest = (batch.parts.len() < batch.lanes).then(|| quote!(..));
-    (quote!(#(#names,)* #rest), gathered)
-}
-
-/// A sum is called after the coordinate that it is the rate of, or after what it was written for.
-fn name_sum(body: &mut Body<'_>, taylor: &Taylor, sum: &Sum) -> Ident {
-    let Recurrences { rates, results, .. } = &taylor.recurrences;
-    let graph = &body.writer.model.frames.graph;
-    let (of, word, is_whole) = match sum.of {
-        Origin::Rate(place) => (taylor.symbols[place], "rate_", rates[place] == sum.value),
-        Origin::Result(of) => (of, "", results.contains(&(of, sum.value))),
-        Origin::Product(of) => {
-            let is_product = matches!(graph.node(of), Node::Multiply(..));
-            (of, "", is_product && sum.terms.len() == 1)
-        }
-    };
-    let rest = if is_whole { "n" } else { "terms_n" };
-    let name = name_after(body, of, &format!("{word}{rest}"));
-    body.names.insert(sum.value, name.clone());
-    name
 }
 
 /// The factors that were not known when they were multiplied by zero.

@@ -4,11 +4,15 @@
 //! z[n] = w1 (a * b) + w2 (c * d) + .. + rest
 //! ```
 //!
-//! with weights that are held along a step, those of one level are one sum, which is computed in one lane.
+//! with weights that are held along a step, those of one level are one sum, which is computed in one lane. What is linear in coefficients is
+//! added there too.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::graph::{Graph, Id, Node, Stage};
+
+/// The coordinates of a register.
+const LANES: usize = 8;
 
 /// A convolution of two series.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +41,8 @@ pub struct Sum {
     /// The symbol of its value.
     pub value: Id,
     pub terms: Vec<Term>,
+    /// Coefficients that are added, with their weights, which are held.
+    pub linear: Vec<(Id, Id)>,
 }
 
 /// What a sum is part of.
@@ -86,12 +92,14 @@ impl Graph {
             .copied()
             .chain(factors.map(|factor| factor.next))
             .collect();
-        let found = self.weighted(products, &roots, symbols);
-        // what is added to a sum was gathered before it
+        let found = self.weighted(products, &roots, symbols.clone());
+        // what is added to a sum was gathered before it; rates in a row are the next coefficients in a row
         let mut found: Vec<(Id, Weighted)> = found.into_iter().collect();
-        found.sort_by_key(|(_, sum)| sum.level);
+        let place = |id: Id| rates.iter().position(|rate| *rate == id);
+        found.sort_by_key(|(id, sum)| (sum.level, place(*id).unwrap_or(rates.len())));
         let mut sums = Vec::new();
         let mut written = HashMap::new();
+        let mut values: HashSet<Id> = products.iter().map(|product| product.value).collect();
         for (id, Weighted { level, terms, rest }) in found {
             let first = products[terms[0].1];
             let is_bare = id == first.value;
@@ -100,12 +108,20 @@ impl Graph {
             } else {
                 self.symbol(Stage::State)
             };
-            let mut whole = value;
+            values.insert(value);
+            let (mut whole, mut linear) = (value, self.zero());
             for (weight, part) in rest {
                 let part = self.rewritten(&[part], &written)[0];
                 let part = self.multiply(weight, part);
-                whole = self.add(part, whole);
+                if self.linear_in(part, &symbols, &values).is_some() {
+                    linear = self.add(linear, part);
+                } else {
+                    whole = self.add(part, whole);
+                }
             }
+            let linear = self
+                .linear_in(linear, &symbols, &values)
+                .unwrap_or_default();
             written.insert(id, whole);
             let rate = rates.iter().position(|rate| *rate == id);
             let result = results.iter().find(|(_, next)| *next == id);
@@ -124,6 +140,7 @@ impl Graph {
                 level,
                 value,
                 terms: terms.collect(),
+                linear,
             });
         }
 
@@ -141,7 +158,72 @@ impl Graph {
         for factor in terms.flat_map(|term| &mut term.factors) {
             factor.next = image[&factor.next];
         }
-        sums
+        if results.is_empty() && rates.len() <= LANES + 1 {
+            self.all_rates(rates, sums, &symbols, &values)
+        } else {
+            sums
+        }
+    }
+
+    /// A sum for each coordinate, where there are products and all that changes is a sum or linear in coefficients: these rates are computed
+    /// side by side. Otherwise the sums as they are.
+    fn all_rates(
+        &mut self,
+        rates: &mut [Id],
+        sums: Vec<Sum>,
+        symbols: &[Id],
+        values: &HashSet<Id>,
+    ) -> Vec<Sum> {
+        let Some((_, rates)) = rates.split_last_mut() else {
+            return sums;
+        };
+        let mut all = Vec::new();
+        for (place, rate) in rates.iter().enumerate() {
+            if let Some(sum) = sums.iter().find(|sum| sum.value == *rate) {
+                all.push(sum.clone());
+            } else if let Some(linear) = self.linear_in(*rate, symbols, values) {
+                all.push(Sum {
+                    of: Origin::Rate(place),
+                    level: 0,
+                    value: self.symbol(Stage::State),
+                    terms: Vec::new(),
+                    linear,
+                });
+            }
+        }
+        let is_early = all.iter().all(|sum| sum.level == 0);
+        let gathered = all.iter().filter(|sum| !sum.terms.is_empty()).count();
+        if sums.is_empty() || !is_early || gathered != sums.len() || all.len() != rates.len() {
+            return sums;
+        }
+        for (rate, sum) in rates.iter_mut().zip(&all) {
+            *rate = sum.value;
+        }
+        all
+    }
+
+    /// An expression as a sum of symbols with weights that are held, if it is one: neither these symbols are in them nor `values`, those of sums.
+    fn linear_in(&mut self, id: Id, symbols: &[Id], values: &HashSet<Id>) -> Option<Vec<(Id, Id)>> {
+        let zero = self.zero();
+        let found = self.reachable(&[id], |_| true);
+        if found.iter().any(|id| values.contains(id)) {
+            return None;
+        }
+        let read = symbols
+            .iter()
+            .copied()
+            .filter(|symbol| found.contains(symbol));
+        let mut terms = Vec::new();
+        for symbol in read {
+            let weight = self.derivative(&[id], symbol)[0];
+            let of_weight = self.reachable(&[weight], |_| true);
+            if symbols.iter().any(|symbol| of_weight.contains(symbol)) {
+                return None;
+            }
+            terms.push((weight, symbol));
+        }
+        let rest = self.substitute(&[id], |id| symbols.contains(&id).then_some(zero))[0];
+        self.is_zero(rest).then_some(terms)
     }
 
     /// `roots`, with some expressions in what they are written in.

@@ -55,11 +55,13 @@ impl Recurrences {
             let [left, right] = term.factors;
             [term.weight, left.start, left.next, right.start, right.next]
         });
+        let linear = self.sums.iter().flat_map(|sum| &sum.linear);
         self.start
             .iter()
             .chain(&self.rates)
             .copied()
             .chain(factors)
+            .chain(linear.flat_map(|(weight, next)| [*weight, *next]))
             .collect()
     }
 }

@@ -125,7 +125,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
             } else {
                 fifth * (fifth / libm::sqrt(fifth * fifth + 0.01 * third * third))
             };
-            let factor = SAFETY * root(self.tolerance / error, 8);
+            let factor = SAFETY * root(self.tolerance, error, 8);
             // of no number the shortest step
             let factor = if factor >= SHRINK {
                 factor.min(longest)
@@ -187,7 +187,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> AdaptiveRun<'_, B> {
         // not everything at once, of what seems to be at rest
         let longest = rest.abs() / 16.0;
         if pace > 0.0 {
-            longest.min(root(self.tolerance, 8) / pace)
+            longest.min(root(self.tolerance, 1.0, 8) / pace)
         } else if pace == 0.0 {
             longest
         } else {

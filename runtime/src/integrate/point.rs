@@ -45,10 +45,10 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     #[inline(always)]
     pub(super) fn advance(&mut self, mut change: S::Array, step: f64) -> bool {
         S::keep(&self.coordinates, &mut change);
-        let next = self.coordinates.as_ref().iter().zip(change.as_ref());
-        let is_finite = next.fold(true, |all, (coordinate, change)| {
-            all & (coordinate + change).is_finite()
-        });
+        let mut is_finite = true;
+        for (coordinate, change) in self.coordinates.as_ref().iter().zip(change.as_ref()) {
+            is_finite &= (coordinate + change).is_finite();
+        }
         if is_finite {
             add(&mut self.coordinates, &mut self.lost, &change);
             (self.time, self.late) = compensated(self.time, self.late, step);

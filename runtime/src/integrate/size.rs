@@ -2,8 +2,6 @@
 
 use crate::state::Coordinates;
 
-use super::exact;
-
 /// The size of a change of coordinates: of position, attitude, velocity, angular velocity each the largest component, relative to the largest
 /// component of the quantity itself where that is above 1, absolute (m, rad, m/s, rad/s) below; and of these the largest. Of what is not a number,
 /// not a number.
@@ -12,21 +10,31 @@ pub(super) fn relative_size<S: Coordinates<Scalar = f64>>(
     change: &S::Array,
     coordinates: &S::Array,
 ) -> f64 {
-    let (mut changes, mut wholes) = (change.as_ref().iter(), coordinates.as_ref().iter());
-    let groups = S::GROUPS.iter().map(|count| {
-        let size = largest(changes.by_ref().take(*count).map(|x| x.abs()));
-        let whole = largest(wholes.by_ref().take(*count).map(|x| x.abs()));
-        size / whole.max(1.0)
-    });
-    largest(groups)
+    let (mut largest, mut first) = (0.0, 0);
+    for count in S::GROUPS {
+        let group = first..first + count;
+        let size = largest_of(&change.as_ref()[group.clone()]);
+        let whole = largest_of(&coordinates.as_ref()[group]);
+        // the quotient is there before the size is
+        largest = larger(largest, size * (1.0 / whole.max(1.0)));
+        first += count;
+    }
+    largest
 }
 
 #[inline(always)]
-fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
-    sizes.fold(
-        0.0,
-        |largest, size| if largest >= size { largest } else { size },
-    )
+fn largest_of(numbers: &[f64]) -> f64 {
+    let mut largest = 0.0;
+    for number in numbers {
+        largest = larger(largest, number.abs());
+    }
+    largest
+}
+
+/// The second where one of them is not a number.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a >= b { a } else { b }
 }
 
 /// A tolerance, of what is finer than rounding the finest that there is; what is no tolerance is zero, which no step keeps.
@@ -38,21 +46,19 @@ pub(super) fn finest(tolerance: f64) -> f64 {
     }
 }
 
-/// `x^(1/k)` to a few parts in a hundred, which is all that a step needs: logarithm and power by the exponent of the double, and
-/// straight lines in between. Of what is not a number, not a number.
+/// `(a / b)^(1/k)` to a few parts in a hundred, which is all that a step needs: the bits of a double are its logarithm, with straight lines
+/// between the powers of two. Of what has no logarithm, the quotient itself.
 #[inline(always)]
-pub(super) fn root(x: f64, k: usize) -> f64 {
-    const ONE: f64 = 4_503_599_627_370_496.0; // 2⁵²
-    if !(x > 0.0 && x.is_finite()) {
-        return x;
+#[expect(
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "signs are plus, k is small"
+)]
+pub(super) fn root(a: f64, b: f64, k: usize) -> f64 {
+    let has_logarithm = |x: f64| x > 0.0 && x.is_finite();
+    if !(has_logarithm(a) && has_logarithm(b)) {
+        return a / b;
     }
-    #[expect(clippy::cast_precision_loss, reason = "a few digits are enough")]
-    let logarithm = x.to_bits() as f64 / ONE - 1023.0;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "in the range of exponents"
-    )]
-    let bits = ((logarithm / exact(k) + 1023.0) * ONE) as u64;
-    f64::from_bits(bits)
+    let logarithm = (a.to_bits() as i64 - b.to_bits() as i64) / k as i64;
+    f64::from_bits((1.0_f64.to_bits() as i64 + logarithm) as u64)
 }

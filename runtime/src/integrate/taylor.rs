@@ -252,14 +252,10 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     /// against the terms before as well, which tell the same radius.
     #[inline(always)]
     fn permitted(&self, tolerance: f64) -> f64 {
-        let [last, before] = [N - 1, N - 2].map(|order| {
-            let size = self.relative(order);
-            if size == 0.0 {
-                f64::INFINITY
-            } else {
-                root(tolerance / size, order)
-            }
-        });
+        let (last, before) = (
+            self.within_order(N - 1, tolerance),
+            self.within_order(N - 2, tolerance),
+        );
         let step = SAFETY * if last <= before { last } else { before };
         if step > GROWTH * self.length {
             self.within_radius(step, tolerance)
@@ -268,13 +264,24 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         }
     }
 
+    /// The step of which the term of this order is as large as `tolerance`.
+    #[inline(always)]
+    fn within_order(&self, order: usize, tolerance: f64) -> f64 {
+        let size = self.relative(order);
+        if size == 0.0 {
+            f64::INFINITY
+        } else {
+            root(tolerance, size, order)
+        }
+    }
+
     /// A step, or what the radius of convergence leaves of it by the upper half of the orders.
     #[cold]
     fn within_radius(&self, step: f64, tolerance: f64) -> f64 {
-        let share = SAFETY * root(tolerance, N - 1);
+        let share = SAFETY * root(tolerance, 1.0, N - 1);
         let radii = (N / 2..N - 2).filter_map(|order| {
             let size = self.relative(order);
-            (size > 0.0 && order > 0).then(|| share / root(size, order))
+            (size > 0.0 && order > 0).then(|| share / root(size, 1.0, order))
         });
         radii.fold(
             step,

@@ -93,17 +93,42 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
             terms[p] = arithmetic.multiply_add(terms[p], first_left, right[p]);
             terms[p] = arithmetic.multiply_add(terms[p], left[p], first_right);
             // out of an operation a row is stored as a whole, and can be read again at once
-            let right = arithmetic.multiply_add([0.0; LANES], right[p], [1.0; LANES]);
+            let right = self.times(right[p], 1.0);
             self.left[n].0[place(p)..place(p) + LANES].copy_from_slice(&left[p]);
             self.right[n].0[place(p)..place(p) + LANES].copy_from_slice(&right);
         }
         let mut total = terms[0];
         for term in &terms[1..] {
-            for k in 0..LANES {
-                total[k] += term[k];
-            }
+            total = arithmetic.multiply_add(total, *term, [1.0; LANES]);
         }
         total
+    }
+
+    /// Sums, and what is linear in coefficients of the same order: `(weight, coefficient)`.
+    #[inline(always)]
+    pub fn plus<const LANES: usize, const COUNT: usize>(
+        &self,
+        mut sums: [f64; LANES],
+        linear: [[(f64, f64); COUNT]; LANES],
+    ) -> [f64; LANES] {
+        let (mut weights, mut coefficients) = ([[0.0; LANES]; COUNT], [[0.0; LANES]; COUNT]);
+        for p in 0..COUNT {
+            for k in 0..LANES {
+                (weights[p][k], coefficients[p][k]) = linear[k][p];
+            }
+            sums = self
+                .arithmetic
+                .multiply_add(sums, weights[p], coefficients[p]);
+        }
+        sums
+    }
+
+    /// Numbers times a factor, side by side in registers: what an operation leaves stays there from one order to the next.
+    #[inline(always)]
+    pub fn times<const COUNT: usize>(&self, numbers: [f64; COUNT], factor: f64) -> [f64; COUNT] {
+        let zeros = [0.0; COUNT];
+        self.arithmetic
+            .multiply_add(zeros, numbers, [factor; COUNT])
     }
 
     /// Adds the products of two rows, to a sum for each, so that additions do not wait for one another.

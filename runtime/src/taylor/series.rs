@@ -1,6 +1,7 @@
 //! The coefficients of a motion.
 
-use super::Axes;
+use super::{Arithmetic, Axes, Products};
+use crate::integrate::exact;
 use crate::state::Coordinates;
 
 /// A motion as a polynomial in the time since its start, coordinate by coordinate.
@@ -43,15 +44,17 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
         self.coefficients[0] = state.coordinates();
     }
 
-    /// Coefficient n of the coordinates, from coefficient n - 1 of their rates.
+    /// Coefficient n of the coordinates, and what fills their last register, from coefficient n - 1 of their rates.
     #[inline(always)]
-    pub fn extend(&mut self, n: usize, rates: S::Array) -> S::Array {
-        let inverse = 1.0 / crate::integrate::exact(n);
-        let mut next = rates;
-        for coefficient in next.as_mut() {
-            *coefficient *= inverse;
-        }
-        self.coefficients[n] = next;
+    pub fn extend<A: Arithmetic, const WIDTH: usize, const COUNT: usize>(
+        &mut self,
+        products: &Products<A, WIDTH, N>,
+        n: usize,
+        rates: [f64; COUNT],
+    ) -> [f64; COUNT] {
+        let next = products.times(rates, 1.0 / exact(n));
+        let row = self.coefficients[n].as_mut();
+        row.copy_from_slice(&next[..row.len()]);
         next
     }
 }

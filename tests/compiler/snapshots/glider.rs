@@ -148,10 +148,6 @@ impl ::newton_euler::private::Taylor for Glider {
                 16,
                 2,
             >([
-                [(ratio, wx, wx), (ratio, wy, wy)],
-                [(ratio, wz, wz), (-ratio, 0.0, 0.0)],
-                [(49.03325, qy, qz), (49.03325, qw, qx)],
-                [(39.2266, qx, qz), (-39.2266, qw, qy)],
                 [(0.5, qy, wz), (-0.5, qz, wy)],
                 [(0.5, qw, wx), (0.0, 0.0, 0.0)],
                 [(0.5, qz, wx), (-0.5, qx, wz)],
@@ -160,6 +156,10 @@ impl ::newton_euler::private::Taylor for Glider {
                 [(0.5, qw, wz), (0.0, 0.0, 0.0)],
                 [(-0.5, qz, wz), (-0.5, qx, wx)],
                 [(-0.5, qy, wy), (0.0, 0.0, 0.0)],
+                [(ratio, wx, wx), (ratio, wy, wy)],
+                [(ratio, wz, wz), (-ratio, 0.0, 0.0)],
+                [(49.03325, qy, qz), (49.03325, qw, qx)],
+                [(39.2266, qx, qz), (-39.2266, qw, qy)],
                 [(0.25, wy, wz), (0.0, 0.0, 0.0)],
                 [(0.25, wx, wy), (0.0, 0.0, 0.0)],
                 [(0.0, 0.0, 0.0); 2],
@@ -171,27 +171,34 @@ impl ::newton_euler::private::Taylor for Glider {
                 4,
                 1,
             >([
-                [(self.from_drag_2, wy, norm)],
                 [(self.from_drag_3, wx, norm)],
+                [(self.from_drag_2, wy, norm)],
                 [(self.from_drag_3, wz, norm)],
                 [(0.0, 0.0, 0.0); 1],
             ]);
         series.start(state);
-        let mut rates = [
-            0.5 * (qy * wz - qz * wy + qw * wx),
-            0.5 * (qz * wx - qx * wz + qw * wy),
-            0.5 * (qx * wy - qy * wx + qw * wz),
-            -0.5 * (qx * wx + qy * wy + qz * wz),
-            0.25 * (wy * wz)
-                - (self.from_drag * (wx * norm) + 49.03325 * (qy * qz + qw * qx)),
-            39.2266 * (qx * qz - qw * qy) - self.from_drag_1 * (wy * norm),
-            -(self.from_drag * (wz * norm) + 0.25 * (wx * wy)),
-        ];
+        let mut rates = products
+            .times(
+                [
+                    0.5 * (qy * wz - qz * wy + qw * wx),
+                    0.5 * (qz * wx - qx * wz + qw * wy),
+                    0.5 * (qx * wy - qy * wx + qw * wz),
+                    -0.5 * (qx * wx + qy * wy + qz * wz),
+                    0.25 * (wy * wz)
+                        - (self.from_drag * (wx * norm)
+                            + 49.03325 * (qy * qz + qw * qx)),
+                    39.2266 * (qx * qz - qw * qy) - self.from_drag_1 * (wy * norm),
+                    -(self.from_drag * (wz * norm) + 0.25 * (wx * wy)),
+                    0.0,
+                ],
+                1.0,
+            );
         for n in 1..COUNT - 1 {
-            let [qx_n, qy_n, qz_n, qw_n, wx_n, wy_n, wz_n] = series.extend(n, rates);
-            let [norm_n_1, norm_n_2, qy_qz_terms_n, qx_qz_terms_n, qx_rate_n_1,
-            qx_rate_n_2, qy_rate_n_1, qy_rate_n_2, qz_rate_n_1, qz_rate_n_2, qw_rate_n_1,
-            qw_rate_n_2, wy_wz_n, wx_wy_n, ..] = products
+            let [qx_n, qy_n, qz_n, qw_n, wx_n, wy_n, wz_n, ..] = series
+                .extend(products, n, rates);
+            let [qx_rate_n_1, qx_rate_n_2, qy_rate_n_1, qy_rate_n_2, qz_rate_n_1,
+            qz_rate_n_2, qw_rate_n_1, qw_rate_n_2, norm_n_1, norm_n_2, qy_qz_terms_n,
+            qx_qz_terms_n, wy_wz_n, wx_wy_n, ..] = products
                 .terms::<
                     0,
                     16,
@@ -199,10 +206,6 @@ impl ::newton_euler::private::Taylor for Glider {
                 >(
                     n,
                     [
-                        [(wx_n, wx_n), (wy_n, wy_n)],
-                        [(wz_n, wz_n), (0.0, 0.0)],
-                        [(qy_n, qz_n), (qw_n, qx_n)],
-                        [(qx_n, qz_n), (qw_n, qy_n)],
                         [(qy_n, wz_n), (qz_n, wy_n)],
                         [(qw_n, wx_n), (0.0, 0.0)],
                         [(qz_n, wx_n), (qx_n, wz_n)],
@@ -211,18 +214,22 @@ impl ::newton_euler::private::Taylor for Glider {
                         [(qw_n, wz_n), (0.0, 0.0)],
                         [(qz_n, wz_n), (qx_n, wx_n)],
                         [(qy_n, wy_n), (0.0, 0.0)],
+                        [(wx_n, wx_n), (wy_n, wy_n)],
+                        [(wz_n, wz_n), (0.0, 0.0)],
+                        [(qy_n, qz_n), (qw_n, qx_n)],
+                        [(qx_n, qz_n), (qw_n, qy_n)],
                         [(wy_n, wz_n), (0.0, 0.0)],
                         [(wx_n, wy_n), (0.0, 0.0)],
                         [(0.0, 0.0); 2],
                         [(0.0, 0.0); 2],
                     ],
                 );
-            let norm_n = norm_n_1 + norm_n_2;
             let qx_rate_n = qx_rate_n_1 + qx_rate_n_2;
             let qy_rate_n = qy_rate_n_1 + qy_rate_n_2;
             let qz_rate_n = qz_rate_n_1 + qz_rate_n_2;
             let qw_rate_n = qw_rate_n_1 + qw_rate_n_2;
-            let [wy_rate_terms_n, wx_rate_terms_n, wz_rate_terms_n, ..] = products
+            let norm_n = norm_n_1 + norm_n_2;
+            let [wx_rate_terms_n, wy_rate_terms_n, wz_rate_terms_n, ..] = products
                 .terms::<
                     32,
                     4,
@@ -230,13 +237,13 @@ impl ::newton_euler::private::Taylor for Glider {
                 >(
                     n,
                     [
-                        [(wy_n, norm_n)],
                         [(wx_n, norm_n)],
+                        [(wy_n, norm_n)],
                         [(wz_n, norm_n)],
                         [(0.0, 0.0); 1],
                     ],
                 );
-            products.complete(n, &[(17, norm_n)], &[(17, norm_n)]);
+            products.complete(n, &[(25, norm_n)], &[(25, norm_n)]);
             rates = [
                 qx_rate_n,
                 qy_rate_n,
@@ -245,9 +252,10 @@ impl ::newton_euler::private::Taylor for Glider {
                 wx_rate_terms_n - qy_qz_terms_n + wy_wz_n,
                 qx_qz_terms_n + wy_rate_terms_n,
                 wz_rate_terms_n - wx_wy_n,
+                0.0,
             ];
         }
-        series.extend(COUNT - 1, rates);
+        series.extend(products, COUNT - 1, rates);
     }
 }
 impl ::newton_euler::private::Structured for Glider {

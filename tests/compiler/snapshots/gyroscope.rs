@@ -167,6 +167,10 @@ impl ::newton_euler::private::Taylor for Gyroscope {
         let precession = self.coupling_x * wz;
         let spin = self.from_rotor_across_1 * wz;
         let axes_spin = self.from_rotor_across * wz;
+        let difference = precession - spin;
+        let product = 0.5 * axes_spin;
+        let product_1 = -0.5 * axes_spin;
+        let minus_difference = -difference;
         products
             .start::<
                 0,
@@ -179,25 +183,30 @@ impl ::newton_euler::private::Taylor for Gyroscope {
                 [(-0.5, qx, wx), (-0.5, qy, wy)],
                 [(self.from_across, qy, qz), (self.from_across, qw, qx)],
                 [(self.from_across_1, qx, qz), (self.from_across, qw, qy)],
-                [(0.0, 0.0, 0.0); 2],
+                [(0.0, 0.0, 0.0), (0.0, 0.0, 0.0)],
                 [(0.0, 0.0, 0.0); 2],
             ]);
         series.start(state);
-        let mut rates = [
-            0.5 * (self.from_rotor_across * (qy * wz) - qz * wy + qw * wx),
-            0.5 * (qz * wx - self.from_rotor_across * (qx * wz) + qw * wy),
-            0.5 * (qx * wy - qy * wx + self.from_rotor_across * (qw * wz)),
-            -0.5 * (qx * wx + qy * wy + self.from_rotor_across * (qz * wz)),
-            self.from_across * (qy * qz + qw * qx) + self.coupling_x * wy_wz
-                - self.from_rotor_across_1 * wy_wz,
-            self.from_across_1 * (qx * qz - qw * qy) - self.coupling_x * wx_wz
-                + self.from_rotor_across_1 * wx_wz,
-            0.0,
-        ];
+        let mut rates = products
+            .times(
+                [
+                    0.5 * (self.from_rotor_across * (qy * wz) - qz * wy + qw * wx),
+                    0.5 * (qz * wx - self.from_rotor_across * (qx * wz) + qw * wy),
+                    0.5 * (qx * wy - qy * wx + self.from_rotor_across * (qw * wz)),
+                    -0.5 * (qx * wx + qy * wy + self.from_rotor_across * (qz * wz)),
+                    self.from_across * (qy * qz + qw * qx) + self.coupling_x * wy_wz
+                        - self.from_rotor_across_1 * wy_wz,
+                    self.from_across_1 * (qx * qz - qw * qy) - self.coupling_x * wx_wz
+                        + self.from_rotor_across_1 * wx_wz,
+                    0.0,
+                    0.0,
+                ],
+                1.0,
+            );
         for n in 1..COUNT - 1 {
-            let [qx_n, qy_n, qz_n, qw_n, wx_n, wy_n, _] = series.extend(n, rates);
-            let [qx_rate_terms_n, qy_rate_terms_n, qz_rate_terms_n, qw_rate_terms_n,
-            wx_rate_terms_n, wy_rate_terms_n, ..] = products
+            let [qx_n, qy_n, qz_n, qw_n, wx_n, wy_n, _, ..] = series
+                .extend(products, n, rates);
+            let sums = products
                 .terms::<
                     0,
                     8,
@@ -211,21 +220,26 @@ impl ::newton_euler::private::Taylor for Gyroscope {
                         [(qx_n, wx_n), (qy_n, wy_n)],
                         [(qy_n, qz_n), (qw_n, qx_n)],
                         [(qx_n, qz_n), (qw_n, qy_n)],
-                        [(0.0, 0.0); 2],
+                        [(0.0, 0.0), (0.0, 0.0)],
                         [(0.0, 0.0); 2],
                     ],
                 );
-            rates = [
-                qx_rate_terms_n + 0.5 * (qy_n * axes_spin),
-                qy_rate_terms_n - 0.5 * (qx_n * axes_spin),
-                qz_rate_terms_n + 0.5 * (qw_n * axes_spin),
-                qw_rate_terms_n - 0.5 * (qz_n * axes_spin),
-                precession * wy_n + wx_rate_terms_n - wy_n * spin,
-                wx_n * spin + wy_rate_terms_n - precession * wx_n,
-                0.0,
-            ];
+            rates = products
+                .plus(
+                    sums,
+                    [
+                        [(product, qy_n)],
+                        [(product_1, qx_n)],
+                        [(product, qw_n)],
+                        [(product_1, qz_n)],
+                        [(difference, wy_n)],
+                        [(minus_difference, wx_n)],
+                        [(0.0, 0.0)],
+                        [(0.0, 0.0); 1],
+                    ],
+                );
         }
-        series.extend(COUNT - 1, rates);
+        series.extend(products, COUNT - 1, rates);
     }
 }
 impl ::newton_euler::private::Structured for Gyroscope {

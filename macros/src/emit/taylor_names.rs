@@ -1,0 +1,95 @@
+//! What coefficients and their sums are called.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
+
+use crate::mechanics::Taylor;
+use crate::symbolic::{Id, Node, Origin, Program, Recurrences, Sum};
+
+use super::batch::{Batch, filled};
+use super::code::{Body, Fields};
+
+/// The n-th coefficients of quotients and functions are called after these.
+pub fn name_results(body: &mut Body<'_>, recurrences: &Recurrences) -> Fields {
+    let graph = &body.writer.model.frames.graph;
+    let results = recurrences.results.iter();
+    let computed = results.filter(|(_, next)| !matches!(graph.node(*next), Node::Symbol(_)));
+    let named = computed.map(|(result, next)| (*next, name_after(body, *result, "n")));
+    Fields(named.collect())
+}
+
+/// A name after that of an expression at the start, or after what it is.
+fn name_after(body: &mut Body<'_>, id: Id, suffix: &str) -> Ident {
+    let known = body.names.get(&id).map(ToString::to_string);
+    let base = known.unwrap_or_else(|| body.describe(id));
+    body.unique(&format!("{base}_{suffix}"))
+}
+
+/// `let [qx_n, _, ..] =`
+pub fn name_coefficients(body: &mut Body<'_>, taylor: &Taylor, program: &Program) -> TokenStream {
+    let pairs = taylor.symbols.iter().zip(&taylor.recurrences.coefficients);
+    let count = taylor.symbols.len() - 1;
+    let mut pattern = Vec::new();
+    for (symbol, coefficient) in pairs.take(count) {
+        let is_read = program.symbols.contains(coefficient);
+        let base = body.names.get(symbol).filter(|_| is_read);
+        let Some(base) = base.map(|base| format!("{base}_n")) else {
+            pattern.push(quote!(_));
+            continue;
+        };
+        let name = body.unique(&base);
+        body.names.insert(*coefficient, name.clone());
+        pattern.push(name.into_token_stream());
+    }
+    let is_read = taylor.recurrences.coefficients[..count]
+        .iter()
+        .any(|coefficient| program.symbols.contains(coefficient));
+    if is_read {
+        let rest = (filled(count) > count).then(|| quote!(..));
+        quote!(let [#(#pattern,)* #rest] =)
+    } else {
+        TokenStream::new()
+    }
+}
+
+/// The names of what a batch gives, and the sums of those that are in parts.
+pub fn name_sums(
+    body: &mut Body<'_>,
+    taylor: &Taylor,
+    batch: &Batch<'_>,
+) -> (TokenStream, TokenStream) {
+    let (mut names, mut gathered) = (Vec::new(), TokenStream::new());
+    for parts in batch.parts.chunk_by(|a, b| a.sum.value == b.sum.value) {
+        let name = name_sum(body, taylor, parts[0].sum);
+        if parts.len() == 1 {
+            names.push(name);
+            continue;
+        }
+        let places = 1..=parts.len();
+        let parts: Vec<Ident> = places
+            .map(|place| body.unique(&format!("{name}_{place}")))
+            .collect();
+        gathered.extend(quote!(let #name = #(#parts)+*;));
+        names.extend(parts);
+    }
+    let rest = (batch.parts.len() < batch.lanes).then(|| quote!(..));
+    (quote!(#(#names,)* #rest), gathered)
+}
+
+/// A sum is called after the coordinate that it is the rate of, or after what it was written for.
+fn name_sum(body: &mut Body<'_>, taylor: &Taylor, sum: &Sum) -> Ident {
+    let Recurrences { rates, results, .. } = &taylor.recurrences;
+    let graph = &body.writer.model.frames.graph;
+    let (of, word, is_whole) = match sum.of {
+        Origin::Rate(place) => (taylor.symbols[place], "rate_", rates[place] == sum.value),
+        Origin::Result(of) => (of, "", results.contains(&(of, sum.value))),
+        Origin::Product(of) => {
+            let is_product = matches!(graph.node(of), Node::Multiply(..));
+            (of, "", is_product && sum.terms.len() == 1)
+        }
+    };
+    let rest = if is_whole { "n" } else { "terms_n" };
+    let name = name_after(body, of, &format!("{word}{rest}"));
+    body.names.insert(sum.value, name.clone());
+    name
+}

@@ -35,6 +35,36 @@ fn a_singularity() {
     }
 }
 
+/// A wall that is reached fast from far away: stages beyond it have no force, in one component, and the step is taken again, shorter.
+#[test]
+fn stages_out_of_the_domain() {
+    rigid_body!(Bouncing {
+        motion: translation,
+        mass: 1[kg],
+        forces: [wall = world(2025[N] / (position.in_world().x / 1[m]).powf(5.5), 0, 0)],
+        outputs: [energy],
+    });
+    for far in [100.0, 300.0, 1e3, 3e3, 1e4] {
+        let start = Translation {
+            position: [far, 0.0, 0.0].into(),
+            velocity: [-30.0, 0.0, 0.0].into(),
+            ..Translation::default()
+        };
+        let body = Bouncing::default();
+        let motion = body.integrate(&start).tolerance(1e-6);
+        let end = motion.to(far / 15.0).unwrap();
+        // U = 450 / x^4.5
+        let energy = |state: &Translation| {
+            0.5 * state.velocity.norm_squared() + 450.0 / state.position.x.powf(4.5)
+        };
+        assert!(end.velocity.x > 20.0, "{end:?}");
+        assert!(
+            (energy(&end) / energy(&start) - 1.0).abs() < 1e-3,
+            "{end:?}"
+        );
+    }
+}
+
 /// The last item of an iterator is the error, and after it there is none.
 #[test]
 fn iterators_end_with_the_error() {

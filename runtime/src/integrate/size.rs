@@ -10,31 +10,26 @@ pub(super) fn relative_size<S: Coordinates<Scalar = f64>>(
     change: &S::Array,
     coordinates: &S::Array,
 ) -> f64 {
-    let (mut largest, mut first) = (0.0, 0);
+    let (mut largest, mut first) = (0, 0);
     for count in S::GROUPS {
         let group = first..first + count;
         let size = largest_of(&change.as_ref()[group.clone()]);
         let whole = largest_of(&coordinates.as_ref()[group]);
         // the quotient is there before the size is
-        largest = larger(largest, size * (1.0 / whole.max(1.0)));
+        largest = largest.max((size * (1.0 / whole.max(1.0))).to_bits());
         first += count;
     }
-    largest
+    f64::from_bits(largest)
 }
 
+/// The largest by the bits, which are in the order of the numbers without a sign, and largest of what is not a number.
 #[inline(always)]
 fn largest_of(numbers: &[f64]) -> f64 {
-    let mut largest = 0.0;
+    let mut largest = 0;
     for number in numbers {
-        largest = larger(largest, number.abs());
+        largest = largest.max(number.abs().to_bits());
     }
-    largest
-}
-
-/// The second where one of them is not a number.
-#[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
-    if a >= b { a } else { b }
+    f64::from_bits(largest)
 }
 
 /// A tolerance, of what is finer than rounding the finest that there is; what is no tolerance is zero, which no step keeps.

@@ -21,7 +21,8 @@ build native RUSTFLAGS="-C target-cpu=native" "${test[@]}" --release
 build native-plain RUSTFLAGS="-C target-cpu=native" "${test[@]}" --release --no-default-features
 build v3 RUSTFLAGS="-C target-cpu=x86-64-v3" "${test[@]}" --release
 
-for name in debug release v3; do
+# one for AVX2 has moves between registers that valgrind 3.19 does not know
+for name in debug release; do
     printf '\n== %s in valgrind\n' "$name"
     program=$(find "$target/$name" -path '*/deps/same_bits-*' -type f -executable)
     valgrind --quiet --error-exitcode=1 "$program" --quiet --test-threads=1

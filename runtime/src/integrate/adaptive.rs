@@ -93,8 +93,8 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
             body: self.body,
             input,
         };
-        let (time, coordinates) = (self.now.time, self.now.coordinates);
-        let rest = self.now.rest(end);
+        self.before = (self.now.time, self.now.coordinates);
+        let (time, rest) = (self.now.time, self.now.rest(end));
         let mut permitted = match self.next {
             Some(next) => next,
             None => self.first(&equations, rest),
@@ -117,9 +117,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
                     self.now.step_too_small(step)
                 });
             }
-            let [change, fifth, third] = DormandPrince8::sums(&equations, time, &coordinates, step);
-            let [fifth, third] =
-                [fifth, third].map(|e| relative_size::<B::State>(&e, &coordinates));
+            let [change, fifth, third] =
+                DormandPrince8::sums(&equations, time, &self.now.coordinates, step);
+            let size = |change| relative_size::<B::State>(change, &self.now.coordinates);
+            let (fifth, third) = (size(&fifth), size(&third));
             error = if fifth == 0.0 {
                 0.0
             } else {
@@ -136,7 +137,6 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
                 let next = step.abs() * factor;
                 // a step cut short at the end says little about the next
                 self.next = Some(if is_last { next.max(permitted) } else { next });
-                self.before = (time, coordinates);
                 let is_finite = if is_last {
                     self.now.arrive(change, end)
                 } else {

@@ -120,8 +120,12 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
             let [change, fifth, third] =
                 DormandPrince8::sums(&equations, time, &self.now.coordinates, step);
             let size = |change| relative_size::<B::State>(change, &self.now.coordinates);
+            // a stage out of the domain, if only in one component
+            let is_lost = fifth.as_ref().iter().any(|part| part.is_nan());
             let (fifth, third) = (size(&fifth), size(&third));
-            error = if fifth == 0.0 {
+            error = if is_lost {
+                f64::NAN
+            } else if fifth == 0.0 {
                 0.0
             } else {
                 fifth * (fifth / libm::sqrt(fifth * fifth + 0.01 * third * third))

@@ -3,33 +3,38 @@
 use crate::state::Coordinates;
 
 /// The size of a change of coordinates: of position, attitude, velocity, angular velocity each the largest component, relative to the largest
-/// component of the quantity itself where that is above 1, absolute (m, rad, m/s, rad/s) below; and of these the largest. Of what is not a number,
-/// not a number.
+/// component of the quantity itself where that is above 1, absolute (m, rad, m/s, rad/s) below; and of these the largest. What is not a number may
+/// be passed over.
 #[inline(always)]
 pub(super) fn relative_size<S: Coordinates<Scalar = f64>>(
     change: &S::Array,
     coordinates: &S::Array,
 ) -> f64 {
-    let (mut largest, mut first) = (0, 0);
+    let (mut largest, mut first) = (0.0, 0);
     for count in S::GROUPS {
         let group = first..first + count;
         let size = largest_of(&change.as_ref()[group.clone()]);
         let whole = largest_of(&coordinates.as_ref()[group]);
         // the quotient is there before the size is
-        largest = largest.max((size * (1.0 / whole.max(1.0))).to_bits());
+        largest = larger(largest, size * (1.0 / larger(whole, 1.0)));
         first += count;
     }
-    f64::from_bits(largest)
+    largest
 }
 
-/// The largest by the bits, which are in the order of the numbers without a sign, and largest of what is not a number.
 #[inline(always)]
 fn largest_of(numbers: &[f64]) -> f64 {
-    let mut largest = 0;
+    let mut largest = 0.0;
     for number in numbers {
-        largest = largest.max(number.abs().to_bits());
+        largest = larger(largest, number.abs());
     }
-    f64::from_bits(largest)
+    largest
+}
+
+/// One instruction, where `f64::max` looks for what is not a number.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// A tolerance, of what is finer than rounding the finest that there is; what is no tolerance is zero, which no step keeps.
@@ -50,7 +55,7 @@ pub(super) fn finest(tolerance: f64) -> f64 {
     reason = "signs are plus, k is small"
 )]
 pub(super) fn root(a: f64, b: f64, k: usize) -> f64 {
-    let has_logarithm = |x: f64| x > 0.0 && x.is_finite();
+    let has_logarithm = |x: f64| x > 0.0 && x < f64::INFINITY;
     if !(has_logarithm(a) && has_logarithm(b)) {
         return a / b;
     }

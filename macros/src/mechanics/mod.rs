@@ -4,6 +4,7 @@
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
 mod about_axis;
+mod arm;
 mod axes;
 mod axial_torque;
 mod axis_of_symmetry;

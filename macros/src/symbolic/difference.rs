@@ -1,7 +1,7 @@
 //! Differences that are written as products.
 //!
 //! Two moments of inertia of a box differ by `m/12 (c^2 - b^2)`. Subtracted one from the other, they leave the rounding of
-//! both; as `m/12 (c - b) (c + b)`, that of the edges (EQUATIONS.md, H2).
+//! both; as `m/12 (c - b) (c + b)`, that of the edges (`docs/trust.md`, H2).
 
 use std::collections::BTreeMap;
 

@@ -8,12 +8,6 @@ use std::collections::HashSet;
 use crate::model::Frames;
 use crate::symbolic::{Components, Graph, Id, Node};
 
-/// Terms of a slope that are multiples of one factor s.
-struct Group {
-    factor: Id,
-    vector: Components,
-}
-
 /// `r x slope` as a factor and a vector.
 pub fn moment(frames: &mut Frames, r: Components, slope: Components) -> (Id, Components) {
     let (mut factor, mut rest) = (frames.graph.one(), slope);
@@ -29,51 +23,46 @@ pub fn moment(frames: &mut Frames, r: Components, slope: Components) -> (Id, Com
 /// A slope without multiples of r: as it is, if it has none.
 fn across(graph: &mut Graph, r: Components, slope: Components) -> Components {
     let place: HashSet<Id> = r.into_iter().collect();
-    let (groups, mut sum) = by_factor(graph, r, &place, slope);
-    let mut is_less = false;
-    for Group { factor, mut vector } in groups {
-        if common_rate(graph, vector, r, &place).is_some() {
-            let zero = graph.zero();
-            let others = graph.substitute(&vector, |id| place.contains(&id).then_some(zero));
-            is_less |= others != vector;
-            vector = [others[0], others[1], others[2]];
+    let (zero, mut sum, mut is_less) = (graph.zero(), graph.zeros(), false);
+    for (factor, mut vector) in by_factor(graph, r, &place, slope) {
+        if let Some(factor) = factor {
+            if common_rate(graph, vector, r, &place).is_some() {
+                let others = graph.substitute(&vector, |id| place.contains(&id).then_some(zero));
+                is_less |= others != vector;
+                vector = [others[0], others[1], others[2]];
+            }
+            vector = graph.scale_vector(factor, vector);
         }
-        let vector = graph.scale_vector(factor, vector);
         sum = graph.add_vectors(sum, vector);
     }
     if is_less { sum } else { slope }
 }
 
-/// The terms `s (c r + b)`, gathered by s, and the sum of the others.
+/// The terms that are not linear in r, and then those that are, but for a factor, gathered by it.
 fn by_factor(
     graph: &mut Graph,
     r: Components,
     place: &HashSet<Id>,
     slope: Components,
-) -> (Vec<Group>, Components) {
-    let (mut groups, mut others) = (Vec::<Group>::new(), graph.zeros());
+) -> Vec<(Option<Id>, Components)> {
+    let mut groups = vec![(None, graph.zeros())];
     for (i, component) in slope.into_iter().enumerate() {
         for (negative, term) in graph.terms(component) {
-            let (found, part) = match linear(graph, r[i], place, term) {
+            let (factor, part) = match linear(graph, r[i], place, term) {
                 Some((factor, part)) => (Some(factor), part),
                 None => (None, term),
             };
             let part = if negative { graph.negate(part) } else { part };
-            let known = groups.iter().position(|group| Some(group.factor) == found);
-            let vector = match (found, known) {
-                (None, _) => &mut others,
-                (Some(_), Some(known)) => &mut groups[known].vector,
-                (Some(factor), None) => {
-                    let vector = graph.zeros();
-                    groups.push(Group { factor, vector });
-                    let last = groups.len() - 1;
-                    &mut groups[last].vector
-                }
-            };
-            vector[i] = graph.add(vector[i], part);
+            let known = groups.iter().position(|(known, _)| *known == factor);
+            let group = known.unwrap_or_else(|| {
+                groups.push((factor, graph.zeros()));
+                groups.len() - 1
+            });
+            let sum = &mut groups[group].1[i];
+            *sum = graph.add(*sum, part);
         }
     }
-    (groups, others)
+    groups
 }
 
 /// A term as a factor and what follows the symbol at an early rate, or does not depend on the place.

@@ -7,110 +7,41 @@ use newton_euler::exact::{AxialTorque, FreeRotation, Path};
 use newton_euler::nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
 use proptest::prelude::*;
-use reference::{attitude, number, numbers, vector};
-use serde_json::Value;
+use reference::turning::{Turning, axial_torques, error};
 
 /// Half a unit in the last place of one.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 
-struct Case {
-    name: String,
-    moments: [f64; 2],
-    torque: f64,
-    start: Rotation,
-    time: f64,
-    end: Rotation,
+fn path(case: &Turning<2>) -> AxialTorque {
+    stage(case.moments, case.drive, &case.start)
 }
 
-impl Case {
-    fn path(&self) -> AxialTorque {
-        AxialTorque::new(self.moments, Vector3::z_axis(), self.torque, &self.start)
-    }
-
-    /// The angle turned, by the rate of spin and the length of the rest.
-    fn angle(&self) -> f64 {
-        let w = self.start.angular_velocity;
-        let (across, part) = (w.xy().norm(), self.time / 1024.0);
-        let rate = |k: u32| {
-            let time = part * (f64::from(k) + 0.5);
-            across.hypot(w.z + self.torque / self.moments[1] * time)
-        };
-        (0..1024).map(rate).sum::<f64>() * part.abs()
-    }
-}
-
-/// The larger of the errors of attitude, with its sign, and of relative angular velocity.
-fn error(state: &Rotation, expected: &Rotation) -> f64 {
-    let rates = (state.angular_velocity - expected.angular_velocity).amax();
-    let size = expected.angular_velocity.norm();
-    let attitudes = (state.attitude.coords - expected.attitude.coords).amax();
-    attitudes.max(if size > 0.0 { rates / size } else { rates })
-}
-
-fn cases() -> Vec<Case> {
-    let list: Value = serde_json::from_str(include_str!("reference/axial_torque.json")).unwrap();
-    let read = |case: &Value| Case {
-        name: format!(
-            "{}, N = {}, {}, t = {}",
-            case["kind"], case["torque"], case["angular_velocity"], case["time"]
-        ),
-        moments: numbers(&case["moments"]),
-        torque: number(&case["torque"]),
-        start: Rotation {
-            attitude: attitude(&case["attitude"]),
-            angular_velocity: vector(&case["angular_velocity"]),
-        },
-        time: number(&case["time"]),
-        end: Rotation {
-            attitude: attitude(&case["end_attitude"]),
-            angular_velocity: vector(&case["end_angular_velocity"]),
-        },
+/// The angle turned, by the rate of spin and the length of the rest.
+fn angle(case: &Turning<2>) -> f64 {
+    let w = case.start.angular_velocity;
+    let (across, part) = (w.xy().norm(), case.time / 1024.0);
+    let rate = |k: u32| {
+        let time = part * (f64::from(k) + 0.5);
+        across.hypot(w.z + case.drive / case.moments[1] * time)
     };
-    list.as_array().unwrap().iter().map(read).collect()
-}
-
-/// By how much the end moves if one input moves by one unit in its last place.
-fn effect_of_one_ulp(case: &Case) -> f64 {
-    let base = case.path().at(case.time);
-    let step = 1e-9;
-    let mut worst: f64 = 0.0;
-    let mut moved = |moments: [f64; 2], torque: f64, start: Rotation| {
-        let end = AxialTorque::new(moments, Vector3::z_axis(), torque, &start).at(case.time);
-        worst = worst.max(error(&end, &base));
-    };
-    for factor in [1.0 + step, 1.0 - step] {
-        for k in 0..3 {
-            let mut start = case.start;
-            start.angular_velocity[k] *= factor;
-            moved(case.moments, case.torque, start);
-        }
-        for k in 0..4 {
-            let mut start = case.start;
-            let mut coords = start.attitude.coords;
-            coords[k] *= factor;
-            start.attitude = UnitQuaternion::new_normalize(Quaternion::from(coords));
-            moved(case.moments, case.torque, start);
-        }
-        let [across, along] = case.moments;
-        moved([across * factor, along], case.torque, case.start);
-        moved([across, along * factor], case.torque, case.start);
-        moved(case.moments, case.torque * factor, case.start);
-    }
-    worst / step * f64::EPSILON
+    (0..1024).map(rate).sum::<f64>() * part.abs()
 }
 
 /// One rounding for each radian, and no more than four times the effect of one ulp.
 #[test]
 fn end_states_of_all_kinds_of_motion() {
-    let cases = cases();
+    let cases = axial_torques();
     assert!(cases.len() > 80);
     for case in cases {
-        let end = case.path().at(case.time);
+        let end = path(&case).at(case.time);
         let error = error(&end, &case.end);
-        let bound = 4e-15 + ROUNDING * case.angle();
+        let bound = 4e-15 + ROUNDING * angle(&case);
         assert!(error <= bound, "{}: {error:e} > {bound:e}", case.name);
-        let bound = 4.0 * effect_of_one_ulp(&case);
+        let end_of = |moments, torque, start: &_| stage(moments, torque, start).at(case.time);
+        let bound = 4.0 * case.effect_of_one_ulp(end_of);
         assert!(error <= bound, "{}: {error:e} > {bound:e}", case.name);
+        let turned = end.attitude.coords.dot(&case.end.attitude.coords);
+        assert!(turned > 0.0, "{}: the sign of q jumps", case.name);
     }
 }
 

@@ -298,6 +298,29 @@ mod listed {
         fields: [electric = world(0, 3, 0)[V / m].on([2[C].at(p)])],
         outputs: [balance],
     });
+
+    newton_euler::rigid_body!(Hinged {
+        motion: fixed_axis(hinge, body(0, 0, 1)),
+        inputs: [e[C]],
+        mass: 2[kg],
+        inertia: principal(1, 2, 2.5)[kg * m ^ 2],
+        points: [hinge = (0.3, 0.7, 0), tip = (-0.1, 0.2, 0)],
+        fields: [electric = world(3, -7, 0)[V / m].on([0.1[C].at(hinge), e.at(tip)])],
+    });
+}
+
+/// Moments of charges are about the point that is held: one that sits there has none, whatever rounding does to two that cancel.
+#[test]
+fn a_charge_on_the_hinge_does_not_turn() {
+    let state = Hinge {
+        angle: 0.7,
+        angular_velocity: 0.0,
+    };
+    let e = 1e-20;
+    let acceleration = listed::Hinged {}.acceleration(0.0, &state, &listed::HingedInput { e });
+    let arm = nalgebra::Rotation2::new(0.7) * Vector2::new(-0.4, -0.5);
+    let expected = e * arm.perp(&Vector2::new(3.0, -7.0)) / (2.5 + 2.0 * 0.58);
+    assert!((acceleration - expected).abs() < 1e-15 * e);
 }
 
 #[test]

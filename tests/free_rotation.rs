@@ -8,18 +8,11 @@ use newton_euler::exact::{FreeRotation, Path};
 use newton_euler::nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
 use proptest::prelude::*;
-use reference::{attitude, distance, number, numbers, trajectory, vector};
-use serde_json::Value;
+use reference::turning::error;
+use reference::{attitude, number, numbers, trajectory, vector};
 
 /// Half a unit in the last place of one.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
-
-/// The larger of the errors of attitude and relative angular velocity.
-fn error(state: &Rotation, expected: &Rotation) -> f64 {
-    let rates = (state.angular_velocity - expected.angular_velocity).amax();
-    let size = expected.angular_velocity.norm();
-    distance(&state.attitude, &expected.attitude).max(if size > 0.0 { rates / size } else { rates })
-}
 
 fn turning(rates: [f64; 3]) -> Rotation {
     Rotation {
@@ -59,53 +52,9 @@ fn end_states_of_published_problems() {
     }
 }
 
-struct Case {
-    name: String,
-    moments: [f64; 3],
-    start: Rotation,
-    time: f64,
-    end: Rotation,
-}
-
-fn cases() -> Vec<Case> {
-    let list: Value = serde_json::from_str(include_str!("reference/free_rotation.json")).unwrap();
-    let read = |case: &Value| Case {
-        name: format!("{}, {}", case["kind"], case["angular_velocity"]),
-        moments: numbers(&case["moments"]),
-        start: Rotation {
-            attitude: attitude(&case["attitude"]),
-            angular_velocity: vector(&case["angular_velocity"]),
-        },
-        time: number(&case["time"]),
-        end: Rotation {
-            attitude: attitude(&case["end_attitude"]),
-            angular_velocity: vector(&case["end_angular_velocity"]),
-        },
-    };
-    list.as_array().unwrap().iter().map(read).collect()
-}
-
-/// By how much the end moves if one input moves by one unit in its last place.
-fn effect_of_one_ulp(case: &Case) -> f64 {
-    let base = free(case.moments, &case.start).at(case.time);
-    let step = 1e-9;
-    let mut worst: f64 = 0.0;
-    for k in 0..3 {
-        for factor in [1.0 + step, 1.0 - step] {
-            let (mut moments, mut start) = (case.moments, case.start);
-            moments[k] *= factor;
-            start.angular_velocity[k] *= factor;
-            worst = worst
-                .max(error(&free(moments, &case.start).at(case.time), &base))
-                .max(error(&free(case.moments, &start).at(case.time), &base));
-        }
-    }
-    worst / step * f64::EPSILON
-}
-
 #[test]
 fn end_states_of_all_kinds_of_motion() {
-    let cases = cases();
+    let cases = reference::turning::free();
     assert!(cases.len() > 60);
     for case in cases {
         let angle = case.start.angular_velocity.norm() * case.time.abs();
@@ -118,7 +67,8 @@ fn end_states_of_all_kinds_of_motion() {
         );
         // over a long time a step of 1e-9 of the inputs is not a small one
         if angle < 1e3 {
-            let bound = 4.0 * effect_of_one_ulp(&case);
+            let end_of = |moments, _, start: &_| free(moments, start).at(case.time);
+            let bound = 4.0 * case.effect_of_one_ulp(end_of);
             assert!(error <= bound, "{}: {error:e} > {bound:e}", case.name);
             let turned = end.attitude.coords.dot(&case.end.attitude.coords);
             assert!(turned > 0.0, "{}: the sign of q jumps", case.name);
@@ -129,7 +79,9 @@ fn end_states_of_all_kinds_of_motion() {
 /// A billion seconds: phases lose no more than the rounding of their rates.
 #[test]
 fn long_times() {
-    let long = cases().into_iter().filter(|case| case.time > 1e5);
+    let long = reference::turning::free()
+        .into_iter()
+        .filter(|case| case.time > 1e5);
     let mut count = 0;
     for case in long {
         let angle = case.start.angular_velocity.norm() * case.time;

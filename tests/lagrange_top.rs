@@ -7,120 +7,47 @@ use newton_euler::exact::{FreeRotation, LagrangeTop, Path, Pendulum};
 use newton_euler::nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
 use proptest::prelude::*;
+use reference::turning::{Turning, error, tops};
 use reference::{attitude, distance, number, numbers, trajectory, vector};
-use serde_json::Value;
 
 /// Half a unit in the last place of one.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 
-struct Case {
-    name: String,
-    moments: [f64; 2],
-    couple: f64,
-    start: Rotation,
-    time: f64,
-    end: Rotation,
+fn path(case: &Turning<2>) -> LagrangeTop {
+    under(case.moments, case.drive, &case.start)
 }
 
-impl Case {
-    fn path(&self) -> LagrangeTop {
-        let couple = Vector3::z() * self.couple;
-        LagrangeTop::new(self.moments, Vector3::z_axis(), couple, &self.start)
-    }
-
-    /// The angle turned: the angular velocity at most, for the time.
-    fn angle(&self) -> f64 {
-        let path = self.path();
-        let part = self.time / 256.0;
-        let rates = (0..256).map(|k| path.at(part * f64::from(k)).angular_velocity.norm());
-        rates.sum::<f64>() * part.abs()
-    }
+/// Under an upright couple.
+fn under(moments: [f64; 2], couple: f64, start: &Rotation) -> LagrangeTop {
+    LagrangeTop::new(moments, Vector3::z_axis(), Vector3::z() * couple, start)
 }
 
-/// The larger of the errors of attitude and relative angular velocity.
-fn error(state: &Rotation, expected: &Rotation) -> f64 {
-    let rates = (state.angular_velocity - expected.angular_velocity).amax();
-    let size = expected.angular_velocity.norm();
-    distance(&state.attitude, &expected.attitude).max(if size > 0.0 { rates / size } else { rates })
-}
-
-fn cases() -> Vec<Case> {
-    let list: Value = serde_json::from_str(include_str!("reference/heavy_top.json")).unwrap();
-    let read = |case: &Value| Case {
-        name: format!(
-            "{}, {}, {}",
-            case["kind"], case["attitude"], case["angular_velocity"]
-        ),
-        moments: numbers(&case["moments"]),
-        couple: number(&case["couple"]),
-        start: Rotation {
-            attitude: attitude(&case["attitude"]),
-            angular_velocity: vector(&case["angular_velocity"]),
-        },
-        time: number(&case["time"]),
-        end: Rotation {
-            attitude: attitude(&case["end_attitude"]),
-            angular_velocity: vector(&case["end_angular_velocity"]),
-        },
-    };
-    list.as_array().unwrap().iter().map(read).collect()
-}
-
-/// By how much the end moves if one input moves by one unit in its last place.
-fn effect_of_one_ulp(case: &Case) -> f64 {
-    let base = case.path().at(case.time);
-    let step = 1e-9;
-    let mut worst: f64 = 0.0;
-    let mut moved = |moments: [f64; 2], couple: f64, start: Rotation| {
-        let couple = Vector3::z() * couple;
-        let end = LagrangeTop::new(moments, Vector3::z_axis(), couple, &start).at(case.time);
-        worst = worst.max(error(&end, &base));
-    };
-    for factor in [1.0 + step, 1.0 - step] {
-        for k in 0..3 {
-            let mut start = case.start;
-            start.angular_velocity[k] *= factor;
-            moved(case.moments, case.couple, start);
-        }
-        for k in 0..4 {
-            let mut coords = case.start.attitude.coords;
-            coords[k] *= factor;
-            let attitude = UnitQuaternion::new_normalize(Quaternion::from(coords));
-            moved(
-                case.moments,
-                case.couple,
-                Rotation {
-                    attitude,
-                    ..case.start
-                },
-            );
-        }
-        let [across, along] = case.moments;
-        moved([across * factor, along], case.couple, case.start);
-        moved([across, along * factor], case.couple, case.start);
-        moved(case.moments, case.couple * factor, case.start);
-    }
-    worst / step * f64::EPSILON
+/// The angle turned: the angular velocity at most, for the time.
+fn angle(case: &Turning<2>) -> f64 {
+    let path = path(case);
+    let part = case.time / 256.0;
+    let rates = (0..256).map(|k| path.at(part * f64::from(k)).angular_velocity.norm());
+    rates.sum::<f64>() * part.abs()
 }
 
 /// In units of the bound: `2e-14` and four roundings for each radian, and no more than four times the effect of one ulp.
-fn check(case: &Case) {
-    let end = case.path().at(case.time);
+fn check(case: &Turning<2>) {
+    let end = path(case).at(case.time);
     let error = error(&end, &case.end);
-    let angle = case.angle();
-    let bound = 2e-14 + 4.0 * ROUNDING * angle;
+    let bound = 2e-14 + 4.0 * ROUNDING * angle(case);
     assert!(error <= bound, "{}: {error:e} > {bound:e}", case.name);
-    let bound = 4.0 * effect_of_one_ulp(case);
+    let end_of = |moments, couple, start: &_| under(moments, couple, start).at(case.time);
+    let bound = 4.0 * case.effect_of_one_ulp(end_of);
     assert!(error <= bound, "{}: {error:e} > {bound:e}", case.name);
 }
 
 #[test]
 fn end_states_of_all_kinds_of_motion() {
-    let cases = cases();
+    let cases = tops();
     assert!(cases.len() > 80);
     for case in cases {
         check(&case);
-        let turned = case.path().at(case.time).attitude.coords;
+        let turned = path(&case).at(case.time).attitude.coords;
         let turned = turned.dot(&case.end.attitude.coords);
         assert!(turned > 0.0, "{}: the sign of q jumps", case.name);
     }
@@ -131,10 +58,10 @@ fn end_states_of_published_problems() {
     for name in ["lagrange_nutation", "sleeping_top"] {
         let problem = trajectory(name);
         let [across, _, along] = numbers(&problem["I"]);
-        check(&Case {
+        check(&Turning {
             name: name.to_owned(),
             moments: [across, along],
-            couple: number(&problem["k"]),
+            drive: number(&problem["k"]),
             start: Rotation {
                 attitude: attitude(&problem["q0"]),
                 angular_velocity: vector(&problem["w0"]),
@@ -157,7 +84,7 @@ fn turning(rates: [f64; 3]) -> Rotation {
 
 /// Of moments one across and 1/2 along the third axis, and a couple of one upwards.
 fn top(start: &Rotation) -> LagrangeTop {
-    LagrangeTop::new([1.0, 0.5], Vector3::z_axis(), Vector3::z(), start)
+    under([1.0, 0.5], 1.0, start)
 }
 
 /// Energy and vertical angular momentum of such a one.

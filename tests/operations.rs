@@ -1,5 +1,4 @@
-//! Operations of generated code, counted: what EQUATIONS.md, section 3, says can be reached is reached,
-//! and numbers written into a description never cost more than the same numbers as parameters.
+//! Operations of generated code, counted: they are no more than by hand, and numbers written into a description never cost more than the same numbers as parameters.
 #![allow(missing_docs)]
 
 use newton_euler::operations::{Operations, Stage};
@@ -112,7 +111,7 @@ rigid_body!(PrincipalParams {
     forces: [push = body(fx, fy, fz).at(p)],
 });
 
-/// EQUATIONS.md has 85 and 87, 72, 52, 38; under a constant force, principal axes save 7 more.
+/// Written by hand, these are 85 and 87, 72, 52, 38; under a constant force, principal axes save 7 more.
 #[test]
 fn whole_bodies() {
     assert_eq!(count(General::OPERATIONS), 83);
@@ -123,7 +122,7 @@ fn whole_bodies() {
     assert_eq!(count(PrincipalParams::OPERATIONS), 52);
 }
 
-/// Cases of EQUATIONS.md, section 3, whose code is known to the operation.
+/// Cases whose code is known to the operation.
 mod cases {
     use newton_euler::rigid_body;
 

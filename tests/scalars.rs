@@ -150,7 +150,7 @@ rigid_body!(Handle::<T> {
     outputs: [energy, momentum],
 });
 
-/// EQUATIONS.md, H11: round-off in single precision grows with the square root of the steps.
+/// Round-off in single precision grows with the square root of the steps.
 #[test]
 fn flips_in_single_precision() {
     let start = generic::Rotation::<f32> {
@@ -185,7 +185,7 @@ rigid_body!(Scaled::<T> {
     moments: [drive = torque],
 });
 
-/// EQUATIONS.md, H10: the inverse of a tensor at any scale, to 1e-6 in single precision.
+/// The inverse of a tensor at any scale, to 1e-6 in single precision.
 #[test]
 fn inertias_of_any_scale() {
     let exact = {

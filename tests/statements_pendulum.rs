@@ -205,7 +205,7 @@ rigid_body!(Bob {
     outputs: [reactions],
 });
 
-/// EQUATIONS, section D: the degenerate body of which all mass is in one point.
+/// The degenerate body of which all mass is in one point.
 #[test]
 fn a_point_on_a_rod() {
     let state = Hinge {

@@ -1,6 +1,6 @@
 //! What the constructors promise: simplification, stages, schedule and cost.
 
-use crate::symbolic::{Comparison, Function, Graph, Node, Number, Stage};
+use crate::symbolic::{Comparison, Function, Graph, Id, Node, Number, Stage};
 
 #[test]
 fn equal_expressions_are_one_node() {
@@ -82,6 +82,42 @@ fn a_difference_of_squares_is_a_product() {
     assert_eq!(g.difference(twice, once), g.subtract(twice, once));
     assert_eq!(g.difference(a, b), g.subtract(a, b));
     assert_eq!(g.difference(first, first), g.zero());
+}
+
+/// `m (c^2 + a^2) - m (a^2 + 1/4) = m (c - 1/2) (c + 1/2)`, and 0.3 in two parts.
+#[test]
+fn so_is_one_of_a_number_and_a_square() {
+    let mut g = Graph::default();
+    let [m, c] = core::array::from_fn(|_| g.symbol(Stage::Parameter));
+    let of = |g: &mut Graph, edge: Id| {
+        let square = g.square(edge);
+        g.multiply(m, square)
+    };
+    let half = g.number(Number::ratio(1, 2));
+    let (with_c, with_half) = (of(&mut g, c), of(&mut g, half));
+    let (less, sum) = (g.subtract(c, half), g.add(c, half));
+    let product = g.multiply(less, sum);
+    assert_eq!(g.difference(with_c, with_half), g.multiply(m, product));
+
+    // two numbers, m being none
+    let quarter = g.number(Number::ratio(1, 4));
+    let (first, second) = (g.add(with_c, with_half), with_c);
+    assert_eq!(g.difference(first, second), g.multiply(quarter, m));
+
+    let edge = g.number(Number::ratio(3, 10));
+    let with_edge = of(&mut g, edge);
+    let difference = g.difference(with_c, with_edge);
+    let value = 0.3 + 1e-12;
+    let found = g.evaluate(
+        &[difference],
+        |symbol| if symbol == c { value } else { 2.0 },
+    )[0];
+    let [square, expected] = [Number::from_f64(value), Number::ratio(3, 10)].map(|x| x.clone() * x);
+    let expected = ((square - expected) * Number::integer(2)).to_f64();
+    assert!(
+        (found / expected - 1.0).abs() < 4e-16,
+        "{found:e} {expected:e}"
+    );
 }
 
 #[test]

@@ -168,6 +168,7 @@ fn bodies_that_spin_up() {
         check(&Pinwheel::<f64>::default(), &spun(rates));
         check(&Drill::default(), &spun(rates));
         check(&Sphere::default(), &thrown(rates));
+        check(&Globe::default(), &spun(rates));
     }
 }
 

@@ -308,3 +308,13 @@ rigid_body!(Sphere {
     moments: [motor = body(0.01, 0, 0)],
     outputs: [flow],
 });
+
+rigid_body!(Globe {
+    doc: "The same of a parameter.",
+    motion: rotation,
+    params: [radius = 0.3[m]],
+    mass: 2[kg],
+    inertia: sphere(radius),
+    moments: [motor = body(0.01, 0.02, -0.03)],
+    outputs: [flow],
+});

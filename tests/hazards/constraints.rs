@@ -11,7 +11,7 @@ use crate::exact::{Real, ULP, real, relative_to, worse};
 use crate::steps;
 use crate::table::Record;
 
-/// M1 of EQUATIONS.md: a pendulum, its pin as a constraint.
+/// A pendulum of given numbers, its pin as a constraint.
 mod pendulum {
     newton_euler::rigid_body!(Constrained {
         motion: planar,

@@ -46,6 +46,26 @@ rigid_body!(Bar::<T> {
     inertia: cuboid(a, b, c),
 });
 
+/// Edges of numbers beside one that is a parameter, of numbers that doubles are not.
+mod beside {
+    newton_euler::rigid_body!(Bar {
+        motion: rotation,
+        params: [c = 0.4[m]],
+        mass: 1.7[kg],
+        inertia: cuboid(1, 0.3, c),
+    });
+}
+
+/// The same with a multiple of it.
+mod multiple {
+    newton_euler::rigid_body!(Bar {
+        motion: rotation,
+        params: [c = 0.1[m]],
+        mass: 1.7[kg],
+        inertia: ellipsoid(1, 0.3, 3 * c),
+    });
+}
+
 fn coupling<T: Scalar, B>(body: &B) -> T
 where
     B: RigidBody<Scalar = T, State = generic::Rotation<T>, Input = ()>,
@@ -84,13 +104,14 @@ pub fn nearly_equal() -> Vec<Record> {
         in_single = worse(in_single, relative(single, &expected));
     }
     records.push(Record::alone("numbers, all of these, f32").ours(in_single, 4.0 * ULP32));
-    for c in [
+    let edges = [
         0.3003,
         0.300_000_3,
         0.300_000_000_3,
         0.300_000_000_000_3,
         0.300_000_000_000_003,
-    ] {
+    ];
+    for c in edges {
         let [m, a, b] = [1.7, 1.0, 0.3];
         let expected = exact_coupling(&rational(b), &rational(c));
         let plain = relative(straightforward_coupling([m, a, b, c]), &expected);
@@ -100,6 +121,24 @@ pub fn nearly_equal() -> Vec<Record> {
         records.push(
             Record::fails(format!("params, c - b = {:.0e}", c - b), plain, by)
                 .ours(ours, 4.0 * ULP),
+        );
+    }
+    let b = decimal("0.3");
+    for c in edges {
+        let plain = straightforward_coupling([1.7, 1.0, 0.3, c]);
+        let by = ULP * 0.1 / (c - 0.3);
+        let expected = exact_coupling(&b, &rational(c));
+        let bar = beside::Bar::new(beside::BarParams { c }).expect("a bar");
+        let ours = relative(coupling(&bar), &expected);
+        // a third of it, of which 3 c is not rounded
+        let third = c / 3.0;
+        let exact_third = exact_coupling(&b, &(rational(third) * rational(3.0)));
+        let egg = multiple::Bar::new(multiple::BarParams { c: third }).expect("an egg");
+        let of_third = relative(coupling(&egg), &exact_third);
+        let name = format!("a number and a param, c - b = {:.0e}", c - 0.3);
+        records.push(
+            Record::fails(name, relative(plain, &expected), by)
+                .ours(worse(ours, of_third), 4.0 * ULP),
         );
     }
     records

@@ -30,7 +30,7 @@ use std::sync::OnceLock;
 
 use table::Record;
 
-/// Whether runs are as long as EQUATIONS.md asks for.
+/// Whether runs are as long as those of `docs/trust.md`.
 fn is_full() -> bool {
     std::env::var_os("HAZARDS").is_some()
 }

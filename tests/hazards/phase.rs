@@ -112,7 +112,7 @@ fn handle() -> Record {
         angular_velocity: Vector3::new(0.01, 1.0, 0.01),
         ..Rotation::default()
     };
-    // EQUATIONS.md, F11
+    // the period, by 40-digit arithmetic
     let (count, time, late) = periods(&decimal("39.105734197268720854"));
     let path = Handle {}.path(&start);
     let error = (path.at(time).angular_velocity - path.at(late).angular_velocity).amax();

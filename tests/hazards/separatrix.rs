@@ -34,7 +34,7 @@ fn straightforward_period(w: &Vector3<f64>) -> f64 {
 }
 
 pub fn periods() -> Vec<Record> {
-    // EQUATIONS.md, H8: by 40-digit arithmetic
+    // by 40-digit arithmetic
     let periods = [
         (1e-2, 33.194_997_008_915_49, 0.0),
         (1e-4, 65.109_084_209_575_28, 1e-11),

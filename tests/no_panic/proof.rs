@@ -2,10 +2,10 @@
 
 use std::process::{Command, Output};
 
-/// Links the program with these features.
+/// Links the program with these features, and asks it how many functions it has.
 fn link(features: &str) -> Output {
     Command::new(env!("CARGO"))
-        .args(["build", "--quiet", "--profile", "proof"])
+        .args(["run", "--quiet", "--profile", "proof"])
         .args(["-p", "newton-euler-no-panic", "--features", features])
         .env_remove("RUSTFLAGS")
         .env_remove("CARGO_ENCODED_RUSTFLAGS")
@@ -15,8 +15,19 @@ fn link(features: &str) -> Output {
 
 #[test]
 fn nothing_can_panic() {
-    let Output { status, stderr, .. } = link("proof");
+    let Output {
+        status,
+        stdout,
+        stderr,
+    } = link("proof");
     assert!(status.success(), "{}", String::from_utf8_lossy(&stderr));
+    let text = String::from_utf8_lossy(&stdout);
+    println!("proven: {text}");
+    let count = text
+        .split_whitespace()
+        .next()
+        .and_then(|word| word.parse().ok());
+    assert!(count.is_some_and(|count: u32| count > 300), "{text}");
 }
 
 #[test]

@@ -362,7 +362,8 @@ fn the_charges_are_those_of_the_file() {
 }
 
 /// H9: the arm of a force is that in the body, however far the other end of the spring is. By the distance from G to the other
-/// end, the moment would be right to 2e-16 of that times the force: to some 1e9 of these units.
+/// end, the moment would be right to 2e-16 of that times the force: to some 1e9 of these units. Several springs of one potential
+/// have an arm each.
 #[test]
 fn moments_do_not_see_far_distances() {
     let state = Planar {
@@ -382,6 +383,31 @@ fn moments_do_not_see_far_distances() {
         let largest = arm.norm() * applied.force.norm();
         assert!((applied.moment - moment).abs() <= 8.0 * f64::EPSILON * largest);
     }
+
+    let input = scenes::TowedInput { h: 3.0 };
+    let state = Spatial {
+        position: [1e9 + 3.0, 2e9 - 5.0, 1.0].into(),
+        attitude: newton_euler::attitude::exp(&[0.4, -0.3, 0.2].into()),
+        ..Spatial::default()
+    };
+    let applied = scenes::Towed::default().applied(0.0, &state, &input);
+    let quay = Vector3::new(1e9, 2e9, -3e9);
+    let arms = [[0.25, 0.0, 1.0], [-0.5, 0.75, 0.0]].map(Vector3::from);
+    let stiffness = |length: f64| {
+        [
+            4.0 * (1.0 - 3.0 / length) + 16.0,
+            3.0 * (1.0 - 5.0 / length) - 16.0,
+        ]
+    };
+    let (mut moment, mut largest) = (Vector3::zeros(), 0.0);
+    for (i, arm) in arms.into_iter().enumerate() {
+        let arm = state.attitude * arm;
+        let stretch = quay - state.position - arm;
+        let force = stiffness(stretch.norm())[i] * stretch;
+        moment += arm.cross(&force);
+        largest += arm.norm() * force.norm();
+    }
+    assert!((applied.moment - moment).norm() <= 8.0 * f64::EPSILON * largest);
 
     let input = scenes::GuidedInput { k: 4.0 };
     let state = Translation {

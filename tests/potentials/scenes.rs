@@ -164,6 +164,29 @@ newton_euler::rigid_body!(Moored {
     outputs: [balance],
 });
 
+newton_euler::rigid_body!(Towed {
+    doc: "Springs of one potential to somewhere far, some with a rest length; those without one cancel.",
+    motion: spatial,
+    params: [k = 4[N / m]],
+    inputs: [h[N / m]],
+    mass: 2,
+    inertia: principal(1, 2, 2.5),
+    points: [
+        bow = (0.25, 0, 1),
+        stern = (-0.5, 0.75, 0),
+        quay = world(1e9, 2e9, -3e9)
+    ],
+    locals: [
+        to_bow = quay.position() - bow.position(),
+        to_stern = quay.position() - stern.position()
+    ],
+    potentials: [ropes = k / 2 * (to_bow.norm() - 3[m]).powi(2)
+        + h / 2 * (to_stern.norm() - 5[m]).powi(2)
+        + 2 * k * to_bow.norm_squared()
+        - 2 * k * to_stern.norm_squared(),],
+    outputs: [balance],
+});
+
 newton_euler::rigid_body!(Guided {
     doc: "The same with a rest length, on guides.",
     motion: translation,

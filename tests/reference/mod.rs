@@ -4,6 +4,8 @@
 use nalgebra::{Quaternion, UnitQuaternion, Vector2, Vector3};
 use serde_json::Value;
 
+pub mod turning;
+
 /// The statements of the theory, by name.
 pub fn statement(name: &str) -> Value {
     file(include_str!("statements.json"))["statements"][name].take()

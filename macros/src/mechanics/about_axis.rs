@@ -60,8 +60,8 @@ pub fn about_axis(
     let of = |wanted: Kind| kinds.iter().filter(move |(_, _, kind)| *kind == wanted);
     let others = of(Kind::Other).map(|(load, moment, _)| {
         format!(
-            "the moment of `{}` depends on {}, and only constant moments, or those of constant forces \
-             in world axes, which make a pendulum, have one",
+            "the moment of `{}` depends on {}, and is neither constant nor that of forces that are constant in \
+             world axes",
             load.name,
             dependence(model, &[*moment])
         )

@@ -17,38 +17,37 @@ pub fn axes_of_symmetry(
     let Inertia::Spatial(rows) = inertia_about_center(model) else {
         return Vec::new();
     };
-    let graph = &mut model.frames.graph;
-    let units = graph.unit_vectors();
-    let Some(tensor) = constant(graph, &rows) else {
-        return (0..3)
-            .filter(|axis| is_symmetric(model, &rows, *axis))
-            .map(|axis| {
-                (
-                    [rows[(axis + 1) % 3][(axis + 1) % 3], rows[axis][axis]],
-                    units[axis],
-                )
-            })
-            .collect();
-    };
-    match Spectrum::of(&tensor) {
-        Spectrum::General(_) => Vec::new(),
-        Spectrum::Symmetric(symmetry) => {
+    let units = model.frames.graph.unit_vectors();
+    let moments = match constant(&model.frames.graph, &rows).map(|tensor| Spectrum::of(&tensor)) {
+        None => {
+            let axes: Vec<usize> = (0..3)
+                .filter(|axis| is_symmetric(model, &rows, *axis))
+                .collect();
+            if axes.len() < 2 {
+                let across = |axis: usize| rows[(axis + 1) % 3][(axis + 1) % 3];
+                let about = |axis| ([across(axis), rows[axis][axis]], units[axis]);
+                return axes.into_iter().map(about).collect();
+            }
+            [rows[0][0]; 2]
+        }
+        Some(Spectrum::General(_)) => return Vec::new(),
+        Some(Spectrum::Symmetric(symmetry)) => {
+            let graph = &mut model.frames.graph;
             let moments =
                 [&symmetry.across, &symmetry.along].map(|moment| graph.number(moment.clone()));
-            vec![(moments, unit(graph, &symmetry.axis))]
+            return vec![(moments, unit(graph, &symmetry.axis))];
         }
-        Spectrum::Spherical(moment) => {
-            let moments = [graph.number(moment); 2];
-            let known = directions
-                .iter()
-                .find_map(|vector| known_direction(graph, vector));
-            known
-                .into_iter()
-                .chain(units)
-                .map(|axis| (moments, axis))
-                .collect()
-        }
-    }
+        Some(Spectrum::Spherical(moment)) => [model.frames.graph.number(moment); 2],
+    };
+    let graph = &mut model.frames.graph;
+    let known = directions
+        .iter()
+        .find_map(|vector| known_direction(graph, vector));
+    known
+        .into_iter()
+        .chain(units)
+        .map(|axis| (moments, axis))
+        .collect()
 }
 
 /// Of a tensor of parameters, whether it is symmetric about a coordinate axis.

@@ -12,11 +12,13 @@
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Frame, Meaning, Model, Motion, Vector};
+use crate::model::{Frame, Inertia, Meaning, Model, Motion, Vector};
 use crate::symbolic::{Components, Id, Node};
 
 use super::about_axis::about_axis;
 use super::axial_torque::{AxialTorque, axial_torque};
+use super::axis_of_symmetry::axes_of_symmetry;
+use super::dyadic::constant;
 use super::free_rotation::{Free, free};
 use super::lagrange_top::{Top, lagrange_top};
 use super::newton_euler::moments_about;
@@ -114,7 +116,8 @@ pub fn derive_flow(
     if !model.constraints.is_empty() {
         errors.push(
             place,
-            "under constraints there is no closed form in this version: use a motion with a support",
+            "under constraints there is no closed form in this version: use a motion with a support, or leave out \
+             `flow`, and the motion is integrated",
         );
         return None;
     }
@@ -126,7 +129,10 @@ pub fn derive_flow(
     let turning = turning(model, angular, &contributions, &mut obstacles);
     obstacles.dedup();
     for obstacle in &obstacles {
-        errors.push(place, format!("no closed form: {obstacle}"));
+        errors.push(
+            place,
+            format!("no closed form: {obstacle}; leave out `flow`, and the motion is integrated"),
+        );
     }
     let turning = turning.filter(|_| obstacles.is_empty())?;
     Some(Flow {
@@ -183,8 +189,7 @@ fn unsteady_forces(model: &Model, contributions: &[Contribution]) -> Vec<String>
         .map(|load| {
             let reason = dependence(model, &load.force);
             format!(
-                "the force `{}` depends on {reason}, and only forces that are constant in world axes \
-                 make a parabola of the path of G",
+                "the force `{}` depends on {reason}, and is not constant in world axes",
                 load.name
             )
         })
@@ -242,13 +247,19 @@ fn turning(
         }
     } else if is_free {
         return free(model).map(Turning::Free);
-    } else if let Some(top) = lagrange_top(model, total) {
-        return Some(Turning::Top(top));
-    } else if let Some(axial) = axial_torque(model, total) {
-        return Some(Turning::Axial(axial));
+    } else if let Some(turning) = symmetric(model, total) {
+        return Some(turning);
     }
     report_moments(model, contributions, obstacles);
     None
+}
+
+/// How a symmetric body turns under a moment.
+fn symmetric(model: &mut Model, moment: Components) -> Option<Turning> {
+    if let Some(top) = lagrange_top(model, moment) {
+        return Some(Turning::Top(top));
+    }
+    axial_torque(model, moment).map(Turning::Axial)
 }
 
 /// What is in the way of free rotation, and does not make a top or a spin that is linear in time either.
@@ -258,22 +269,53 @@ fn report_moments(model: &mut Model, contributions: &[Contribution], obstacles: 
     } else {
         "G"
     };
-    let others = if model.motion == Motion::Rod {
-        ""
-    } else {
-        ", or, of a symmetric body, under a constant moment along its axis, or constant forces on it"
-    };
+    let is_rod = model.motion == Motion::Rod;
+    let is_symmetric = !is_rod && !axes_of_symmetry(model, &[]).is_empty();
+    let (mut harmless, before) = (Vec::new(), obstacles.len());
     for load in contributions {
-        if !vanish(model, &load.moment).into_iter().all(|zero| zero) {
-            let manner = if model.frames.graph.are_early(&load.moment) {
-                "is constant in the body".to_owned()
-            } else {
-                format!("depends on {}", dependence(model, &load.moment))
-            };
-            obstacles.push(format!(
-                "the moment of `{}` about {center} {manner}, and only rotation without a moment has one{others}",
-                load.name
-            ));
+        if vanish(model, &load.moment).into_iter().all(|zero| zero) {
+            continue;
         }
+        if !is_rod && symmetric(model, load.moment).is_some() {
+            harmless.push(format!("`{}`", load.name));
+            continue;
+        }
+        let is_constant = model.frames.graph.are_early(&load.moment);
+        let manner = if is_constant {
+            "is constant in the body".to_owned()
+        } else {
+            format!("depends on {}", dependence(model, &load.moment))
+        };
+        let reason = match (is_symmetric, is_constant) {
+            _ if is_rod => "and a rod has one without moments only",
+            (false, _) if is_known(model) => {
+                "and the body is not symmetric about an axis through it"
+            }
+            (false, _) => {
+                "and the body is not known to be symmetric: equal moments are written alike, `principal(a, a, c)`"
+            }
+            (true, true) => {
+                "but not known to be along an axis of symmetry (of a ball, an axis of the body or a direction in numbers)"
+            }
+            (true, false) => "and is not that of constant forces on the axis of symmetry",
+        };
+        let name = &load.name;
+        obstacles.push(format!(
+            "the moment of `{name}` about {center} {manner}, {reason}"
+        ));
+    }
+    if obstacles.len() == before {
+        let names = harmless.join(" and ");
+        obstacles.push(format!(
+            "of the moments of {names} each has one alone, but not together"
+        ));
+    }
+}
+
+/// Whether all moments of inertia are numbers.
+fn is_known(model: &Model) -> bool {
+    match &model.inertia {
+        Inertia::Spatial(rows) => constant(&model.frames.graph, rows).is_some(),
+        _ => true,
     }
 }

@@ -1,9 +1,10 @@
 //! The physics: from a model to the equations of motion and what else is asked for.
 //!
-//! Conventions as in EQUATIONS: position, velocity and linear acceleration of G in world axes;
+//! Conventions: position, velocity and linear acceleration of G in world axes;
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
 mod about_axis;
+mod arm;
 mod axes;
 mod axial_torque;
 mod axis_of_symmetry;

@@ -16,6 +16,8 @@ use std::collections::{HashMap, HashSet};
 use crate::model::{Attitude, Family, Form, Frame, Load, Model, Turn, Vector};
 use crate::symbolic::{Components, Id, Number};
 
+use super::arm;
+
 /// What a potential amounts to.
 struct Derived {
     energy: Id,
@@ -147,32 +149,9 @@ fn carried(
     if turn.to == Frame::World {
         return None;
     }
-    let factor = common_rate(model, turn.vector, form.displacement, place)?;
-    Some(model.frames.graph.scale_vector(factor, slope))
-}
-
-/// The rate, known early, at which each component of a vector follows its own of the `symbols`, and none of the others in
-/// `place`.
-fn common_rate(
-    model: &mut Model,
-    vector: Components,
-    symbols: Components,
-    place: &HashSet<Id>,
-) -> Option<Id> {
     let graph = &mut model.frames.graph;
-    let (zero, one) = (graph.zero(), graph.one());
-    let mut common = None;
-    for (component, symbol) in vector.into_iter().zip(symbols) {
-        let gradient = graph.gradient(&[(component, one)], |id| place.contains(&id));
-        match gradient.as_slice() {
-            [] if component == zero && symbol == zero => {}
-            [(along, rate)] if *along == symbol && common.is_none_or(|known| known == *rate) => {
-                common = Some(*rate);
-            }
-            _ => return None,
-        }
-    }
-    common.filter(|rate| graph.is_early(*rate))
+    let factor = arm::common_rate(graph, turn.vector, form.displacement, place)?;
+    Some(graph.scale_vector(factor, slope))
 }
 
 /// The moment that a slope along a turned vector amounts to.
@@ -183,30 +162,10 @@ fn turning(model: &mut Model, turn: &Turn, slope: Components) -> Components {
             model.frames.graph.cross(back, turn.vector)
         }
         Frame::Body => {
-            let (factor, slope) = beside(model, turn, slope);
-            let graph = &mut model.frames.graph;
-            let turning = graph.cross(turn.turned, slope);
-            graph.scale_vector(factor, turning)
+            let (factor, moment) = arm::moment(&mut model.frames, turn.turned, slope);
+            model.frames.graph.scale_vector(factor, moment)
         }
     }
-}
-
-/// A slope `s (c r + b)` beside the turned vector r, as s and b: of `r x (c r + b)` the part along r is left out, which only rounding would
-/// keep, the more the farther r reaches. Where c is not known early, b is all of the bracket.
-fn beside(model: &mut Model, turn: &Turn, slope: Components) -> (Id, Components) {
-    let (mut factor, mut rest) = (model.frames.graph.one(), slope);
-    while let Some((part, others)) = model.frames.common_factor(rest) {
-        factor = model.frames.graph.multiply(factor, part);
-        rest = others;
-    }
-    let place: HashSet<Id> = turn.turned.into_iter().collect();
-    if common_rate(model, rest, turn.turned, &place).is_some() {
-        let graph = &mut model.frames.graph;
-        let zero = graph.zero();
-        let others = graph.substitute(&rest, |id| place.contains(&id).then_some(zero));
-        rest = [others[0], others[1], others[2]];
-    }
-    (factor, rest)
 }
 
 /// The symbols that say where the body is: of the displacement, the attitude and turned vectors.

@@ -1,4 +1,4 @@
-//! (1.4) of a rod: without inertia about its axis u, it turns as u does (EQUATIONS.md, D).
+//! (1.4) of a rod: without inertia about its axis u, it turns as u does.
 //!
 //! ```text
 //! u'' = (K x u) / J - u'^2 u

@@ -2,7 +2,7 @@
 
 use crate::errors::Extent;
 use crate::symbolic::{Comparison, Id};
-use crate::syntax::{Expression, Operator, Prefix, Step};
+use crate::syntax::{Expression, Kind, Operator, Prefix, Step};
 
 use super::dimension::Dimension;
 use super::frame::Vector;
@@ -122,13 +122,20 @@ impl Lowering<'_> {
             return self.point_beside(point, vector, dimension(right)?, sides);
         }
         let (Some(a), Some(b)) = (dimension(left), dimension(right)) else {
-            let (wrong, place) = if dimension(left).is_none() {
-                (left, sides.left.extent)
-            } else {
-                (right, sides.step.operand.extent)
-            };
-            let verb = if is_sum { "added" } else { "subtracted" };
-            return self.report(place, format!("{} cannot be {verb}", wrong.kind()));
+            let operand = Some(&sides.step.operand);
+            let both = [
+                (left, sides.left.extent, sides.left.written),
+                (right, sides.step.operand.extent, operand),
+            ];
+            for (value, place, written) in both {
+                if dimension(value).is_none() {
+                    let verb = if is_sum { "added" } else { "subtracted" };
+                    let instead = self.instead(value, written);
+                    self.errors
+                        .push(place, format!("{} cannot be {verb}{instead}", value.kind()));
+                }
+            }
+            return None;
         };
         let same_kind = matches!(left, Value::Scalar(..)) == matches!(right, Value::Scalar(..));
         if !same_kind {
@@ -173,6 +180,21 @@ impl Lowering<'_> {
         let (a, b) = (self.as_vector(left)?, self.as_vector(right)?);
         let b = if is_sum { b } else { self.frames.negate(b) };
         Some(Value::Vector(self.frames.add(a, b), dimension))
+    }
+
+    /// What to write where a point is not meant, but a vector.
+    fn instead(&self, value: Value, written: Option<&Expression>) -> String {
+        if !matches!(value, Value::Point(_)) {
+            return String::new();
+        }
+        if self.motion.is_supported() && self.state.support.is_none() {
+            return ": write a vector, `body(x, y, z)` or `world(x, y, z)`".to_owned();
+        }
+        let name = match written.map(|written| &written.kind) {
+            Some(Kind::Name(name)) => name.to_string(),
+            _ => String::new(),
+        };
+        format!(": write `{name}.position()`, the vector to it from the origin of the world")
     }
 
     /// `P + v`: the matter of the body that is there, away from a point of it.

@@ -2,7 +2,7 @@
 //!
 //! Parts and points are written from one drawing origin. Nothing is ever moved back to G by a
 //! subtraction: offsets are taken from the first part, then from G, and the inertia is built up
-//! about G (EQUATIONS.md, H3).
+//! about G (`docs/trust.md`, H3).
 
 use crate::errors::Extent;
 use crate::symbolic::{Components, Graph, Id};

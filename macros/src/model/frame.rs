@@ -4,7 +4,7 @@
 //! world axes. Sums stay in the axes they were written in; only where components are read, or
 //! where vectors of both kinds are multiplied, one of them is turned. So all body-fixed forces are
 //! added before the one rotation, and the difference of two points of the body knows nothing of
-//! where the body is (EQUATIONS.md, H9).
+//! where the body is (`docs/trust.md`, H9).
 
 use crate::symbolic::{Components, Graph, Id};
 

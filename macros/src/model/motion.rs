@@ -124,7 +124,7 @@ pub struct Support {
 
 impl State {
     /// Where a point is. The difference of two points of the body does not depend on where the
-    /// body is (EQUATIONS.md, H9).
+    /// body is, however far that is (`docs/trust.md`, H9).
     pub fn place(&self, frames: &mut Frames, point: Point) -> Vector {
         match point {
             Point::World(position) => frames.vector(Frame::World, position),

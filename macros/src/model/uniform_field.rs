@@ -4,11 +4,11 @@
 //! p x E follow from it, with both sums folded; a net charge of zero is no special case.
 
 use crate::errors::Extent;
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Charge, Expression, Load};
 
 use super::dimension::Dimension;
-use super::frame::{Attitude, Vector};
+use super::frame::{Attitude, Frame, Vector};
 use super::lower::{Lowering, dimension};
 use super::value::{Point, Value};
 
@@ -48,19 +48,19 @@ impl Lowering<'_> {
         let graph = &mut self.frames.graph;
         let net: Vec<Id> = charges.iter().map(|(charge, _)| *charge).collect();
         let net = graph.sum(&net);
-        let dipole = [0, 1, 2].map(|axis| {
-            let terms: Vec<Id> = charges
-                .iter()
-                .map(|(charge, offset)| graph.multiply(*charge, offset[axis]))
-                .collect();
-            graph.sum(&terms)
-        });
+        let dipole = moment(graph, &charges);
+        // where the motion of G is not modelled, positions count from G; where a point of the body is held, they do from there
+        let Vector { body, world } = self.state.position;
+        let from_held = charges
+            .iter()
+            .map(|(charge, offset)| (*charge, graph.add_vectors(body, *offset)));
+        let from_held: Vec<(Id, Components)> = from_held.collect();
+        let turned = moment(graph, &from_held);
+        let moved = graph.scale_vector(net, world);
         self.frames.labels.name(net, format!("{name}_charge"));
-        self.frames.labels.vector(&format!("{name}_dipole"), dipole);
-        // where the motion of G is not modelled, positions count from G
-        let position = self.state.position;
-        let moved = self.frames.scale(net, position);
-        let turned = self.frames.fixed_in_body(dipole);
+        self.frames.labels.vector(&format!("{name}_dipole"), turned);
+        let moved = self.frames.vector(Frame::World, moved);
+        let turned = self.frames.fixed_in_body(turned);
         let whole = self.frames.add(moved, turned);
         let work = self.frames.dot(field, whole);
         let energy = self.frames.graph.negate(work);
@@ -176,4 +176,15 @@ impl Lowering<'_> {
         roots.extend(turns.flat_map(|turn| turn.turned));
         self.late_symbols(&roots)
     }
+}
+
+/// `sum e r`
+fn moment(graph: &mut Graph, charges: &[(Id, Components)]) -> Components {
+    [0, 1, 2].map(|axis| {
+        let terms: Vec<Id> = charges
+            .iter()
+            .map(|(charge, offset)| graph.multiply(*charge, offset[axis]))
+            .collect();
+        graph.sum(&terms)
+    })
 }

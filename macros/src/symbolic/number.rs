@@ -203,7 +203,8 @@ impl Number {
         Some(self.exact_root(degree).unwrap_or(rounded))
     }
 
-    fn exact_root(&self, degree: usize) -> Option<Self> {
+    /// The root, if it is a ratio of whole numbers.
+    pub(super) fn exact_root(&self, degree: usize) -> Option<Self> {
         let (numerator, denominator) = (self.value.numerator().clone(), self.value.denominator());
         let numerator = UBig::try_from(numerator).ok()?;
         let roots = (numerator.nth_root(degree), denominator.nth_root(degree));

@@ -33,8 +33,8 @@ macro_rules! accelerations {
             }
         })*
 
-        fn link_accelerations() {
-            $($name::link();)*
+        fn link_accelerations() -> usize {
+            [$($name::link()),*].iter().sum()
         }
     };
 }
@@ -60,8 +60,8 @@ macro_rules! energies {
             }
         })*
 
-        fn link_energies() {
-            $($name::link();)*
+        fn link_energies() -> usize {
+            [$($name::link()),*].iter().sum()
         }
     };
 }
@@ -215,8 +215,6 @@ mod others {
     }
 }
 
-pub fn link() {
-    link_accelerations();
-    link_energies();
-    others::link();
+pub fn link() -> usize {
+    link_accelerations() + link_energies() + others::link()
 }

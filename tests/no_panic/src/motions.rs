@@ -45,8 +45,8 @@ macro_rules! steps {
             }
         })*
 
-        fn link_steps() {
-            $($name::link();)*
+        fn link_steps() -> usize {
+            [$($name::link()),*].iter().sum()
         }
     };
 }
@@ -103,8 +103,8 @@ macro_rules! motions {
             }
         })*
 
-        fn link_motions() {
-            $($name::link();)*
+        fn link_motions() -> usize {
+            [$($name::link()),*].iter().sum()
         }
     };
 }
@@ -186,8 +186,6 @@ mod others {
     }
 }
 
-pub fn link() {
-    link_steps();
-    link_motions();
-    others::link();
+pub fn link() -> usize {
+    link_steps() + link_motions() + others::link()
 }

@@ -93,7 +93,9 @@ mod tests {
             survey.ask(bodies::SEED, *index, *ask, 0..4);
         }
         println!("{survey}");
-        assert!(survey.evaluations > 200 * bodies::ALL.len() as u64);
+        // few states are left out, and fewer answers
+        assert!(survey.near_switches < survey.evaluations / 10);
+        assert!(survey.undefined < survey.evaluations / 1000);
         for (output, record) in output::Output::ALL.iter().zip(&survey.records) {
             assert!(record.error <= BOUND, "{output}: {record:?}");
         }

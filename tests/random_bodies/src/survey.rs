@@ -32,7 +32,7 @@ pub struct Survey {
     pub evaluations: u64,
     /// States in which rounding decides a condition.
     pub near_switches: u64,
-    /// Answers that are infinite or no number in both.
+    /// Answers that are infinite or no number in both, or have terms that are.
     pub undefined: u64,
     /// Products of the norms of inertia and its inverse: the largest.
     pub condition: f64,
@@ -103,7 +103,7 @@ impl Survey {
             };
             let record = &mut self.records[expected.output as usize];
             record.evaluations += 1;
-            if error > record.error || error.is_nan() {
+            if error > record.error {
                 record.error = error;
                 (record.body, record.state, record.load) = (index, state, expected.load);
             }
@@ -138,11 +138,15 @@ impl Survey {
     }
 }
 
-/// In units in the last place of the largest term; nothing where there is no number on either side.
+/// In units in the last place of the largest term; nothing where there is no number on either side, or the term is infinite.
 fn error(expected: &Expected, answer: &[f64; 3]) -> Option<f64> {
     let largest = expected.value.size;
-    let is_finite = largest.is_finite() && expected.value.value.iter().all(|x| x.high.is_finite());
-    if !is_finite {
+    let is_known = expected.value.value.iter().all(|x| x.high.is_finite());
+    let is_answered = answer.iter().all(|x| x.is_finite());
+    if is_known != is_answered {
+        return Some(f64::INFINITY);
+    }
+    if !is_known || !largest.is_finite() {
         return None;
     }
     let unit = largest.next_up() - largest;
@@ -155,11 +159,7 @@ fn error(expected: &Expected, answer: &[f64; 3]) -> Option<f64> {
             let difference = *expected - (*answer).into();
             difference.high.abs() / unit
         });
-    // not a number is worse than any
-    Some(differences.fold(
-        0.0,
-        |worst, error| if error <= worst { worst } else { error },
-    ))
+    Some(differences.fold(0.0, f64::max))
 }
 
 impl fmt::Display for Survey {
@@ -200,5 +200,35 @@ impl fmt::Display for Survey {
             f,
             "\n{evaluations} evaluations; {near_switches} states near a switch; {undefined} answers without a number; condition of inertia up to {condition:.0}"
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oracle::vector::Vector;
+
+    #[test]
+    fn a_number_on_one_side_alone_is_worse_than_any() {
+        let [number, none] = [1.0, f64::NAN].map(|x| {
+            let given = [x, 2.0, 0.0];
+            let value = Vector {
+                size: 2.0,
+                ..Vector::given(given)
+            };
+            let (output, load) = (Output::AppliedForce, 0);
+            (
+                Expected {
+                    output,
+                    load,
+                    value,
+                },
+                given,
+            )
+        });
+        assert_eq!(error(&number.0, &number.1), Some(0.0));
+        assert_eq!(error(&number.0, &none.1), Some(f64::INFINITY));
+        assert_eq!(error(&none.0, &number.1), Some(f64::INFINITY));
+        assert_eq!(error(&none.0, &none.1), None);
     }
 }

@@ -156,6 +156,8 @@ pub enum Potential {
     },
     /// `k / 2 * attitude.powi(2)`, in the plane.
     Coil { stiffness: Scalar },
+    /// Several of them in one energy.
+    Sum(Vec<Potential>),
 }
 
 impl Motion {

@@ -147,6 +147,14 @@ impl std::ops::Sub for Scalar {
     }
 }
 
+impl std::ops::Neg for Scalar {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self::Negative(Box::new(self))
+    }
+}
+
 impl std::ops::Mul for Scalar {
     type Output = Self;
 

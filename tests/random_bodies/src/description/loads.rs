@@ -9,6 +9,10 @@ impl Draw {
         self.reactions();
         for _ in 0..self.random.usize(1..=4) {
             let load = self.load();
+            if self.chance(0.15) {
+                let opposite = self.opposite(&load);
+                self.body.loads.push(opposite);
+            }
             self.body.loads.push(load);
         }
         if self.chance(0.5) {
@@ -67,15 +71,72 @@ impl Draw {
 
     fn coefficient(&mut self) -> Scalar {
         let number = Scalar::Literal(self.signed(self.strength));
-        match self.random.u32(..4) {
-            0 => self
+        match self.random.u32(..16) {
+            0 => Scalar::zero(),
+            1..5 => self
                 .scalar_param()
                 .map_or(number.clone(), |param| number * param),
-            1 => self
+            5..9 => self
                 .scalar_input()
                 .map_or(number.clone(), |input| number * input),
             _ => number,
         }
+    }
+
+    /// A load that takes back the force of this one, or its moment, or makes a couple of the two.
+    fn opposite(&mut self, load: &Load) -> Load {
+        let what = match load.what.clone() {
+            What::Force(force, place) => {
+                let place = match place {
+                    Place::Named(_) if self.random.bool() => self.place(Axes::Body),
+                    same => same,
+                };
+                What::Force(Vector::Negative(Box::new(force)), place)
+            }
+            What::Moment(moment) => What::Moment(Vector::Negative(Box::new(moment))),
+            What::PlaneMoment(moment) => What::PlaneMoment(-moment),
+            What::Charges(field, charges) => {
+                let opposite = |(charge, place): (Scalar, Place)| (-charge, place);
+                What::Charges(field, charges.into_iter().map(opposite).collect())
+            }
+            What::Potential(potential) => What::Potential(self.opposite_energy(potential)),
+            known => known,
+        };
+        Load { what, ..*load }
+    }
+
+    /// Of a spring from the same point, or from another one, to the same hook or to another one.
+    fn opposite_energy(&mut self, mut potential: Potential) -> Potential {
+        match &mut potential {
+            Potential::Spring {
+                stiffness: k,
+                from,
+                to,
+                ..
+            }
+            | Potential::Central {
+                strength: k,
+                from,
+                to,
+            } => {
+                *k = -k.clone();
+                if self.random.bool() {
+                    *to = self.place(Axes::World);
+                }
+                if matches!(from, Place::Named(_)) && self.random.bool() {
+                    *from = self.place(Axes::Body);
+                }
+            }
+            Potential::Coil { stiffness } => *stiffness = -stiffness.clone(),
+            Potential::Uniform { force: vector, .. } | Potential::Dipole { moment: vector, .. } => {
+                *vector = vector.clone().map(|part| -part);
+            }
+            Potential::Sum(energies) => {
+                let parts = core::mem::take(energies).into_iter();
+                *energies = parts.map(|part| self.opposite_energy(part)).collect();
+            }
+        }
+        potential
     }
 
     fn force(&mut self, place: &Place) -> Vector {
@@ -169,14 +230,36 @@ impl Draw {
             }
             _ => field,
         };
-        let charges = (0..self.random.usize(1..=3)).map(|_| {
-            let charge = Scalar::Literal(self.signed(self.strength));
-            (charge, self.place(Axes::Body))
-        });
-        What::Charges(field, charges.collect())
+        let mut charges = Vec::new();
+        for _ in 0..self.random.usize(1..=3) {
+            let charge = self.coefficient();
+            if self.chance(0.2) {
+                charges.push((-charge.clone(), self.place(Axes::Body)));
+            }
+            charges.push((charge, self.place(Axes::Body)));
+        }
+        What::Charges(field, charges)
     }
 
+    /// One, or several in one energy, some of which cancel.
     fn potential(&mut self, takes_moments: bool) -> Potential {
+        let first = self.one_potential(takes_moments);
+        if self.chance(0.6) {
+            return first;
+        }
+        let second = if self.random.bool() {
+            self.opposite_energy(first.clone())
+        } else {
+            self.one_potential(takes_moments)
+        };
+        let mut all = vec![first, second];
+        if self.chance(0.3) {
+            all.push(self.one_potential(takes_moments));
+        }
+        Potential::Sum(all)
+    }
+
+    fn one_potential(&mut self, takes_moments: bool) -> Potential {
         let stiffness = self.coefficient();
         let from = if takes_moments {
             self.place(Axes::Body)

@@ -285,6 +285,10 @@ impl Writer<'_> {
             Potential::Coil { stiffness } => {
                 format!("{} / 2 * attitude.powi(2)", self.operand(stiffness))
             }
+            Potential::Sum(energies) => {
+                let energies = energies.iter().map(|energy| self.potential(energy));
+                energies.collect::<Vec<_>>().join(" + ")
+            }
         }
     }
 

@@ -134,6 +134,7 @@ fn is_fixed(scene: &Scene<'_>, axes: Axes, vector: &Written) -> bool {
     let body = scene.constants.body;
     let are = |own: Axes| own == axes || !body.motion.turns();
     let fixed = |a: &Written| is_fixed(scene, axes, a);
+    let held = body.motion.support().map(|support| support.point);
     match vector {
         Written::Written(own, components) => {
             are(*own) && components.iter().all(|one| is_constant(scene, one))
@@ -147,6 +148,12 @@ fn is_fixed(scene: &Scene<'_>, axes: Axes, vector: &Written) -> bool {
         Written::Cross(a, b) => is_parallel(scene, a, b) || fixed(a) && fixed(b),
         Written::Sum(a, b) | Written::Difference(a, b) => fixed(a) && fixed(b),
         Written::Negative(a) | Written::Normalized(a) => fixed(a),
+        // nothing, and where the body is held
+        Written::Scaled(zero, _) if zero.is_zero() => true,
+        Written::PointVelocity(Place::Named(i)) => held == Some(*i),
+        Written::PointPosition(Place::Named(i)) => {
+            are(Axes::World) && (held == Some(*i) || body.points[*i].axes == Axes::World)
+        }
         Written::Scaled(s, a) | Written::Over(a, s) | Written::Turned(s, a) => {
             is_constant(scene, s) && fixed(a)
         }

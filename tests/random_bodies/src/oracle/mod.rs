@@ -13,7 +13,7 @@ mod number;
 mod potentials;
 mod scene;
 mod unknowns;
-mod vector;
+pub mod vector;
 
 pub use constants::Constants;
 pub use expected::{Expected, expected};

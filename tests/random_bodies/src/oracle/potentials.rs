@@ -12,8 +12,17 @@ use super::vector::Vector;
 
 impl Scene<'_> {
     pub fn potential(&self, potential: &Potential) -> Acting {
+        let (wrench, energy) = self.derived(potential);
+        Acting {
+            wrench: wrench.derived(self),
+            point: None,
+            energy,
+        }
+    }
+
+    fn derived(&self, potential: &Potential) -> (Wrench, Number) {
         let half = Number::known(Wide::from(0.5));
-        let (wrench, energy) = match potential {
+        match potential {
             Potential::Spring {
                 stiffness,
                 rest,
@@ -58,11 +67,12 @@ impl Scene<'_> {
                 let moment = Vector::normal(-(stiffness * angle));
                 (Wrench::couple(moment), half * stiffness * angle.squared())
             }
-        };
-        Acting {
-            wrench: wrench.derived(self),
-            point: None,
-            energy,
+            Potential::Sum(energies) => {
+                let each = energies.iter().map(|energy| self.derived(energy));
+                each.fold((Wrench::ZERO, Number::ZERO), |(all, sum), (one, energy)| {
+                    (all.and(one), sum + energy)
+                })
+            }
         }
     }
 

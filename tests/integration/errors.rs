@@ -48,7 +48,6 @@ fn stages_out_of_the_domain() {
         let start = Translation {
             position: [far, 0.0, 0.0].into(),
             velocity: [-30.0, 0.0, 0.0].into(),
-            ..Translation::default()
         };
         let body = Bouncing::default();
         let motion = body.integrate(&start).tolerance(1e-6);

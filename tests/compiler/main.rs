@@ -20,6 +20,7 @@ mod symbolic;
 #[path = "../../macros/src/syntax/mod.rs"]
 mod syntax;
 
+mod algebras;
 mod calculus;
 mod descriptions;
 mod documentation;

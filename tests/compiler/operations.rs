@@ -4,13 +4,13 @@
 use crate::symbolic::{Comparison, Function, Graph, Id, Stage};
 
 /// An operation on three symbols: its name, how the graph makes it, and what it is.
-type Operation = (
+pub type Operation = (
     &'static str,
     fn(&mut Graph, [Id; 3]) -> Id,
     fn([f64; 3]) -> f64,
 );
 
-const OPERATIONS: [Operation; 35] = [
+pub const OPERATIONS: [Operation; 35] = [
     ("negate", |g, [a, ..]| g.negate(a), |[a, ..]| -a),
     ("add", |g, [a, b, _]| g.add(a, b), |[a, b, _]| a + b),
     (
@@ -211,7 +211,7 @@ const OPERATIONS: [Operation; 35] = [
 ];
 
 /// Values inside the domain of every function.
-const VALUES: [[f64; 3]; 4] = [
+pub const VALUES: [[f64; 3]; 4] = [
     [0.31, 0.74, 0.92],
     [0.83, 0.12, 0.55],
     [0.5, 0.25, 0.125],
@@ -219,11 +219,11 @@ const VALUES: [[f64; 3]; 4] = [
 ];
 
 /// Symbols of the given stages.
-fn symbols(graph: &mut Graph, stages: [Stage; 3]) -> [Id; 3] {
+pub fn symbols(graph: &mut Graph, stages: [Stage; 3]) -> [Id; 3] {
     stages.map(|stage| graph.symbol(stage))
 }
 
-fn close(a: f64, b: f64, tolerance: f64) -> bool {
+pub fn close(a: f64, b: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance * (1.0 + a.abs().max(b.abs()))
 }
 

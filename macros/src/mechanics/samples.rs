@@ -1,20 +1,40 @@
-//! Exact values at random states: what they say of a rank, it is for almost all states.
+//! Values at random states: what they say of zeros and of a rank, it is for almost all states.
 
-use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 use crate::model::{Meaning, Model};
-use crate::symbolic::{Id, Node, Number};
+use crate::symbolic::{Algebra, Doubles, Exact, Id, Node, Number, Residues, Tape};
 
 /// States that are tried until all expressions have a value.
-const TRIES: i64 = 8;
-/// From this seed on, half of the numbers are negative.
-pub const MIXED: i64 = 1000;
+const TRIES: u64 = 8;
+
+/// Numbers before this one make the attitude.
+const OTHERS: u64 = 8;
+
+/// Of fractions; a prime beyond 2^20.
+const DENOMINATOR: u64 = (1 << 20) + 7;
+
+/// What the numbers of a state are drawn from.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Range {
+    /// Between 0 and 1.
+    Positive,
+    /// Between -1 and 1.
+    Mixed,
+    /// Integers of any size, for arithmetic modulo a prime.
+    Integers,
+}
 
 /// The values of `roots` at one state. Rational functions are exact, all others to 200 bits.
-pub fn sample(model: &mut Model, roots: &[Id]) -> Vec<Number> {
+pub fn sample(model: &Model, roots: &[Id]) -> Vec<Number> {
+    let tape = model.frames.graph.tape(roots);
     let mut values = Vec::new();
     for seed in 1..=TRIES {
-        values = at_state(model, roots, seed);
+        let all = at_state(model, &tape, &mut Exact, Range::Positive, seed);
+        values = roots
+            .iter()
+            .map(|root| tape.of(&all, *root).clone())
+            .collect();
         if values.iter().all(Option::is_some) {
             break;
         }
@@ -28,77 +48,105 @@ pub fn sample(model: &mut Model, roots: &[Id]) -> Vec<Number> {
 
 /// Which of `roots` are zero in all states, on all branches, and for numbers of either sign.
 pub fn vanish(model: &mut Model, roots: &[Id]) -> Vec<bool> {
-    let mixed = model.frames.graph.unbranched(roots);
-    let positive = sample(model, &mixed);
-    let mut vanish: Vec<bool> = positive.iter().map(Number::is_zero).collect();
-    for seed in [1, 2].map(|seed| MIXED + seed) {
+    let roots = model.frames.graph.unbranched(roots);
+    let tape = model.frames.graph.tape(&roots);
+    let mut residues = Residues::default();
+    let formal = at_state(model, &tape, &mut residues, Range::Integers, 1);
+    let is_zero = |root: &Id| residues.is_zero(tape.of(&formal, *root));
+    let mut vanish: Vec<bool> = roots.iter().map(is_zero).collect();
+    if residues.is_final() && roots.iter().all(|root| tape.of(&formal, *root).is_some()) {
+        return vanish;
+    }
+    let near = at_state(model, &tape, &mut Doubles, Range::Positive, 1);
+    let is_open =
+        |index: &usize| !vanish[*index] && !Doubles.is_not_zero(tape.of(&near, roots[*index]));
+    let open: Vec<usize> = (0..roots.len()).filter(is_open).collect();
+    let exact: Vec<Id> = open.iter().map(|index| roots[*index]).collect();
+    for (index, vanishes) in open.into_iter().zip(vanish_exactly(model, &exact)) {
+        vanish[index] = vanishes;
+    }
+    vanish
+}
+
+/// The same of expressions whose zeros residues and doubles do not tell.
+fn vanish_exactly(model: &Model, roots: &[Id]) -> Vec<bool> {
+    let mut vanish: Vec<bool> = sample(model, roots).iter().map(Number::is_zero).collect();
+    let tape = model.frames.graph.tape(roots);
+    for seed in 1..=2 {
         if vanish.contains(&true) {
-            let values = at_state(model, &mixed, seed);
-            for (vanishes, value) in vanish.iter_mut().zip(values) {
-                *vanishes &= value.is_none_or(|value| value.is_zero());
+            let all = at_state(model, &tape, &mut Exact, Range::Mixed, seed);
+            for (vanishes, root) in vanish.iter_mut().zip(roots) {
+                *vanishes &= !Exact.is_not_zero(tape.of(&all, *root));
             }
         }
     }
     vanish
 }
 
-/// The values of `roots` at the state of this number; `None` where there is no value.
-pub fn at_state(model: &mut Model, roots: &[Id], seed: i64) -> Vec<Option<Number>> {
-    let graph = &mut model.frames.graph;
-    let quaternion = unit_quaternion(seed);
-    let (axis, rate) = axis_and_rate(seed);
-    let mut numbers = HashMap::new();
-    for id in graph.reachable(roots, |_| true) {
+/// The values of all expressions of a tape at the state of this number.
+pub fn at_state<A: Algebra>(
+    model: &Model,
+    tape: &Tape<'_>,
+    algebra: &mut A,
+    range: Range,
+    seed: u64,
+) -> Vec<A::Value> {
+    let graph = &model.frames.graph;
+    let mut drawn = |index: u64| algebra.number(&draw(range, seed, index));
+    let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(&mut drawn);
+    let any = [5, 6, 7].map(drawn);
+    let quaternion = unit_vector(algebra, &[a, b, c]);
+    let axis = unit_vector(algebra, &[d, e]);
+    let rate = cross(algebra, &axis, &any);
+    tape.values(algebra, |algebra, id| {
         let Node::Symbol(symbol) = *graph.node(id) else {
-            continue;
+            return algebra.undefined();
         };
-        let value = match model.meanings.of(symbol) {
+        match model.meanings.of(symbol) {
             Meaning::Quaternion(part) => quaternion[part].clone(),
             Meaning::Axis(part) => axis[part].clone(),
             Meaning::AxisRate(part) => rate[part].clone(),
-            _ => fraction(i64::from(symbol.0), seed),
-        };
-        numbers.insert(id, graph.number(value));
+            _ => algebra.number(&draw(range, seed, OTHERS + u64::from(symbol.0))),
+        }
+    })
+}
+
+/// Different for each symbol and each try, and without any relation between them.
+fn draw(range: Range, seed: u64, index: u64) -> Number {
+    let mut hasher = DefaultHasher::new();
+    (range, seed, index).hash(&mut hasher);
+    let random = hasher.finish();
+    let integer = |bits: u32| i64::try_from(random >> (u64::BITS - bits)).unwrap_or(1);
+    let sign = if random % 2 == 1 { -1 } else { 1 };
+    match range {
+        Range::Integers => Number::integer(integer(60)),
+        Range::Positive => Number::ratio(integer(20) + 1, DENOMINATOR),
+        Range::Mixed => Number::ratio(sign * (integer(20) + 1), DENOMINATOR),
     }
-    let images = graph.substitute(roots, |id| numbers.get(&id).copied());
-    let values = images
-        .into_iter()
-        .map(|image| graph.as_number(image).cloned());
-    values.collect()
 }
 
-/// Between 0 and 1, or -1 and 1, different for each symbol and each try.
-fn fraction(index: i64, seed: i64) -> Number {
-    let numerator = (7919 * (index + 3) + 104_729 * seed) % 65_521 + 1;
-    let is_negative = seed > MIXED && numerator % 2 == 1;
-    Number::ratio(if is_negative { -numerator } else { numerator }, 65_537)
+/// `(1 - s^2, 2 s) / (1 + s^2)` of a vector s: a unit vector of one more dimension, by stereographic
+/// projection.
+fn unit_vector<A: Algebra, const N: usize>(algebra: &mut A, s: &[A::Value; N]) -> Vec<A::Value> {
+    let one = algebra.one();
+    let mut square = algebra.zero();
+    for part in s {
+        let part = algebra.square(part);
+        square = algebra.add(&square, &part);
+    }
+    let (above, below) = (algebra.subtract(&one, &square), algebra.add(&one, &square));
+    let scale = algebra.divide(&one, &below);
+    let twice = s.each_ref().map(|part| algebra.add(part, part));
+    let parts = core::iter::once(above).chain(twice);
+    parts.map(|part| algebra.multiply(&part, &scale)).collect()
 }
 
-/// `(1 - s^2, 2 s) / (1 + s^2)` of a vector s: the stereographic projection.
-fn unit_quaternion(seed: i64) -> [Number; 4] {
-    let s = [101, 102, 103].map(|index| fraction(index, seed));
-    let square = s.iter().fold(Number::zero(), |sum, part| {
-        sum + part.clone() * part.clone()
-    });
-    let (above, below) = (Number::one() - square.clone(), Number::one() + square);
-    let over = |number: Number| number.checked_div(&below).unwrap_or_else(Number::zero);
-    let [x, y, z] = s.map(|part| over(Number::integer(2) * part));
-    [over(above), x, y, z]
-}
-
-/// A unit vector, `q e_x q*` of a unit quaternion, and a vector perpendicular to it.
-fn axis_and_rate(seed: i64) -> ([Number; 3], [Number; 3]) {
-    let [w, x, y, z] = unit_quaternion(seed);
-    let product = |a: &Number, b: &Number| a.clone() * b.clone();
-    let twice = |number: Number| Number::integer(2) * number;
-    let (yy_zz, xy_wz, xz_wy) = (
-        product(&y, &y) + product(&z, &z),
-        product(&x, &y) + product(&w, &z),
-        product(&x, &z) - product(&w, &y),
-    );
-    let axis = [Number::one() - twice(yy_zz), twice(xy_wz), twice(xz_wy)];
-    let any = [104, 105, 106].map(|index| fraction(index, seed));
-    let crossed = |i: usize, j: usize| product(&axis[i], &any[j]) - product(&axis[j], &any[i]);
-    let rate = [crossed(1, 2), crossed(2, 0), crossed(0, 1)];
-    (axis, rate)
+fn cross<A: Algebra>(algebra: &mut A, a: &[A::Value], b: &[A::Value]) -> [A::Value; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
+        let (left, right) = (
+            algebra.multiply(&a[i], &b[j]),
+            algebra.multiply(&a[j], &b[i]),
+        );
+        algebra.subtract(&left, &right)
+    })
 }

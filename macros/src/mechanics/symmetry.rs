@@ -14,9 +14,11 @@
 use std::collections::HashMap;
 
 use crate::model::{Attitude, Model, Motion};
-use crate::symbolic::{Components, Function, Graph, Id, Node, Number};
+use crate::symbolic::{
+    Algebra, Components, Doubles, Exact, Function, Graph, Id, Node, Number, Residue, Residues, Tape,
+};
 
-use super::samples::{MIXED, at_state};
+use super::samples::{Range, at_state};
 
 /// Directions about which a turn changes nothing; a group of turns has no other sets of them.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -27,44 +29,53 @@ pub enum Symmetry {
 }
 
 /// Directions, spanned by vectors that are independent.
-pub struct Space {
-    pub basis: Vec<[Number; 3]>,
+pub struct Space<V = Number> {
+    pub basis: Vec<[V; 3]>,
 }
 
-impl Space {
-    fn spanned_by(axes: &[usize]) -> Self {
-        let unit = |axis: usize| [0, 1, 2].map(|i| Number::integer(i64::from(i == axis)));
+impl<V: Clone> Space<V> {
+    fn spanned_by<A: Algebra<Value = V>>(algebra: &mut A, axes: &[usize]) -> Self {
+        let (zero, one) = (algebra.zero(), algebra.one());
+        let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { &one } else { &zero }.clone());
         Self {
             basis: axes.iter().map(|axis| unit(*axis)).collect(),
         }
     }
 
-    /// Leaves the directions that are perpendicular to `normal`; whether these are fewer.
-    fn cut(&mut self, normal: &[Number; 3]) -> bool {
-        let dot = |vector: &[Number; 3]| {
-            let products = vector.iter().zip(normal);
-            products.fold(Number::zero(), |sum, (a, b)| sum + a.clone() * b.clone())
+    /// Leaves the directions that are perpendicular to `normal`; whether these are fewer for certain.
+    fn cut<A: Algebra<Value = V>>(&mut self, algebra: &mut A, normal: &[V; 3]) -> bool {
+        let mut dot = |vector: &[V; 3]| {
+            let [x, y, z] = [0, 1, 2].map(|i| algebra.multiply(&vector[i], &normal[i]));
+            let sum = algebra.add(&x, &y);
+            algebra.add(&sum, &z)
         };
-        let values: Vec<Number> = self.basis.iter().map(dot).collect();
-        let Some(pivot) = values.iter().position(|value| !value.is_zero()) else {
+        let mut values: Vec<V> = self.basis.iter().map(&mut dot).collect();
+        let Some(pivot) = values.iter().position(|value| algebra.is_not_zero(value)) else {
             return false;
         };
-        let removed = self.basis.remove(pivot);
-        let kept = values
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| *index != pivot);
-        for (vector, (_, value)) in self.basis.iter_mut().zip(kept) {
-            let factor = value
-                .checked_div(&values[pivot])
-                .unwrap_or_else(Number::zero);
+        let (removed, divisor) = (self.basis.remove(pivot), values.remove(pivot));
+        for (vector, value) in self.basis.iter_mut().zip(&values) {
+            let factor = algebra.divide(value, &divisor);
             for (part, of_removed) in vector.iter_mut().zip(&removed) {
-                *part = part.clone() - factor.clone() * of_removed.clone();
+                let along = algebra.multiply(&factor, of_removed);
+                *part = algebra.subtract(part, &along);
             }
         }
         true
     }
+}
 
+impl Space<Option<Number>> {
+    fn numbers(self) -> Space {
+        let known = |part: Option<Number>| part.unwrap_or_else(Number::zero);
+        let basis = self.basis.into_iter();
+        Space {
+            basis: basis.map(|vector| vector.map(known)).collect(),
+        }
+    }
+}
+
+impl Space {
     pub fn symmetry(&self) -> Symmetry {
         match self.basis.as_slice() {
             [_, _, _] => Symmetry::Every,
@@ -109,54 +120,19 @@ pub fn symmetries(model: &mut Model, linear: &Components, angular: &Components) 
     let world = [0, 1, 2].map(|axis| turn_of_world(model, axis));
     let body = [0, 1, 2].map(|axis| turn_of_body(model, axis));
     // the linear acceleration, and that of the axis of a rod, are written in world axes
-    let mut cases = [
-        Case::new(model, linear, &world, true, axes),
-        Case::new(model, linear, &body, false, of_body),
-        Case::new(model, angular, &world, is_rod, axes),
-        Case::new(model, angular, &body, !is_rod, of_body),
-    ];
-    settle(model, &mut cases, 1);
-    // what may also be so for numbers of one sign alone
-    for case in &mut cases {
-        case.is_settled = case.space.basis.is_empty();
-    }
-    settle(model, &mut cases, MIXED + 1);
-    let [first, second, third, fourth] = cases.map(|case| case.space);
-    [[first, second], [third, fourth]]
-}
-
-/// Cuts what is not settled, by the changes at states from the one of this number on.
-fn settle(model: &mut Model, cases: &mut [Case], first: i64) {
-    for seed in first.. {
-        if cases.iter().all(|case| case.is_settled) {
-            return;
-        }
-        cut(model, cases, seed);
-    }
-}
-
-fn cut(model: &mut Model, cases: &mut [Case], seed: i64) {
-    let open = cases.iter_mut().filter(|case| !case.is_settled);
-    let open: Vec<&mut Case> = open.collect();
-    let changes: Vec<Id> = open.iter().flat_map(|case| case.changes.concat()).collect();
-    let mut values = at_state(model, &changes, seed).into_iter();
-    for case in open {
-        let mut changes = case.changes.each_ref().map(|changes| {
-            let values = values.by_ref().take(changes.len());
-            values.collect::<Vec<_>>().into_iter()
-        });
-        let mut is_less = false;
-        while let [Some(x), Some(y), Some(z)] = changes.each_mut().map(Iterator::next) {
-            match (x, y, z) {
-                (Some(x), Some(y), Some(z)) => is_less |= case.space.cut(&[x, y, z]),
-                // a root of what is negative there says nothing
-                _ if seed > MIXED => {}
-                // what has no value is not known to be symmetric
-                _ => case.space.basis.clear(),
-            }
-        }
-        case.is_settled = !is_less || case.space.basis.is_empty();
-    }
+    [(linear, true), (angular, is_rod)].map(|(vector, is_in_world)| {
+        let roots = roots(&mut model.frames.graph, vector);
+        [(&world, is_in_world, axes), (&body, !is_in_world, of_body)].map(|(rates, turns, axes)| {
+            let case = Case {
+                model,
+                roots: &roots,
+                rates,
+                turns,
+                axes,
+            };
+            case.space()
+        })
+    })
 }
 
 /// What decides between branches, and the arguments of functions that are made of pieces: where these
@@ -174,58 +150,131 @@ fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     guards
 }
 
+/// The components of a vector, and what decides between its branches, without them.
+fn roots(graph: &mut Graph, vector: &Components) -> Vec<Id> {
+    let guards = guards(graph, vector);
+    let roots: Vec<Id> = vector.iter().copied().chain(guards).collect();
+    graph.unbranched(&roots)
+}
+
 /// How symbols change.
 type Rates = HashMap<Id, Id>;
 
 /// Whether turns about the three axes change a vector, and what decides between its branches.
-struct Case {
-    /// What changes but does not turn, for each axis.
-    changes: [Vec<Id>; 3],
-    /// What is left of the directions.
-    space: Space,
-    /// A state has left all of it.
-    is_settled: bool,
+struct Case<'a> {
+    model: &'a Model,
+    /// The vector first.
+    roots: &'a [Id],
+    rates: &'a [Rates; 3],
+    /// Whether the axes are turned in which the vector is written.
+    turns: bool,
+    /// Those about which there may be turns.
+    axes: &'a [usize],
 }
 
-impl Case {
-    /// `turns`: whether the axes are turned in which the vector is written.
-    fn new(
-        model: &mut Model,
-        vector: &Components,
-        rates: &[Rates; 3],
-        turns: bool,
-        axes: &[usize],
-    ) -> Self {
-        let space = Space::spanned_by(axes);
-        let graph = &mut model.frames.graph;
-        if axes.is_empty() {
-            return Self {
-                changes: [const { Vec::new() }; 3],
-                space,
-                is_settled: true,
-            };
+impl Case<'_> {
+    /// What residues leave is left, and what doubles cut is not; where they disagree, exact numbers
+    /// decide.
+    fn space(&self) -> Space {
+        if self.axes.is_empty() {
+            return Space { basis: Vec::new() };
         }
-        let guards = guards(graph, vector);
-        let roots: Vec<Id> = vector.iter().copied().chain(guards).collect();
-        let roots = graph.unbranched(&roots);
-        let vector = [roots[0], roots[1], roots[2]];
-        let changes = [0, 1, 2].map(|axis| {
-            let mut changes = graph.change(&roots, |symbol| rates[axis].get(&symbol).copied());
-            if turns {
-                let e = unit_vector(graph, axis);
-                let swept = graph.cross(e, vector);
-                for (change, swept) in changes.iter_mut().zip(swept) {
-                    *change = graph.subtract(*change, swept);
-                }
-            }
-            changes
-        });
-        Self {
-            changes,
-            space,
-            is_settled: false,
+        let rates = self.rates.iter().flat_map(|rates| rates.values().copied());
+        let all: Vec<Id> = self.roots.iter().copied().chain(rates).collect();
+        let tape = self.model.frames.graph.tape(&all);
+        let mut residues = Residues::default();
+        let formal = Space::spanned_by(&mut residues, self.axes);
+        let (formal, is_known) = self.settled(&tape, &mut residues, Range::Integers, formal);
+        let is_left = |formal: &Space<_>| {
+            let possible = Space::spanned_by(&mut Doubles, self.axes);
+            let (possible, _) = self.settled(&tape, &mut Doubles, Range::Positive, possible);
+            possible.basis.len() == formal.basis.len()
+        };
+        if is_known
+            && let Some(space) = rational(&formal, &mut residues)
+            && (residues.is_final() || is_left(&formal))
+        {
+            return space;
         }
+        let space = Space::spanned_by(&mut Exact, self.axes);
+        let (space, is_known) = self.settled(&tape, &mut Exact, Range::Positive, space);
+        // what has no value is not known to be symmetric
+        if !is_known {
+            return Space { basis: Vec::new() };
+        }
+        // what may be so for numbers of one sign alone; a root of what is negative says nothing
+        let (space, _) = self.settled(&tape, &mut Exact, Range::Mixed, space);
+        space.numbers()
     }
+
+    /// What the changes at one state after the other leave, until one leaves all; whether they all have values.
+    fn settled<A: Algebra>(
+        &self,
+        tape: &Tape<'_>,
+        algebra: &mut A,
+        range: Range,
+        mut space: Space<A::Value>,
+    ) -> (Space<A::Value>, bool) {
+        let mut is_known = true;
+        for seed in 1.. {
+            let mut is_less = false;
+            for normal in self.changes(tape, algebra, range, seed) {
+                is_known &= normal
+                    .iter()
+                    .all(|part| algebra.is_zero(part) || algebra.is_not_zero(part));
+                is_less |= space.cut(algebra, &normal);
+            }
+            if !is_less || space.basis.is_empty() {
+                break;
+            }
+        }
+        (space, is_known)
+    }
+
+    /// What of each root changes but does not turn, for each axis.
+    fn changes<A: Algebra>(
+        &self,
+        tape: &Tape<'_>,
+        algebra: &mut A,
+        range: Range,
+        seed: u64,
+    ) -> Vec<[A::Value; 3]> {
+        let values = at_state(self.model, tape, algebra, range, seed);
+        let zero = algebra.zero();
+        let turned = [0, 1, 2].map(|axis| {
+            let rate = |symbol: Id| {
+                let rate = self.rates[axis].get(&symbol)?;
+                Some(tape.of(&values, *rate).clone())
+            };
+            tape.changes(algebra, &values, rate)
+        });
+        let change = |root: &Id| {
+            let changes = turned.each_ref().map(|changes| tape.of(changes, *root));
+            changes.map(|change| change.clone().unwrap_or_else(|| zero.clone()))
+        };
+        let mut changes: Vec<[A::Value; 3]> = self.roots.iter().map(change).collect();
+        if self.turns {
+            // less e x a
+            for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+                let part = |i: usize| tape.of(&values, self.roots[i]);
+                changes[j][i] = algebra.add(&changes[j][i], part(k));
+                changes[k][i] = algebra.subtract(&changes[k][i], part(j));
+            }
+        }
+        changes
+    }
+}
+
+/// The same directions in numbers, if these are short.
+fn rational(formal: &Space<Option<Residue>>, residues: &mut Residues) -> Option<Space> {
+    let mut basis = Vec::new();
+    for direction in &formal.basis {
+        let lead = direction.iter().find(|part| residues.is_not_zero(part))?;
+        let ratios = direction.each_ref().map(|part| residues.divide(part, lead));
+        let [x, y, z] = ratios.map(|ratio| ratio?.to_number());
+        basis.push([x?, y?, z?]);
+    }
+    Some(Space { basis })
 }
 
 /// How the state changes as the world is turned about an axis.

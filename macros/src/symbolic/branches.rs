@@ -24,6 +24,9 @@ impl Graph {
                 .entry(key)
                 .or_insert_with(|| self.symbol(Stage::State));
         }
+        if stand_ins.is_empty() {
+            return roots.to_vec();
+        }
         self.rebuild(roots, |graph, id, image| match *graph.node(id) {
             Node::Select(condition, first, second) => {
                 let (first, second) = (image(first), image(second));

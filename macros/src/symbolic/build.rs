@@ -198,15 +198,7 @@ impl Graph {
             _ => None,
         };
         match known {
-            Some(order) => {
-                let holds = match comparison {
-                    Comparison::Less => order.is_lt(),
-                    Comparison::LessOrEqual => order.is_le(),
-                    Comparison::Equal => order.is_eq(),
-                    Comparison::NotEqual => order.is_ne(),
-                };
-                self.truth(holds)
-            }
+            Some(order) => self.truth(comparison.holds(order)),
             None => self.intern(Node::Compare(comparison, a, b)),
         }
     }

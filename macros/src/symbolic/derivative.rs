@@ -3,9 +3,11 @@
 //! The nodes are walked in the order in which they were made, children first, without recursion,
 //! and the results are built by the simplifying constructors.
 
+use super::algebra;
 use super::function::Function;
 use super::graph::{Graph, Id, Node};
 use super::number::Number;
+use super::slopes::{slope, slopes};
 
 impl Graph {
     /// The partial derivatives of `roots` with respect to the symbol `by`.
@@ -22,9 +24,11 @@ impl Graph {
         let order = self.reachable(roots, |_| true);
         let mut changes = vec![None; order.last().map_or(0, |last| last.index() + 1)];
         for id in order {
-            let change = match self.node(id) {
-                Node::Symbol(_) => rate(id),
-                _ => self.differentiate(id, |operand| changes[operand.index()]),
+            let change = if let Node::Symbol(_) = self.node(id) {
+                rate(id)
+            } else {
+                let node = self.node(id).clone();
+                algebra::change(self, &node, &id, |a| a, |a| changes[a.index()])
             };
             changes[id.index()] = change.filter(|change| !self.is_zero(*change));
         }
@@ -33,56 +37,6 @@ impl Graph {
             .iter()
             .map(|root| changes[root.index()].unwrap_or(zero))
             .collect()
-    }
-
-    /// One step of the chain rule; `None` is zero.
-    fn differentiate(&mut self, id: Id, known: impl Fn(Id) -> Option<Id>) -> Option<Id> {
-        let node = self.node(id).clone();
-        if node.operands().all(|operand| known(operand).is_none()) {
-            return None;
-        }
-        let zero = self.zero();
-        let d = |operand: Id| known(operand).unwrap_or(zero);
-        Some(match node {
-            Node::Quantity(a) => d(a),
-            Node::Negate(a) => self.negate(d(a)),
-            Node::Add(a, b) => self.add(d(a), d(b)),
-            Node::Subtract(a, b) => self.subtract(d(a), d(b)),
-            Node::Multiply(a, b) => {
-                let (left, right) = (self.multiply(d(a), b), self.multiply(a, d(b)));
-                self.add(left, right)
-            }
-            Node::Divide(a, b) => {
-                // (a / b)' = (a' - (a / b) b') / b
-                let change = self.multiply(id, d(b));
-                let numerator = self.subtract(d(a), change);
-                self.divide(numerator, b)
-            }
-            Node::Unary(function, a) => {
-                let slope = self.slope(function, a, id);
-                self.multiply(slope, d(a))
-            }
-            Node::Binary(function, a, b) => {
-                let (by_a, by_b) = self.slopes(function, a, b, id);
-                let (left, right) = (self.multiply(by_a, d(a)), self.multiply(by_b, d(b)));
-                self.add(left, right)
-            }
-            Node::Select(condition, a, b) => self.select(condition, d(a), d(b)),
-            Node::Pivot(a, _) => {
-                // (1 / a)' = -(1 / a)^2 a'
-                let square = self.square(id);
-                let change = self.multiply(square, d(a));
-                self.negate(change)
-            }
-            Node::Number(_)
-            | Node::Truth(_)
-            | Node::Undefined
-            | Node::Symbol(_)
-            | Node::Compare(..)
-            | Node::And(..)
-            | Node::Or(..)
-            | Node::Not(_) => return None,
-        })
     }
 
     /// Where what depends on `id` changes by `weight` for each unit of it, by how much it changes for
@@ -111,11 +65,11 @@ impl Graph {
                 vec![(a, self.divide(half, id))]
             }
             Node::Unary(function, a) => {
-                let slope = self.slope(function, a, id);
+                let slope = slope(self, function, &a, &id);
                 vec![(a, self.multiply(slope, weight))]
             }
             Node::Binary(function, a, b) => {
-                let (by_a, by_b) = self.slopes(function, a, b, id);
+                let (by_a, by_b) = slopes(self, function, &a, &b, &id);
                 vec![
                     (a, self.multiply(by_a, weight)),
                     (b, self.multiply(by_b, weight)),

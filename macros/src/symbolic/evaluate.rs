@@ -36,7 +36,7 @@ impl Graph {
     }
 }
 
-fn unary(function: Function, a: f64) -> f64 {
+pub(super) fn unary(function: Function, a: f64) -> f64 {
     match function {
         Function::Sqrt => a.sqrt(),
         Function::Cbrt => a.cbrt(),
@@ -59,7 +59,7 @@ fn unary(function: Function, a: f64) -> f64 {
     }
 }
 
-fn binary(function: Function, a: f64, b: f64) -> f64 {
+pub(super) fn binary(function: Function, a: f64, b: f64) -> f64 {
     match function {
         Function::Atan2 => a.atan2(b),
         Function::Powf => a.powf(b),

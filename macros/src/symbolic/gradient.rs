@@ -10,6 +10,7 @@ use std::collections::HashMap;
 use super::function::Function;
 use super::graph::{Graph, Id, Node};
 use super::number::Number;
+use super::slopes::takes_first;
 
 /// A power of a base, its exponent in halves: `s`, its root and the square of that share one base.
 type Power = (Id, i32);
@@ -209,7 +210,7 @@ impl Graph {
         }
         match *self.node(id) {
             Node::Binary(function @ (Function::Min | Function::Max), a, b) => {
-                let condition = self.takes_first(function, a, b);
+                let condition = takes_first(self, function, &a, &b);
                 self.branch(sweep, (condition, a, b), guard, slope);
             }
             Node::Select(condition, a, b) => {

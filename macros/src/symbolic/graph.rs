@@ -4,6 +4,7 @@
 //! the simplifying constructors of [`super::build`]; a graph knows symbols as numbers and nothing
 //! of what they stand for.
 
+use core::cmp::Ordering;
 use std::collections::HashMap;
 
 use super::function::Function;
@@ -41,6 +42,18 @@ pub enum Comparison {
     LessOrEqual,
     Equal,
     NotEqual,
+}
+
+impl Comparison {
+    /// Of numbers in this order.
+    pub fn holds(self, order: Ordering) -> bool {
+        match self {
+            Self::Less => order.is_lt(),
+            Self::LessOrEqual => order.is_le(),
+            Self::Equal => order.is_eq(),
+            Self::NotEqual => order.is_ne(),
+        }
+    }
 }
 
 /// One operation.

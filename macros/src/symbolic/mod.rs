@@ -4,6 +4,8 @@
 //! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
 //! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter.
 
+mod algebra;
+mod bounded;
 mod branches;
 mod build;
 mod convolution;
@@ -13,6 +15,7 @@ mod difference;
 mod eigen;
 mod eliminate;
 mod evaluate;
+mod exact;
 mod expansion;
 mod function;
 mod gradient;
@@ -21,20 +24,27 @@ mod number;
 mod product;
 mod program;
 mod recurrence;
+mod residue;
 mod slopes;
 mod solve;
 mod substitute;
 mod sum;
+mod tape;
 mod vector;
 
+pub use algebra::Algebra;
+pub use bounded::Doubles;
 pub use convolution::{Origin, Sum, Term};
 pub use cost::Cost;
 pub use eigen::{Matrix, PrincipalAxes, Spectrum, Symmetry, is_noise, scaled};
 pub use eliminate::{Elimination, Row, Size};
+pub use exact::Exact;
 pub use function::Function;
 pub use graph::{Comparison, Graph, Id, Node, Stage, Symbol};
 pub use number::Number;
 pub use program::Program;
 pub use recurrence::{Coordinate, Recurrences};
+pub use residue::{Residue, Residues};
 pub use solve::{Equation, Solution};
+pub use tape::Tape;
 pub use vector::Components;

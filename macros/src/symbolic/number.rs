@@ -9,7 +9,8 @@ use core::hash::{Hash, Hasher};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use dashu_float::{FBig, round::mode::HalfEven};
-use dashu_int::{IBig, UBig, ops::BitTest};
+use dashu_int::ops::{BitTest, UnsignedAbs};
+use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
 use super::function::Function;
@@ -132,6 +133,22 @@ impl Number {
         (self.value.is_int())
             .then(|| i64::try_from(self.value.numerator().clone()).ok())
             .flatten()
+    }
+
+    /// Whether it is the nearest to a number that is not rational.
+    pub fn is_rounded(&self) -> bool {
+        self.rounded
+    }
+
+    /// Numerator and denominator modulo a prime.
+    pub fn modulo(&self, prime: u64) -> [u64; 2] {
+        let above = self.value.numerator();
+        let rest = above.clone().unsigned_abs() % prime;
+        let is_negative = rest != 0 && self.is_negative();
+        [
+            if is_negative { prime - rest } else { rest },
+            self.value.denominator() % prime,
+        ]
     }
 
     /// The nearest double: the one rounding of a constant. Infinite beyond the range of doubles.

@@ -1,6 +1,9 @@
 //! The replacement of symbols: by numbers, it is exact evaluation.
 
-use super::graph::{Graph, Id, Node};
+use super::algebra::{self, Algebra};
+use super::function::Function;
+use super::graph::{Comparison, Graph, Id, Node};
+use super::number::Number;
 
 impl Graph {
     /// `roots` with symbols replaced: `replacement` answers for those that change.
@@ -28,22 +31,85 @@ impl Graph {
 
     /// The same operation on the images of the operands.
     pub(super) fn remake(&mut self, id: Id, image: &dyn Fn(Id) -> Id) -> Id {
-        match *self.node(id) {
+        match self.node(id) {
             Node::Symbol(_) | Node::Number(_) | Node::Truth(_) | Node::Undefined => id,
-            Node::Quantity(a) => self.quantity(image(a)),
-            Node::Negate(a) => self.negate(image(a)),
-            Node::Add(a, b) => self.add(image(a), image(b)),
-            Node::Subtract(a, b) => self.subtract(image(a), image(b)),
-            Node::Multiply(a, b) => self.multiply(image(a), image(b)),
-            Node::Divide(a, b) => self.divide(image(a), image(b)),
-            Node::Unary(function, a) => self.apply(function, &[image(a)]),
-            Node::Binary(function, a, b) => self.apply(function, &[image(a), image(b)]),
-            Node::Compare(comparison, a, b) => self.compare(comparison, image(a), image(b)),
-            Node::And(a, b) => self.and(image(a), image(b)),
-            Node::Or(a, b) => self.or(image(a), image(b)),
-            Node::Not(a) => self.not(image(a)),
-            Node::Pivot(a, b) => self.pivot(image(a), image(b)),
-            Node::Select(condition, a, b) => self.select(image(condition), image(a), image(b)),
+            operation => {
+                let operation = operation.clone();
+                algebra::value(self, &operation, image)
+            }
         }
+    }
+}
+
+/// Expressions of expressions.
+impl Algebra for Graph {
+    type Value = Id;
+
+    fn number(&mut self, number: &Number) -> Id {
+        self.number(number.clone())
+    }
+
+    fn undefined(&mut self) -> Id {
+        self.undefined()
+    }
+
+    fn negate(&mut self, a: &Id) -> Id {
+        self.negate(*a)
+    }
+
+    fn add(&mut self, a: &Id, b: &Id) -> Id {
+        self.add(*a, *b)
+    }
+
+    fn multiply(&mut self, a: &Id, b: &Id) -> Id {
+        self.multiply(*a, *b)
+    }
+
+    fn divide(&mut self, a: &Id, b: &Id) -> Id {
+        self.divide(*a, *b)
+    }
+
+    fn apply(&mut self, function: Function, arguments: &[Id]) -> Id {
+        self.apply(function, arguments)
+    }
+
+    fn is_zero(&self, a: &Id) -> bool {
+        self.is_zero(*a)
+    }
+
+    fn is_not_zero(&self, a: &Id) -> bool {
+        self.as_number(*a).is_some_and(|number| !number.is_zero())
+    }
+
+    fn compare(&mut self, comparison: Comparison, a: &Id, b: &Id) -> Id {
+        self.compare(comparison, *a, *b)
+    }
+
+    fn select(&mut self, condition: &Id, first: &Id, second: &Id) -> Id {
+        self.select(*condition, *first, *second)
+    }
+
+    fn and(&mut self, a: &Id, b: &Id) -> Id {
+        self.and(*a, *b)
+    }
+
+    fn or(&mut self, a: &Id, b: &Id) -> Id {
+        self.or(*a, *b)
+    }
+
+    fn not(&mut self, a: &Id) -> Id {
+        self.not(*a)
+    }
+
+    fn truth(&mut self, holds: bool) -> Id {
+        self.truth(holds)
+    }
+
+    fn quantity(&mut self, a: &Id) -> Id {
+        self.quantity(*a)
+    }
+
+    fn pivot(&mut self, divisor: &Id, scale: &Id) -> Id {
+        self.pivot(*divisor, *scale)
     }
 }

@@ -1,6 +1,8 @@
 //! Eigenvalues and eigenvectors of constant tensors: residuals in exact arithmetic.
 
-use crate::symbolic::{Matrix, Number, PrincipalAxes, Spectrum, Symmetry};
+use crate::symbolic::{Number, PrincipalAxes, Spectrum, Symmetry};
+
+type Matrix = [[Number; 3]; 3];
 
 fn number(digits: &str) -> Number {
     let (negative, digits) = match digits.strip_prefix('-') {

@@ -57,8 +57,9 @@ impl Body<'_> {
     fn operation(&self, id: Id) -> (TokenStream, Precedence) {
         let infix =
             |a: Id, operator: TokenStream, b: Id, precedence: Precedence, tighter: Precedence| {
-                let (a, b) = (self.expression(a, precedence), self.expression(b, tighter));
-                (quote!(#a #operator #b), precedence)
+                let mut tokens = self.expression(a, precedence);
+                tokens.extend([operator, self.expression(b, tighter)]);
+                (tokens, precedence)
             };
         let graph = &self.writer.model.frames.graph;
         if let Some(choice) = self.choice_of_any_scalar(id) {

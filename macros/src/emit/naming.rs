@@ -19,7 +19,8 @@ pub fn local(name: &str) -> Ident {
 /// would mean a constant, if there is one; and no keyword, which `Box` would become.
 pub fn local_name(name: &str) -> String {
     let name = name.to_lowercase();
-    if syn::parse_str::<Ident>(&name).is_ok() {
+    let is_word = name.bytes().all(|byte| byte.is_ascii_lowercase());
+    if !is_word || syn::parse_str::<Ident>(&name).is_ok() {
         name
     } else {
         name + "_"

@@ -3,7 +3,6 @@
 use crate::model::{Inertia, Model};
 use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
-use super::dyadic::constant;
 use super::free_rotation::unit;
 use super::newton_euler::inertia_about_center;
 use super::samples::vanish;
@@ -18,7 +17,7 @@ pub fn axes_of_symmetry(
         return Vec::new();
     };
     let units = model.frames.graph.unit_vectors();
-    let moments = match constant(&model.frames.graph, &rows).map(|tensor| Spectrum::of(&tensor)) {
+    let moments = match model.frames.graph.spectrum(&rows) {
         None => {
             let axes: Vec<usize> = (0..3)
                 .filter(|axis| is_symmetric(model, &rows, *axis))

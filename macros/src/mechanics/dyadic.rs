@@ -1,6 +1,6 @@
 //! A constant tensor with an axis of symmetry: two numbers and a direction.
 
-use crate::symbolic::{Components, Graph, Id, Matrix, Number, Symmetry};
+use crate::symbolic::{Components, Graph, Id, Number, Symmetry};
 
 /// `isotropic 1 + excess n n`, where the largest component of n is one.
 #[derive(Clone, Copy)]
@@ -30,7 +30,7 @@ impl Dyadic {
             across,
             along,
             axis,
-        } = Symmetry::of(&constant(graph, rows)?)?;
+        } = Symmetry::of(&graph.constant_matrix(rows)?)?;
         Self::new(graph, &across, &along, axis)
     }
 
@@ -40,7 +40,7 @@ impl Dyadic {
             across,
             along,
             axis,
-        } = Symmetry::of(&constant(graph, rows)?)?;
+        } = Symmetry::of(&graph.constant_matrix(rows)?)?;
         let one = Number::one();
         let (across, along) = (one.checked_div(&across)?, one.checked_div(&along)?);
         Self::new(graph, &across, &along, axis)
@@ -64,13 +64,6 @@ impl Dyadic {
         let excess = graph.multiply(self.excess, along);
         graph.add(isotropic, excess)
     }
-}
-
-/// The entries of a tensor, if all of them are numbers.
-pub fn constant(graph: &Graph, rows: &[Components; 3]) -> Option<Matrix> {
-    let number = |i: usize, k: usize| graph.as_number(rows[i][k]).cloned();
-    let row = |i: usize| Some([number(i, 0)?, number(i, 1)?, number(i, 2)?]);
-    Some([row(0)?, row(1)?, row(2)?])
 }
 
 /// `J x`

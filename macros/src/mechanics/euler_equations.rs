@@ -4,7 +4,7 @@
 use crate::model::{AXES, Labels, Model};
 use crate::symbolic::{Components, Graph, Number, PrincipalAxes, Spectrum, scaled};
 
-use super::dyadic::{Dyadic, constant};
+use super::dyadic::Dyadic;
 
 /// One way to write `w'`, and what its parts are called.
 struct Form {
@@ -171,7 +171,7 @@ impl Turning<'_> {
     fn in_principal_axes(&mut self) -> Option<Form> {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;
-        let Spectrum::General(principal) = Spectrum::of(&constant(graph, self.rows)?) else {
+        let Spectrum::General(principal) = graph.spectrum(self.rows)? else {
             return None;
         };
         let PrincipalAxes { moments, axes } = *principal;

@@ -18,7 +18,6 @@ use crate::symbolic::{Components, Id, Node};
 use super::about_axis::about_axis;
 use super::axial_torque::{AxialTorque, axial_torque};
 use super::axis_of_symmetry::axes_of_symmetry;
-use super::dyadic::constant;
 use super::free_rotation::{Free, free};
 use super::lagrange_top::{Top, lagrange_top};
 use super::newton_euler::moments_about;
@@ -315,7 +314,7 @@ fn report_moments(model: &mut Model, contributions: &[Contribution], obstacles: 
 /// Whether all moments of inertia are numbers.
 fn is_known(model: &Model) -> bool {
     match &model.inertia {
-        Inertia::Spatial(rows) => constant(&model.frames.graph, rows).is_some(),
+        Inertia::Spatial(rows) => model.frames.graph.constant_matrix(rows).is_some(),
         _ => true,
     }
 }

@@ -3,7 +3,6 @@
 use crate::model::{Inertia, Model};
 use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
-use super::dyadic::constant;
 use super::newton_euler::inertia_about_center;
 
 /// What the free rotation of a body depends on.
@@ -37,7 +36,7 @@ pub fn free(model: &mut Model) -> Option<Free> {
         return None;
     };
     let graph = &mut model.frames.graph;
-    let Some(tensor) = constant(graph, &rows) else {
+    let Some(spectrum) = graph.spectrum(&rows) else {
         let [xx, yy, zz] = [0, 1, 2].map(|i| rows[i][i]);
         if [rows[0][1], rows[1][2], rows[2][0]]
             .into_iter()
@@ -49,7 +48,7 @@ pub fn free(model: &mut Model) -> Option<Free> {
             xx, yy, zz, rows[0][1], rows[1][2], rows[2][0],
         ]));
     };
-    Some(match Spectrum::of(&tensor) {
+    Some(match spectrum {
         Spectrum::Spherical(_) => Free::Steady,
         Spectrum::Symmetric(symmetry) => {
             let axis = unit(graph, &symmetry.axis);

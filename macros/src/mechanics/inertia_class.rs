@@ -3,24 +3,22 @@
 use crate::model::{Inertia, Model, shown};
 use crate::symbolic::{Function, Number, Spectrum, Symmetry, is_noise};
 
-use super::dyadic::constant;
-
 /// A principal moment and the unit vector of its axis.
 type Moment = (Number, [Number; 3]);
 
 /// Principal moments and axes about G, in body axes, and what they say about the body; nothing unless
 /// the body turns in space and its tensor is known.
-pub fn classify(model: &Model) -> Vec<String> {
+pub fn classify(model: &mut Model) -> Vec<String> {
     let Inertia::Spatial(rows) = model.inertia else {
         return Vec::new();
     };
     if model.motion.is_hinged() {
         return Vec::new();
     }
-    let Some(tensor) = constant(&model.frames.graph, &rows) else {
+    let Some(spectrum) = model.frames.graph.spectrum(&rows) else {
         return Vec::new();
     };
-    match Spectrum::of(&tensor) {
+    match spectrum {
         Spectrum::Spherical(moment) => {
             vec![format!("spherical: {} kg m^2", shown(&moment))]
         }

@@ -3,7 +3,9 @@
 //! A repeated eigenvalue of rational entries is rational, and so is the direction of the other: both
 //! are found exactly. Three different ones come from Jacobi's method at [`WORKING`] bits.
 
+use super::graph::Graph;
 use super::number::{Float, Number};
+use super::vector::Components;
 
 /// A symmetric matrix, by rows.
 pub type Matrix = [[Number; 3]; 3];
@@ -39,6 +41,25 @@ pub struct Symmetry {
     pub along: Number,
     /// Along n; its largest component is one.
     pub axis: [Number; 3],
+}
+
+impl Graph {
+    /// The entries of a tensor, if all of them are numbers.
+    pub fn constant_matrix(&self, rows: &[Components; 3]) -> Option<Matrix> {
+        let number = |i: usize, k: usize| self.as_number(rows[i][k]).cloned();
+        let row = |i: usize| Some([number(i, 0)?, number(i, 1)?, number(i, 2)?]);
+        Some([row(0)?, row(1)?, row(2)?])
+    }
+
+    /// What a tensor of numbers is in axes of its own, found once.
+    pub fn spectrum(&mut self, rows: &[Components; 3]) -> Option<Spectrum> {
+        if let Some(known) = self.spectra.get(rows) {
+            return Some(known.clone());
+        }
+        let spectrum = Spectrum::of(&self.constant_matrix(rows)?);
+        self.spectra.insert(*rows, spectrum.clone());
+        Some(spectrum)
+    }
 }
 
 impl Spectrum {

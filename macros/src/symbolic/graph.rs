@@ -5,10 +5,14 @@
 //! of what they stand for.
 
 use core::cmp::Ordering;
+use core::hash::BuildHasherDefault;
 use std::collections::HashMap;
 
+use super::eigen::Spectrum;
 use super::function::Function;
+use super::hash::WordHasher;
 use super::number::Number;
+use super::vector::Components;
 
 /// An expression in a [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -111,8 +115,10 @@ impl Node {
 pub struct Graph {
     nodes: Vec<Node>,
     stages: Vec<Stage>,
-    ids: HashMap<Node, Id>,
+    ids: HashMap<Node, Id, BuildHasherDefault<WordHasher>>,
     symbols: Vec<Id>,
+    /// Of the tensors whose axes were asked for.
+    pub(super) spectra: HashMap<[Components; 3], Spectrum>,
 }
 
 /// The numbers that every graph begins with.
@@ -124,8 +130,9 @@ impl Default for Graph {
         let mut graph = Self {
             nodes: Vec::new(),
             stages: Vec::new(),
-            ids: HashMap::new(),
+            ids: HashMap::default(),
             symbols: Vec::new(),
+            spectra: HashMap::new(),
         };
         for number in [Number::zero(), Number::one()] {
             graph.insert(Node::Number(number), Stage::Constant);

@@ -23,6 +23,9 @@ const SIGNIFICANT: usize = 200;
 const DECIMAL_EXPONENTS: i64 = 5000;
 /// Bits of numerator and denominator beyond which an exact number is rounded to [`PRECISION`].
 const EXACT: usize = 1 << 13;
+/// The same of a number that is rounded already, and what is kept of it then.
+const ROUNDED: usize = 1 << 11;
+const KEPT: usize = 1 << 9;
 /// Bits beyond which a number is not carried at all.
 const SIZE: usize = 1 << 16;
 
@@ -337,15 +340,21 @@ impl Number {
 
     /// Gives up exactness where it has grown out of all proportion.
     fn condensed(self) -> Self {
-        if self.bits() < EXACT || !self.is_carried() {
+        let (most, kept) = if self.rounded {
+            (ROUNDED, KEPT)
+        } else {
+            (EXACT, PRECISION)
+        };
+        if self.bits() < most || !self.is_carried() {
             return self;
         }
-        Self::from_float(self.to_float(PRECISION)).unwrap_or(self)
+        Self::from_float(self.to_float(kept)).unwrap_or(self)
     }
 
     /// A rounded result that has cancelled down to the noise of its terms is zero.
     fn snapped(self, scale: &RBig) -> Self {
-        if !self.rounded || self.value.is_zero() {
+        let is_far = || size(&self.value) > size(scale) - SIGNIFICANT.cast_signed() + 2;
+        if !self.rounded || self.value.is_zero() || is_far() {
             return self;
         }
         let noise = RBig::from_parts(IBig::ONE, UBig::ONE << SIGNIFICANT) * magnitude(scale);
@@ -355,6 +364,11 @@ impl Number {
             self
         }
     }
+}
+
+/// The exponent of two, to one.
+fn size(value: &RBig) -> isize {
+    value.numerator().bit_len().cast_signed() - value.denominator().bit_len().cast_signed()
 }
 
 fn magnitude(value: &RBig) -> RBig {

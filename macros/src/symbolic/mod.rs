@@ -2,7 +2,8 @@
 //!
 //! This room knows no mechanics and no words: symbols are numbers, and what they stand for is the
 //! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
-//! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter.
+//! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter, and what
+//! expressions are evaluated in: residues, doubles with a bound, exact numbers.
 
 mod algebra;
 mod bounded;

@@ -217,3 +217,48 @@ fn inputs_that_balance_at_equal_distances_do_not_vanish() {
         assert!(!text.contains("is_torque_free : true"), "{middle}");
     }
 }
+
+/// A residue has a root of one sign or the other: what vanishes for numbers of one sign alone does not vanish, and is not symmetric.
+#[test]
+fn roots_have_the_sign_of_doubles() {
+    for sign in ["+", "-"] {
+        let sum: proc_macro2::TokenStream = format!("(a * a).sqrt() {sign} a").parse().unwrap();
+        for symbols in 0..4 {
+            let others = (0..symbols).map(|k| format_ident!("other_{k}"));
+            let expansion = expand_description(quote!(Pushed {
+                motion: translation,
+                inputs: [#(#others[N],)* a[N]],
+                mass: 1[kg],
+                forces: [push = world(0, 0, #sum)],
+            }));
+            let text = expansion.to_string();
+            assert!(!text.contains("is_force_free : true"), "{sum}");
+        }
+    }
+    for axis in ["x", "y", "z"] {
+        let size = [format_ident!("x"), format_ident!("y"), format_ident!("z")]
+            .map(|name| (name == axis, quote!(position.in_world().#name)))
+            .map(|(is_bent, part)| {
+                if is_bent {
+                    quote!((#part * #part).sqrt())
+                } else {
+                    part
+                }
+            });
+        let [x, y, z] = size;
+        let expansion = expand_description(quote!(Held {
+            motion: translation,
+            mass: 1[kg],
+            forces: [hold = -1[N / m] * world(#x, #y, #z)],
+        }));
+        let text = expansion.to_string();
+        assert!(!text.contains("Symmetry :: Every"), "{axis}: {text}");
+    }
+    // a multiple of the prime
+    let expansion = expand_description(quote!(Pushed {
+        motion: translation,
+        mass: 1[kg],
+        forces: [push = world(0, 2305843009213693951[N], 0)],
+    }));
+    assert!(!expansion.to_string().contains("is_force_free : true"));
+}

@@ -1,13 +1,14 @@
 //! Each method has its order, and every body comes to the same end by each of them.
 
 use newton_euler::integrate::{
-    Classical4, DormandPrince, DormandPrince8, Fixed, Midpoint, RungeKutta, TaylorSeries,
+    Classical4, DormandPrince, DormandPrince8, Fixed, Midpoint, Motion, RungeKutta, TaylorSeries,
     Tsitouras5, Verner9, taylor,
 };
 use newton_euler::prelude::*;
 
 use crate::scenes::{
-    Chirp, ExactBody, FreeBody, HeavyTop, Kicked, SeriesTop, Stiffening, ends, error,
+    Chirp, ExactBody, FreeBody, HeavyTop, Kicked, SeriesPendulum, SeriesTop, Stiffening, ends,
+    error,
 };
 
 /// The order that shows between two lengths of steps is that of the method.
@@ -149,6 +150,29 @@ fn series_with_gaps() {
             );
         }
     }
+}
+
+/// Series of two and three coefficients know little of their radius, and go on in short steps.
+#[test]
+fn the_lowest_orders() {
+    fn steps<const N: usize>() -> usize {
+        let (pendulum, start) = (
+            SeriesPendulum::default(),
+            Hinge {
+                angle: 1.0,
+                angular_velocity: 0.0,
+            },
+        );
+        let mut motion = Motion::<_, N>::new(&pendulum, 0.0, &start);
+        let mut steps = 0;
+        while motion.step_towards(0.1, &(), 1e-3).unwrap().is_some() {
+            steps += 1;
+        }
+        let exact = pendulum.integrate(&start).to(0.1).unwrap();
+        assert!((motion.state().angle - exact.angle).abs() < 0.1);
+        steps
+    }
+    assert!(steps::<2>() > 1 && steps::<3>() > 1);
 }
 
 /// What acts for a second after five of rest is seen, if it is a twentieth of the whole.

@@ -8,6 +8,9 @@ use crate::symbolic::{Algebra, Doubles, Exact, Id, Node, Number, Residues, Tape}
 /// States that are tried until all expressions have a value.
 const TRIES: u64 = 8;
 
+/// States with numbers of either sign; each number has one sign in the first of two, the other in the second.
+pub const SIGNS: u64 = 8;
+
 /// Numbers before this one make the attitude.
 const OTHERS: u64 = 8;
 
@@ -52,14 +55,22 @@ pub fn vanish(model: &mut Model, roots: &[Id]) -> Vec<bool> {
     let tape = model.frames.graph.tape(&roots);
     let mut residues = Residues::default();
     let formal = at_state(model, &tape, &mut residues, Range::Integers, 1);
-    let is_zero = |root: &Id| residues.is_zero(tape.of(&formal, *root));
+    // residues do not know the sign of a root, nor a prime from zero
+    let mut near = vec![at_state(model, &tape, &mut Doubles, Range::Positive, 1)];
+    if !residues.is_final() {
+        let mixed = |seed| at_state(model, &tape, &mut Doubles, Range::Mixed, seed);
+        near.extend((1..=SIGNS).map(mixed));
+    }
+    let is_not_zero = |root: &Id| {
+        near.iter()
+            .any(|all| Doubles.is_not_zero(tape.of(all, *root)))
+    };
+    let is_zero = |root: &Id| residues.is_zero(tape.of(&formal, *root)) && !is_not_zero(root);
     let mut vanish: Vec<bool> = roots.iter().map(is_zero).collect();
     if residues.is_final() && roots.iter().all(|root| tape.of(&formal, *root).is_some()) {
         return vanish;
     }
-    let near = at_state(model, &tape, &mut Doubles, Range::Positive, 1);
-    let is_open =
-        |index: &usize| !vanish[*index] && !Doubles.is_not_zero(tape.of(&near, roots[*index]));
+    let is_open = |index: &usize| !vanish[*index] && !is_not_zero(&roots[*index]);
     let open: Vec<usize> = (0..roots.len()).filter(is_open).collect();
     let exact: Vec<Id> = open.iter().map(|index| roots[*index]).collect();
     for (index, vanishes) in open.into_iter().zip(vanish_exactly(model, &exact)) {
@@ -113,11 +124,17 @@ pub fn at_state<A: Algebra>(
 
 /// Different for each symbol and each try, and without any relation between them.
 fn draw(range: Range, seed: u64, index: u64) -> Number {
-    let mut hasher = DefaultHasher::new();
-    (range, seed, index).hash(&mut hasher);
-    let random = hasher.finish();
-    let integer = |bits: u32| i64::try_from(random >> (u64::BITS - bits)).unwrap_or(1);
-    let sign = if random % 2 == 1 { -1 } else { 1 };
+    let random = |seed: u64| {
+        let mut hasher = DefaultHasher::new();
+        (range, seed, index).hash(&mut hasher);
+        hasher.finish()
+    };
+    let integer = |bits: u32| i64::try_from(random(seed) >> (u64::BITS - bits)).unwrap_or(1);
+    let sign = if (random(seed.div_ceil(2)) + seed) % 2 == 1 {
+        -1
+    } else {
+        1
+    };
     match range {
         Range::Integers => Number::integer(integer(60)),
         Range::Positive => Number::ratio(integer(20) + 1, DENOMINATOR),

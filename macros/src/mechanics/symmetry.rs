@@ -18,7 +18,7 @@ use crate::symbolic::{
     Algebra, Components, Doubles, Exact, Function, Graph, Id, Node, Number, Residue, Residues, Tape,
 };
 
-use super::samples::{Range, at_state};
+use super::samples::{Range, SIGNS, at_state};
 
 /// Directions about which a turn changes nothing; a group of turns has no other sets of them.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -185,14 +185,18 @@ impl Case<'_> {
         let mut residues = Residues::default();
         let formal = Space::spanned_by(&mut residues, self.axes);
         let (formal, is_known) = self.settled(&tape, &mut residues, Range::Integers, formal);
-        let is_left = |formal: &Space<_>| {
+        let is_left = |formal: &Space<_>, has_signs: bool| {
             let possible = Space::spanned_by(&mut Doubles, self.axes);
-            let (possible, _) = self.settled(&tape, &mut Doubles, Range::Positive, possible);
+            let (mut possible, _) = self.settled(&tape, &mut Doubles, Range::Positive, possible);
+            // residues do not know the sign of a root
+            if has_signs {
+                (possible, _) = self.settled(&tape, &mut Doubles, Range::Mixed, possible);
+            }
             possible.basis.len() == formal.basis.len()
         };
         if is_known
             && let Some(space) = rational(&formal, &mut residues)
-            && (residues.is_final() || is_left(&formal))
+            && is_left(&formal, !residues.is_final())
         {
             return space;
         }
@@ -216,6 +220,7 @@ impl Case<'_> {
         mut space: Space<A::Value>,
     ) -> (Space<A::Value>, bool) {
         let mut is_known = true;
+        let least = if range == Range::Mixed { SIGNS } else { 1 };
         for seed in 1.. {
             let mut is_less = false;
             for normal in self.changes(tape, algebra, range, seed) {
@@ -224,7 +229,7 @@ impl Case<'_> {
                     .all(|part| algebra.is_zero(part) || algebra.is_not_zero(part));
                 is_less |= space.cut(algebra, &normal);
             }
-            if !is_less || space.basis.is_empty() {
+            if (!is_less && seed >= least) || space.basis.is_empty() {
                 break;
             }
         }

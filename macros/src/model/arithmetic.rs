@@ -190,11 +190,11 @@ impl Lowering<'_> {
         if self.motion.is_supported() && self.state.support.is_none() {
             return ": write a vector, `body(x, y, z)` or `world(x, y, z)`".to_owned();
         }
-        let name = match written.map(|written| &written.kind) {
-            Some(Kind::Name(name)) => name.to_string(),
-            _ => String::new(),
+        let advice = match written.map(|written| &written.kind) {
+            Some(Kind::Name(name)) => format!("write `{name}.position()`"),
+            _ => "take its `.position()`".to_owned(),
         };
-        format!(": write `{name}.position()`, the vector to it from the origin of the world")
+        format!(": {advice}, the vector to it from the origin of the world")
     }
 
     /// `P + v`: the matter of the body that is there, away from a point of it.

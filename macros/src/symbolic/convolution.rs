@@ -121,7 +121,10 @@ impl Graph {
             }
             let linear = self
                 .linear_in(linear, &symbols, &values)
-                .unwrap_or_default();
+                .unwrap_or_else(|| {
+                    whole = self.add(linear, whole);
+                    Vec::new()
+                });
             written.insert(id, whole);
             let rate = rates.iter().position(|rate| *rate == id);
             let result = results.iter().find(|(_, next)| *next == id);

@@ -1,9 +1,10 @@
 //! Arithmetic modulo a prime: whether an expression is zero in all states, without long numbers.
 //!
 //! A state is a random residue for each symbol. What is not zero identically is zero in one of 2^50 of
-//! them. A function has a random value for each argument, as has a number that is not rational. Of what
-//! holds between such values little is known, that of a root its square is its argument and that
-//! `sin^2 + cos^2 = 1`: what is zero nevertheless is zero, and what is not zero may be.
+//! them, or is a written multiple of the prime. A function has a random value for each argument, as has a
+//! number that is not rational. Of what holds between such values little is known, that of a root its square
+//! is its argument and that `sin^2 + cos^2 = 1`: what is not zero may be. And a root has either sign: what is
+//! zero may be so for that sign alone, which doubles see.
 
 use core::ops::{Add, Mul, Neg};
 use std::hash::{DefaultHasher, Hash, Hasher};

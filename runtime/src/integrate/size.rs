@@ -59,6 +59,7 @@ pub(super) fn root(a: f64, b: f64, k: usize) -> f64 {
     if !(has_logarithm(a) && has_logarithm(b)) {
         return a / b;
     }
-    let logarithm = (a.to_bits() as i64 - b.to_bits() as i64) / k as i64;
-    f64::from_bits((1.0_f64.to_bits() as i64 + logarithm) as u64)
+    let logarithm = (a.to_bits() as i64 - b.to_bits() as i64) / k.max(1) as i64;
+    let bits = 1.0_f64.to_bits() as i64 + logarithm;
+    f64::from_bits(bits.clamp(0, f64::MAX.to_bits() as i64) as u64)
 }

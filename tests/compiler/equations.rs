@@ -1,12 +1,13 @@
 //! Equations with coefficients of the state, and the chain rule backwards.
 
-use crate::symbolic::{Function, Graph, Id, Node, Number, Row, Size, Stage};
+use crate::symbolic::{Function, Graph, Id, Node, Number, Row, Size, Stage, free};
 
-fn row(g: &mut Graph, coefficients: &[Id], right: i64, sample: &[i64]) -> Row {
+fn row(g: &mut Graph, coefficients: &[Id], right: i64) -> Row {
     Row {
         coefficients: coefficients.to_vec(),
         right: g.integer(right),
-        sample: sample.iter().map(|entry| Number::integer(*entry)).collect(),
+        sample: g.samples(coefficients, |id| free(id, 0)),
+        active: None,
         sizes: vec![Size::Terms; coefficients.len()],
     }
 }
@@ -20,7 +21,7 @@ fn numbers_are_solved_exactly_and_without_guards() {
         .zip([8, -11, -3])
         .map(|(entries, right)| {
             let coefficients = entries.map(|entry| g.integer(entry));
-            row(&mut g, &coefficients, right, &entries)
+            row(&mut g, &coefficients, right)
         });
     let rows = rows.collect();
     let solved = g.solve_guarded(rows, 3);
@@ -37,10 +38,7 @@ fn what_depends_on_the_state_is_guarded() {
     let mut g = Graph::default();
     let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
     let zero = g.zero();
-    let rows = vec![
-        row(&mut g, &[a, zero], 6, &[5, 0]),
-        row(&mut g, &[b, a], 2, &[7, 5]),
-    ];
+    let rows = vec![row(&mut g, &[a, zero], 6), row(&mut g, &[b, a], 2)];
     let solved = g.solve_guarded(rows, 2);
     assert_eq!(solved.pivots.len(), 2);
     assert!(
@@ -58,10 +56,7 @@ fn dependent_rows_are_left_over() {
     let mut g = Graph::default();
     let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
     let twice = [a, b].map(|id| g.add(id, id));
-    let rows = vec![
-        row(&mut g, &[a, b], 1, &[5, 7]),
-        row(&mut g, &twice, 2, &[10, 14]),
-    ];
+    let rows = vec![row(&mut g, &[a, b], 1), row(&mut g, &twice, 2)];
     let solved = g.solve_guarded(rows, 2);
     assert_eq!((solved.spare, solved.undetermined), (vec![1], vec![1]));
 }

@@ -20,7 +20,6 @@ mod symbolic;
 #[path = "../../macros/src/syntax/mod.rs"]
 mod syntax;
 
-mod algebras;
 mod calculus;
 mod descriptions;
 mod documentation;
@@ -30,6 +29,7 @@ mod expansions;
 mod numbers;
 mod operations;
 mod rooms;
+mod zeros;
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -4,7 +4,7 @@ use crate::model::Model;
 use crate::symbolic::{Function, Id};
 
 use super::flow::{Contribution, Turning, dependence};
-use super::samples::vanish;
+use super::zeros::all_vanish;
 
 /// What a load makes of the motion about an axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -99,5 +99,5 @@ fn swinging(model: &mut Model, expression: Id) -> Option<(Id, Id)> {
     let (first, second) = (graph.multiply(a, sine), graph.multiply(b, cosine));
     let harmonic = graph.add(first, second);
     let rest = graph.subtract(expression, harmonic);
-    vanish(model, &[rest])[0].then_some((a, b))
+    all_vanish(model, &[rest]).then_some((a, b))
 }

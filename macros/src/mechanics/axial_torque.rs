@@ -4,7 +4,7 @@ use crate::model::Model;
 use crate::symbolic::{Components, Id};
 
 use super::axis_of_symmetry::axes_of_symmetry;
-use super::samples::vanish;
+use super::zeros::all_vanish;
 
 /// What the motion of a body under a moment along its axis depends on.
 pub struct AxialTorque {
@@ -34,7 +34,7 @@ pub fn axial_torque(model: &mut Model, moment: Components) -> Option<AxialTorque
             let torque = graph.dot(moment, axis);
             let along = graph.scale_vector(torque, axis);
             let across = [0, 1, 2].map(|i| graph.subtract(moment[i], along[i]));
-            let is_axial = vanish(model, &across).into_iter().all(|zero| zero);
+            let is_axial = all_vanish(model, &across);
             is_axial.then_some(AxialTorque {
                 moments,
                 axis,

@@ -5,7 +5,7 @@ use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
 use super::free_rotation::unit;
 use super::newton_euler::inertia_about_center;
-use super::samples::vanish;
+use super::zeros::all_vanish;
 
 /// Moments of inertia across and along axes about which the body is symmetric, and unit vectors along them: of a spherical one, along one of
 /// these directions, if it is known, and the axes of the body.
@@ -54,7 +54,7 @@ fn is_symmetric(model: &mut Model, rows: &[Components; 3], axis: usize) -> bool 
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let difference = model.frames.graph.subtract(rows[i][i], rows[j][j]);
     let roots = [difference, rows[0][1], rows[1][2], rows[2][0]];
-    vanish(model, &roots).into_iter().all(|zero| zero)
+    all_vanish(model, &roots)
 }
 
 /// The unit vector along a vector of numbers that is not zero.

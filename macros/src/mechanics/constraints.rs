@@ -14,8 +14,9 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::model::{AXES, Frame, Level, LoadKind, Model};
-use crate::symbolic::{Components, Elimination, Function, Id, Number, Row, Size};
+use crate::symbolic::{Components, Elimination, Function, Id, Residue, Row, Sample, Size};
 
+use super::active::active;
 use super::newton_euler::{check_moment_free, moments_about, solve_balances};
 use super::pushes::{Push, given_loads, pushes};
 use super::rates::{Rates, rates};
@@ -23,7 +24,7 @@ use super::reactions::ReactionExpressions;
 use super::redundancy::{check_elimination, check_independent};
 use super::response::response;
 use super::rod;
-use super::samples::sample;
+use super::zeros::samples;
 
 /// A constraint with its derivatives.
 pub struct Constrained {
@@ -205,7 +206,7 @@ fn sampled(
         .iter()
         .flat_map(|(coefficients, _)| coefficients.clone())
         .collect();
-    let mut values = sample(model, &all).into_iter();
+    let mut values = samples(model, &all).into_iter();
     let mut sampled = Vec::new();
     for (index, (coefficients, right)) in rows.into_iter().enumerate() {
         let sizes = pushes.iter().map(|push| match constraints.get(index) {
@@ -215,6 +216,9 @@ fn sampled(
         sampled.push(Row {
             sizes: sizes.collect(),
             sample: values.by_ref().take(coefficients.len()).collect(),
+            active: constraints
+                .get(index)
+                .and_then(|constraint| active(model, constraint)),
             coefficients,
             right,
         });
@@ -231,7 +235,7 @@ fn size(model: &mut Model, constraint: &Constrained, push: &Push) -> Size {
     } = constraint.rates;
     let gradient = [linear, angular].concat();
     let load = [push.force, push.body_moment].concat();
-    let values = sample(model, &[gradient, load].concat());
+    let values = samples(model, &[gradient, load].concat());
     let (a, b) = values.split_at(values.len() / 2);
     if !push.is_followed && are_parallel(a, b) {
         return Size::Squares;
@@ -248,12 +252,21 @@ fn size(model: &mut Model, constraint: &Constrained, push: &Push) -> Size {
     Size::Product(graph.apply(Function::Sqrt, &[square]))
 }
 
-fn are_parallel(a: &[Number], b: &[Number]) -> bool {
-    let Some(lead) = a.iter().position(|entry| !entry.is_zero()) else {
-        return false;
+/// Whether two vectors are proved to be parallel, on all branches on which the first is not zero.
+fn are_parallel(a: &[Sample], b: &[Sample]) -> bool {
+    let branches = a.first().map_or(0, |first| first.0.len());
+    let on_branch = |branch: usize| {
+        let values = |vector: &[Sample]| -> Option<Vec<Residue>> {
+            vector.iter().map(|entry| entry.0[branch]).collect()
+        };
+        let (a, b) = (values(a)?, values(b)?);
+        let Some(lead) = a.iter().position(|entry| !entry.is_zero()) else {
+            return Some(true);
+        };
+        let crossed = |i: usize| a[i] * b[lead] + -(a[lead] * b[i]);
+        Some(!b[lead].is_zero() && (0..a.len()).all(|i| crossed(i).is_zero()))
     };
-    let crossed = |i: usize| a[i].clone() * b[lead].clone() - a[lead].clone() * b[i].clone();
-    !b[lead].is_zero() && (0..a.len()).all(|i| crossed(i).is_zero())
+    !a.iter().all(Sample::is_zero) && (0..branches).all(|branch| on_branch(branch) == Some(true))
 }
 
 /// `q''_0 + sum of u_j D_j`

@@ -22,7 +22,7 @@ use super::free_rotation::{Free, free};
 use super::lagrange_top::{Top, lagrange_top};
 use super::newton_euler::moments_about;
 use super::reactions::given_parts;
-use super::samples::vanish;
+use super::zeros::all_vanish;
 
 /// The motion of a body in closed form.
 pub struct Flow {
@@ -149,7 +149,7 @@ pub struct Contribution {
     pub moment: Components,
 }
 
-fn contributions(model: &mut Model) -> Vec<Contribution> {
+pub fn contributions(model: &mut Model) -> Vec<Contribution> {
     let center = model.state.center(&mut model.frames);
     let moments = moments_about(model, center);
     let loads = model.loads.iter().zip(moments);
@@ -234,12 +234,8 @@ fn turning(
     if model.motion.is_planar() || model.motion.is_hinged() {
         return about_axis(model, angular[2], contributions, obstacles);
     }
-    let moments: Vec<Components> = contributions.iter().map(|load| load.moment).collect();
-    let zeros = model.frames.graph.zeros();
-    let total = moments.into_iter().fold(zeros, |sum, moment| {
-        model.frames.graph.add_vectors(sum, moment)
-    });
-    let is_free = vanish(model, &total).into_iter().all(|zero| zero);
+    let total = total_moment(model, contributions);
+    let is_free = all_vanish(model, &total);
     if model.motion == Motion::Rod {
         if is_free {
             return Some(Turning::GreatCircle);
@@ -251,6 +247,13 @@ fn turning(
     }
     report_moments(model, contributions, obstacles);
     None
+}
+
+/// The moment of all that acts.
+pub fn total_moment(model: &mut Model, contributions: &[Contribution]) -> Components {
+    let graph = &mut model.frames.graph;
+    let moments = contributions.iter().map(|load| load.moment);
+    moments.fold(graph.zeros(), |sum, moment| graph.add_vectors(sum, moment))
 }
 
 /// How a symmetric body turns under a moment.
@@ -272,7 +275,7 @@ fn report_moments(model: &mut Model, contributions: &[Contribution], obstacles: 
     let is_symmetric = !is_rod && !axes_of_symmetry(model, &[]).is_empty();
     let (mut harmless, before) = (Vec::new(), obstacles.len());
     for load in contributions {
-        if vanish(model, &load.moment).into_iter().all(|zero| zero) {
+        if all_vanish(model, &load.moment) {
             continue;
         }
         if !is_rod && symmetric(model, load.moment).is_some() {

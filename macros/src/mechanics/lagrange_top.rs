@@ -14,7 +14,7 @@ use crate::model::{Attitude, Frame, Model, Vector};
 use crate::symbolic::{Components, Id, Number};
 
 use super::axis_of_symmetry::axes_of_symmetry;
-use super::samples::vanish;
+use super::zeros::all_vanish;
 
 /// What the motion of a top depends on.
 pub struct Top {
@@ -40,7 +40,7 @@ pub fn lagrange_top(model: &mut Model, moment: Components) -> Option<Top> {
         let expected = couple_on(model, couple, axis);
         let graph = &mut model.frames.graph;
         let rest = [0, 1, 2].map(|i| graph.subtract(moment[i], expected[i]));
-        if vanish(model, &rest).into_iter().all(|zero| zero) {
+        if all_vanish(model, &rest) {
             model.frames.labels.vector("couple", couple);
             return Some(Top {
                 moments,

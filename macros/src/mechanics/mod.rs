@@ -4,6 +4,7 @@
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
 mod about_axis;
+mod active;
 mod arm;
 mod axes;
 mod axial_torque;
@@ -29,13 +30,13 @@ mod reactions;
 mod redundancy;
 mod response;
 mod rod;
-mod samples;
 mod skipped;
 mod skipped_loads;
 mod solvability;
 mod structure;
 mod symmetry;
 mod taylor;
+mod zeros;
 
 use crate::errors::Errors;
 use crate::model::{Model, Output};

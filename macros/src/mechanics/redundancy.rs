@@ -1,23 +1,26 @@
 //! Whether constraints and unknowns determine each other: what to say if they do not, and where.
 
+use std::collections::BTreeSet;
+
 use crate::errors::Errors;
 use crate::model::Model;
-use crate::symbolic::{Elimination, Id, Number};
+use crate::symbolic::{Elimination, Id, Residue};
 
 use super::constraints::Constrained;
 use super::pushes::Push;
-use super::samples::sample;
+use super::zeros::samples;
 
-/// The gradient of a constraint at one state, reduced by those before it.
+/// The gradient of a constraint on one branch, reduced by those before it.
 struct Reduced {
     index: usize,
     lead: usize,
-    gradient: Vec<Number>,
+    gradient: Vec<Residue>,
     /// The constraints that it is made of.
     of: Vec<usize>,
 }
 
-/// Constraints that follow from others are reported: the reactions would not be determined.
+/// Constraints that are proved to follow from others are reported: the reactions would not be
+/// determined.
 pub fn check_independent(
     model: &mut Model,
     constraints: &[Constrained],
@@ -27,50 +30,76 @@ pub fn check_independent(
         .iter()
         .flat_map(|constraint| [constraint.rates.linear, constraint.rates.angular].concat())
         .collect();
-    let values = sample(model, &roots);
-    let mut basis: Vec<Reduced> = Vec::new();
+    let samples = samples(model, &roots);
+    let branches = samples.first().map_or(0, |sample| sample.0.len());
+    let gradients = |branch: usize| -> Vec<Option<Vec<Residue>>> {
+        let rows = samples.chunks(6);
+        rows.map(|row| row.iter().map(|sample| sample.0[branch]).collect())
+            .collect()
+    };
+    let redundant: Vec<Vec<Option<Vec<usize>>>> = (0..branches)
+        .map(|branch| redundant(&gradients(branch)))
+        .collect();
     let mut independent = true;
-    for (index, gradient) in values.chunks(6).enumerate() {
-        let (gradient, of) = reduce(gradient.to_vec(), &basis);
-        if let Some(lead) = gradient.iter().position(|entry| !entry.is_zero()) {
-            let mut of = of;
-            of.push(index);
-            basis.push(Reduced {
-                index,
-                lead,
-                gradient,
-                of,
-            });
+    for (index, constraint) in constraints.iter().enumerate() {
+        // on every branch
+        let of: Option<Vec<&Vec<usize>>> = redundant
+            .iter()
+            .map(|branch| branch[index].as_ref())
+            .collect();
+        let Some(of) = of else {
             continue;
-        }
-        let (name, place) = (&constraints[index].name, &constraints[index].place);
-        let others = of
+        };
+        let others: BTreeSet<usize> = of.into_iter().flatten().copied().collect();
+        let others: Vec<String> = others
             .into_iter()
-            .map(|other| format!("`{}`", constraints[other].name));
-        let others: Vec<String> = others.collect();
+            .map(|other| format!("`{}`", constraints[other].name))
+            .collect();
+        let name = &constraint.name;
         let message = if others.is_empty() {
             format!("no acceleration changes `{name}`: no load can keep it at zero")
         } else {
             let others = others.join(" and ");
             format!("`{name}` is kept already by {others}: leave one of them out")
         };
-        errors.push(place.span(), message);
+        errors.push(constraint.place.span(), message);
         independent = false;
     }
     independent.then_some(())
 }
 
+/// Of gradients on one branch, the ones that each follows from; `None` of one that follows from none, or
+/// has no value.
+fn redundant(gradients: &[Option<Vec<Residue>>]) -> Vec<Option<Vec<usize>>> {
+    let mut basis: Vec<Reduced> = Vec::new();
+    let redundant = gradients.iter().enumerate().map(|(index, gradient)| {
+        let (gradient, mut of) = reduce(gradient.clone()?, &basis);
+        let Some(lead) = gradient.iter().position(|entry| !entry.is_zero()) else {
+            return Some(of);
+        };
+        of.push(index);
+        basis.push(Reduced {
+            index,
+            lead,
+            gradient,
+            of,
+        });
+        None
+    });
+    redundant.collect()
+}
+
 /// A gradient without its parts along `basis`, and the constraints that these are made of.
-fn reduce(mut gradient: Vec<Number>, basis: &[Reduced]) -> (Vec<Number>, Vec<usize>) {
+fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<usize>) {
     let mut of = Vec::new();
     for known in basis {
-        let factor = gradient[known.lead].checked_div(&known.gradient[known.lead]);
-        let factor = factor.unwrap_or_else(Number::zero);
-        if factor.is_zero() {
+        let lead = known.gradient[known.lead];
+        if gradient[known.lead].is_zero() {
             continue;
         }
+        let factor = -(gradient[known.lead] * lead.reciprocal().unwrap_or(Residue::ZERO));
         for (entry, part) in gradient.iter_mut().zip(&known.gradient) {
-            *entry = entry.clone() - factor.clone() * part.clone();
+            *entry = *entry + factor * *part;
         }
         of.extend(known.of.iter().copied());
         of.push(known.index);

@@ -19,7 +19,7 @@ use crate::symbolic::{Components, Id};
 
 use super::newton_euler::{arm, moments_about};
 use super::pushes::Push;
-use super::samples::vanish;
+use super::zeros::{all_vanish, samples};
 
 /// u'' by the loads of the model, world axes.
 pub fn axis_acceleration(model: &mut Model, axis: Axis) -> Components {
@@ -127,7 +127,7 @@ fn pull_of(model: &mut Model, axis: Axis, moment: Components) -> Components {
 /// Whether a vector is perpendicular to the axis in all states.
 fn is_across_axis(model: &mut Model, axis: Axis, vector: Components) -> bool {
     let along = model.frames.graph.dot(axis.unit, vector);
-    vanish(model, &[along])[0]
+    all_vanish(model, &[along])
 }
 
 /// Whether a vector is along the axis in all states: a force on the axis has no moment then.
@@ -136,7 +136,7 @@ pub fn is_along_axis(model: &mut Model, vector: Components) -> bool {
         return false;
     };
     let across = model.frames.graph.cross(unit, vector);
-    vanish(model, &across).into_iter().all(|zero| zero)
+    all_vanish(model, &across)
 }
 
 /// `u'' = w' x u - u'^2 u`
@@ -175,7 +175,7 @@ pub fn check_loads(model: &mut Model, axis: Axis, errors: &mut Errors) -> Option
         .collect();
     let parts: Vec<Id> = moments.iter().map(|(_, along)| *along).collect();
     let together = model.frames.graph.sum(&parts);
-    if vanish(model, &[together])[0] {
+    if all_vanish(model, &[together]) {
         return Some(());
     }
     for index in turning(model, &parts) {
@@ -219,6 +219,8 @@ pub fn check_pushes(
 
 /// Which of the moments along the axis do not vanish.
 fn turning(model: &mut Model, parts: &[Id]) -> Vec<usize> {
-    let vanish = vanish(model, parts);
-    (0..parts.len()).filter(|index| !vanish[*index]).collect()
+    let samples = samples(model, parts);
+    (0..parts.len())
+        .filter(|index| !samples[*index].is_zero())
+        .collect()
 }

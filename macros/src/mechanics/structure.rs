@@ -6,9 +6,10 @@ use std::collections::HashMap;
 use crate::model::{Inertia, Meaning, Model, Motion};
 use crate::symbolic::{Components, Id, Node, Number};
 
+use super::flow::{contributions, total_moment};
 use super::newton_euler::inertia_about_center;
-use super::samples::vanish;
 use super::symmetry::{Space, Symmetry, symmetries};
+use super::zeros::all_vanish;
 
 /// What an integrator can know of a body.
 pub struct Structure {
@@ -103,11 +104,7 @@ fn meaning(model: &Model, id: Id) -> Option<Meaning> {
     }
 }
 
-fn all_vanish(model: &mut Model, roots: &[Id]) -> bool {
-    vanish(model, roots).into_iter().all(|zero| zero)
-}
-
-/// `J w' + w x J w` vanishes: whatever acts has no moment.
+/// Whether whatever acts has no moment.
 fn is_torque_free(model: &mut Model, angular: &Components) -> bool {
     let w = model.state.angular_velocity;
     let moment = match (inertia_about_center(model), model.state.axis) {
@@ -118,6 +115,13 @@ fn is_torque_free(model: &mut Model, angular: &Components) -> bool {
             let held = graph.scale_vector(square, axis.unit);
             graph.add_vectors(*angular, held)
         }
+        (Inertia::Spatial(_), None)
+            if !model.motion.is_hinged() && model.constraints.is_empty() =>
+        {
+            let contributions = contributions(model);
+            total_moment(model, &contributions)
+        }
+        // J w' + w x J w
         (Inertia::Spatial(rows), None) if !model.motion.is_hinged() => {
             let graph = &mut model.frames.graph;
             let momentum = graph.transform(&rows, w);

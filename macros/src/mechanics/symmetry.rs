@@ -8,17 +8,17 @@
 //! ```
 //!
 //! and an acceleration is symmetric about e if it changes as the axes do in which it is written. That is
-//! linear in e: what is left of all directions after a few states, where all numbers are exact, is left
-//! after all of them. Nothing of this is emitted but the answer.
+//! linear in e: directions that the changes at some random states leave, and those at one more random
+//! state leave again, on every branch, are left in all states. Nothing of this is emitted but the answer.
 
 use std::collections::HashMap;
 
 use crate::model::{Attitude, Model, Motion};
 use crate::symbolic::{
-    Algebra, Components, Doubles, Exact, Function, Graph, Id, Node, Number, Residue, Residues, Tape,
+    Algebra, Components, Function, Graph, Id, Node, Number, Residue, Residues, Tape, on_branches,
 };
 
-use super::samples::{Range, SIGNS, at_state};
+use super::zeros::RandomState;
 
 /// Directions about which a turn changes nothing; a group of turns has no other sets of them.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -33,45 +33,54 @@ pub struct Space<V = Number> {
     pub basis: Vec<[V; 3]>,
 }
 
-impl<V: Clone> Space<V> {
-    fn spanned_by<A: Algebra<Value = V>>(algebra: &mut A, axes: &[usize]) -> Self {
-        let (zero, one) = (algebra.zero(), algebra.one());
-        let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { &one } else { &zero }.clone());
+impl Space<Residue> {
+    fn spanned_by(axes: &[usize]) -> Self {
+        let unit = |axis: usize| {
+            [0, 1, 2].map(|i| {
+                if i == axis {
+                    Residue::ONE
+                } else {
+                    Residue::ZERO
+                }
+            })
+        };
         Self {
             basis: axes.iter().map(|axis| unit(*axis)).collect(),
         }
     }
 
-    /// Leaves the directions that are perpendicular to `normal`; whether these are fewer for certain.
-    fn cut<A: Algebra<Value = V>>(&mut self, algebra: &mut A, normal: &[V; 3]) -> bool {
-        let mut dot = |vector: &[V; 3]| {
-            let [x, y, z] = [0, 1, 2].map(|i| algebra.multiply(&vector[i], &normal[i]));
-            let sum = algebra.add(&x, &y);
-            algebra.add(&sum, &z)
+    /// Leaves the directions that are perpendicular to `normal`.
+    fn cut(&mut self, normal: &[Residue; 3]) {
+        let dot = |vector: &[Residue; 3]| {
+            vector[0] * normal[0] + vector[1] * normal[1] + vector[2] * normal[2]
         };
-        let mut values: Vec<V> = self.basis.iter().map(&mut dot).collect();
-        let Some(pivot) = values.iter().position(|value| algebra.is_not_zero(value)) else {
-            return false;
+        let mut values: Vec<Residue> = self.basis.iter().map(dot).collect();
+        let Some(pivot) = values.iter().position(|value| !value.is_zero()) else {
+            return;
         };
         let (removed, divisor) = (self.basis.remove(pivot), values.remove(pivot));
+        let inverse = divisor.reciprocal().unwrap_or(Residue::ZERO);
         for (vector, value) in self.basis.iter_mut().zip(&values) {
-            let factor = algebra.divide(value, &divisor);
-            for (part, of_removed) in vector.iter_mut().zip(&removed) {
-                let along = algebra.multiply(&factor, of_removed);
-                *part = algebra.subtract(part, &along);
+            let factor = *value * inverse;
+            for (part, of_removed) in vector.iter_mut().zip(removed) {
+                *part = *part + -(factor * of_removed);
             }
         }
-        true
     }
-}
 
-impl Space<Option<Number>> {
-    fn numbers(self) -> Space {
-        let known = |part: Option<Number>| part.unwrap_or_else(Number::zero);
-        let basis = self.basis.into_iter();
-        Space {
-            basis: basis.map(|vector| vector.map(known)).collect(),
-        }
+    /// The same directions in numbers, if these are short.
+    fn numbers(&self) -> Option<Space> {
+        let basis = self.basis.iter().map(|direction| {
+            let lead = direction
+                .iter()
+                .find(|part| !part.is_zero())?
+                .reciprocal()?;
+            let [x, y, z] = direction.map(|part| (part * lead).to_number());
+            Some([x?, y?, z?])
+        });
+        Some(Space {
+            basis: basis.collect::<Option<_>>()?,
+        })
     }
 }
 
@@ -153,8 +162,7 @@ fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
 /// The components of a vector, and what decides between its branches, without them.
 fn roots(graph: &mut Graph, vector: &Components) -> Vec<Id> {
     let guards = guards(graph, vector);
-    let roots: Vec<Id> = vector.iter().copied().chain(guards).collect();
-    graph.unbranched(&roots)
+    vector.iter().copied().chain(guards).collect()
 }
 
 /// How symbols change.
@@ -173,113 +181,70 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// What residues leave is left, and what doubles cut is not; where they disagree, exact numbers
-    /// decide.
+    /// What the changes at some random states leave, and those at another one leave whole: axes that do
+    /// not depend on the state. Of axes whose directions are long numbers nothing is claimed.
     fn space(&self) -> Space {
+        let none = Space { basis: Vec::new() };
         if self.axes.is_empty() {
-            return Space { basis: Vec::new() };
+            return none;
         }
+        let graph = &self.model.frames.graph;
         let rates = self.rates.iter().flat_map(|rates| rates.values().copied());
         let all: Vec<Id> = self.roots.iter().copied().chain(rates).collect();
-        let tape = self.model.frames.graph.tape(&all);
-        let mut residues = Residues::default();
-        let formal = Space::spanned_by(&mut residues, self.axes);
-        let (formal, is_known) = self.settled(&tape, &mut residues, Range::Integers, formal);
-        let is_left = |formal: &Space<_>, has_signs: bool| {
-            let possible = Space::spanned_by(&mut Doubles, self.axes);
-            let (mut possible, _) = self.settled(&tape, &mut Doubles, Range::Positive, possible);
-            // residues do not know the sign of a root
-            if has_signs {
-                (possible, _) = self.settled(&tape, &mut Doubles, Range::Mixed, possible);
-            }
-            possible.basis.len() == formal.basis.len()
-        };
-        if is_known
-            && let Some(space) = rational(&formal, &mut residues)
-            && is_left(&formal, !residues.is_final())
-        {
-            return space;
+        let tape = graph.tape(&all);
+        if !tape.is_told_by_residues() {
+            return none;
         }
-        let space = Space::spanned_by(&mut Exact, self.axes);
-        let (space, is_known) = self.settled(&tape, &mut Exact, Range::Positive, space);
-        // what has no value is not known to be symmetric
-        if !is_known {
-            return Space { basis: Vec::new() };
-        }
-        // what may be so for numbers of one sign alone; a root of what is negative says nothing
-        let (space, _) = self.settled(&tape, &mut Exact, Range::Mixed, space);
-        space.numbers()
-    }
-
-    /// What the changes at one state after the other leave, until one leaves all; whether they all have values.
-    fn settled<A: Algebra>(
-        &self,
-        tape: &Tape<'_>,
-        algebra: &mut A,
-        range: Range,
-        mut space: Space<A::Value>,
-    ) -> (Space<A::Value>, bool) {
-        let mut is_known = true;
-        let least = if range == Range::Mixed { SIGNS } else { 1 };
-        for seed in 1.. {
-            let mut is_less = false;
-            for normal in self.changes(tape, algebra, range, seed) {
-                is_known &= normal
-                    .iter()
-                    .all(|part| algebra.is_zero(part) || algebra.is_not_zero(part));
-                is_less |= space.cut(algebra, &normal);
+        let mut space = Space::spanned_by(self.axes);
+        for number in 0.. {
+            let before = space.basis.len();
+            let state = RandomState::draw(number);
+            for changes in on_branches(|residues| self.changes(&tape, residues, &state)) {
+                for normal in changes {
+                    match normal {
+                        [Some(x), Some(y), Some(z)] => space.cut(&[x, y, z]),
+                        // what has no value is not known to be symmetric
+                        _ => return none,
+                    }
+                }
             }
-            if (!is_less && seed >= least) || space.basis.is_empty() {
+            if space.basis.len() == before {
                 break;
             }
         }
-        (space, is_known)
+        space.numbers().unwrap_or(none)
     }
 
     /// What of each root changes but does not turn, for each axis.
-    fn changes<A: Algebra>(
+    fn changes(
         &self,
         tape: &Tape<'_>,
-        algebra: &mut A,
-        range: Range,
-        seed: u64,
-    ) -> Vec<[A::Value; 3]> {
-        let values = at_state(self.model, tape, algebra, range, seed);
-        let zero = algebra.zero();
+        residues: &mut Residues<'_>,
+        state: &RandomState,
+    ) -> Vec<[Option<Residue>; 3]> {
+        let values = tape.values(residues, |_, id| Some(state.of(self.model, id)));
         let turned = [0, 1, 2].map(|axis| {
             let rate = |symbol: Id| {
                 let rate = self.rates[axis].get(&symbol)?;
-                Some(tape.of(&values, *rate).clone())
+                Some(*tape.of(&values, *rate))
             };
-            tape.changes(algebra, &values, rate)
+            tape.changes(residues, &values, rate)
         });
         let change = |root: &Id| {
             let changes = turned.each_ref().map(|changes| tape.of(changes, *root));
-            changes.map(|change| change.clone().unwrap_or_else(|| zero.clone()))
+            changes.map(|change| change.unwrap_or(Some(Residue::ZERO)))
         };
-        let mut changes: Vec<[A::Value; 3]> = self.roots.iter().map(change).collect();
+        let mut changes: Vec<[Option<Residue>; 3]> = self.roots.iter().map(change).collect();
         if self.turns {
             // less e x a
             for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
                 let part = |i: usize| tape.of(&values, self.roots[i]);
-                changes[j][i] = algebra.add(&changes[j][i], part(k));
-                changes[k][i] = algebra.subtract(&changes[k][i], part(j));
+                changes[j][i] = residues.add(&changes[j][i], part(k));
+                changes[k][i] = residues.subtract(&changes[k][i], part(j));
             }
         }
         changes
     }
-}
-
-/// The same directions in numbers, if these are short.
-fn rational(formal: &Space<Option<Residue>>, residues: &mut Residues) -> Option<Space> {
-    let mut basis = Vec::new();
-    for direction in &formal.basis {
-        let lead = direction.iter().find(|part| residues.is_not_zero(part))?;
-        let ratios = direction.each_ref().map(|part| residues.divide(part, lead));
-        let [x, y, z] = ratios.map(|ratio| ratio?.to_number());
-        basis.push([x?, y?, z?]);
-    }
-    Some(Space { basis })
 }
 
 /// How the state changes as the world is turned about an axis.

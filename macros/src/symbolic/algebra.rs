@@ -20,8 +20,6 @@ pub trait Algebra {
     fn apply(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value;
     /// Whether a value is zero for certain.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Whether it is certainly not zero; what is neither has no value, or is not known well enough.
-    fn is_not_zero(&self, a: &Self::Value) -> bool;
 
     // conditions: of numbers, one is true and zero is false
 

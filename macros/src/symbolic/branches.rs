@@ -1,40 +1,64 @@
-//! Expressions without branches: what holds of them holds of every branch.
+//! The branches of an expression: both signs of every root, both outcomes of every condition.
 
 use std::collections::HashMap;
 
-use super::graph::{Graph, Id, Node, Stage};
+use super::graph::{Graph, Id, Node};
+use super::residue::{Residue, Residues};
+
+/// Branches that are taken one by one. Where there are more, one of them is that on which choices are
+/// symbols: what holds whatever the sign of a root, and of any mixture of two sides, holds on all.
+const MOST: usize = 64;
+
+/// A choice, by what it depends on; equal values choose alike.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Side {
+    /// The sign of the root of this.
+    Root(Residue),
+    /// Whether this is below zero.
+    Below(Residue),
+    /// Whether this is zero.
+    Nothing(Residue),
+}
+
+/// What `evaluate` gives on each branch.
+pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T> {
+    let mut values = Vec::new();
+    // the choices of a branch, in the order in which they are met
+    let mut path: Vec<bool> = Vec::new();
+    loop {
+        let mut met: HashMap<Side, bool> = HashMap::new();
+        let mut side = |side: Side| {
+            let place = met.len();
+            let choice = met.entry(side).or_insert_with(|| {
+                if place == path.len() {
+                    path.push(false);
+                }
+                path[place]
+            });
+            Some(*choice)
+        };
+        values.push(evaluate(&mut Residues::new(&mut side)));
+        while path.last() == Some(&true) {
+            path.pop();
+        }
+        let Some(last) = path.last_mut() else {
+            return values;
+        };
+        *last = true;
+        if values.len() == MOST {
+            values.push(evaluate(&mut Residues::new(&mut |_| None)));
+            return values;
+        }
+    }
+}
 
 impl Graph {
-    /// `roots` with both sides of every condition mixed, by a factor of its own for each condition, and
-    /// a symbol in the place of each function that is made of pieces: an identity that is linear in the
-    /// sides is one of the mixture only if it is one of both.
-    pub fn unbranched(&mut self, roots: &[Id]) -> Vec<Id> {
-        let mut stand_ins: HashMap<Id, Id> = HashMap::new();
-        for id in self.reachable(roots, |_| true) {
-            let key = match *self.node(id) {
-                Node::Select(condition, ..) => condition,
-                Node::Unary(function, _) | Node::Binary(function, ..)
-                    if function.is_piecewise() && self.stage(id) != Stage::Constant =>
-                {
-                    id
-                }
-                _ => continue,
-            };
-            stand_ins
-                .entry(key)
-                .or_insert_with(|| self.symbol(Stage::State));
-        }
-        if stand_ins.is_empty() {
-            return roots.to_vec();
-        }
+    /// `roots` where conditions have these outcomes.
+    pub fn on_side(&mut self, roots: &[Id], holds: impl Fn(Id) -> bool) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| match *graph.node(id) {
             Node::Select(condition, first, second) => {
-                let (first, second) = (image(first), image(second));
-                let difference = graph.subtract(first, second);
-                let part = graph.multiply(stand_ins[&condition], difference);
-                graph.add(second, part)
+                image(if holds(condition) { first } else { second })
             }
-            Node::Unary(..) | Node::Binary(..) if stand_ins.contains_key(&id) => stand_ins[&id],
             _ => graph.remake(id, image),
         })
     }

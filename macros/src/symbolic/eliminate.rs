@@ -1,20 +1,25 @@
 //! Linear equations with coefficients that depend on the configuration, solved by elimination.
 //!
-//! What vanishes is decided exactly: every row carries its coefficients at one random state, in
-//! rational numbers, and they are eliminated along with it. Pivots are ones before numbers before
-//! what is known early before what is positive by its structure before anything else; a division
-//! by what depends on the configuration is guarded ([`Graph::pivot`]).
+//! What vanishes is proved: every row carries its coefficients at one random state, on each branch, and
+//! they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones before
+//! numbers before what is known early before what is positive by its structure before anything else;
+//! a division by what depends on the configuration is guarded ([`Graph::pivot`]).
+//!
+//! An equation that says nothing on some branch has the solution zero there for the unknown that it is
+//! solved for.
 
 use super::function::Function;
 use super::graph::{Graph, Id, Node, Stage};
-use super::number::Number;
+use super::zeros::Sample;
 
 /// `sum of coefficients * unknowns = right`
 pub struct Row {
     pub coefficients: Vec<Id>,
     pub right: Id,
     /// The coefficients at a random state.
-    pub sample: Vec<Number>,
+    pub sample: Vec<Sample>,
+    /// Where it says something, if that is not everywhere.
+    pub active: Option<Id>,
     /// What is known of each coefficient.
     pub sizes: Vec<Size>,
 }
@@ -58,7 +63,16 @@ impl Graph {
         let mut pivots = Vec::new();
         while let Some((row, column)) = self.next_pivot(&rows, &left, unknowns, &steps) {
             left.retain(|other| *other != row);
-            let divisor = self.quantity(rows[row].coefficients[column]);
+            let divisor = rows[row].coefficients[column];
+            let divisor = match rows[row].active {
+                Some(active) => {
+                    let (zero, one) = (self.zero(), self.one());
+                    rows[row].right = self.select(active, rows[row].right, zero);
+                    self.select(active, divisor, one)
+                }
+                None => divisor,
+            };
+            let divisor = self.quantity(divisor);
             let scale = match rows[row].sizes[column] {
                 Size::Squares => written[row][column],
                 Size::Product(size) => size,
@@ -109,22 +123,17 @@ impl Graph {
             return;
         }
         let factor = self.multiply(rows[other].coefficients[column], inverse);
-        let ratio = rows[other].sample[column].checked_div(&rows[row].sample[column]);
-        let ratio = ratio.unwrap_or_else(Number::zero);
+        let ratio = rows[other].sample[column].over(&rows[row].sample[column]);
         for index in 0..rows[other].coefficients.len() {
-            let change = ratio.clone() * rows[row].sample[index].clone();
-            let sample = rows[other].sample[index].clone() - change;
-            rows[other].coefficients[index] = if sample.is_zero() || index == column {
+            let sample = rows[other].sample[index].less(&ratio, &rows[row].sample[index]);
+            let vanishes = sample.is_zero() || index == column;
+            rows[other].coefficients[index] = if vanishes {
                 self.zero()
             } else {
                 let change = self.multiply(factor, rows[row].coefficients[index]);
                 self.subtract(rows[other].coefficients[index], change)
             };
-            rows[other].sample[index] = if index == column {
-                Number::zero()
-            } else {
-                sample
-            };
+            rows[other].sample[index] = if vanishes { sample.nothing() } else { sample };
         }
         let change = self.multiply(factor, rows[row].right);
         rows[other].right = self.subtract(rows[other].right, change);
@@ -154,7 +163,8 @@ impl Graph {
                 },
             };
             let others = rows[row].sample.iter().filter(|entry| !entry.is_zero());
-            (kind, others.count(), row, column)
+            let may_vanish = rows[row].sample[column].may_vanish();
+            (may_vanish, kind, others.count(), row, column)
         })
     }
 

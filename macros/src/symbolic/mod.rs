@@ -2,21 +2,20 @@
 //!
 //! This room knows no mechanics and no words: symbols are numbers, and what they stand for is the
 //! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
-//! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter, and what
-//! expressions are evaluated in: residues, doubles with a bound, exact numbers.
+//! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter, and the
+//! proof that an expression is zero.
 
 mod algebra;
-mod bounded;
 mod branches;
 mod build;
 mod convolution;
 mod cost;
+mod degree;
 mod derivative;
 mod difference;
 mod eigen;
 mod eliminate;
 mod evaluate;
-mod exact;
 mod expansion;
 mod function;
 mod gradient;
@@ -33,14 +32,14 @@ mod substitute;
 mod sum;
 mod tape;
 mod vector;
+mod zeros;
 
 pub use algebra::Algebra;
-pub use bounded::Doubles;
+pub use branches::on_branches;
 pub use convolution::{Origin, Sum, Term};
 pub use cost::Cost;
 pub use eigen::{PrincipalAxes, Spectrum, Symmetry, is_noise, scaled};
 pub use eliminate::{Elimination, Row, Size};
-pub use exact::Exact;
 pub use function::Function;
 pub use graph::{Comparison, Graph, Id, Node, Stage, Symbol};
 pub use number::Number;
@@ -50,3 +49,4 @@ pub use residue::{Residue, Residues};
 pub use solve::{Equation, Solution};
 pub use tape::Tape;
 pub use vector::Components;
+pub use zeros::{Sample, free};

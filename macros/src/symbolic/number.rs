@@ -144,7 +144,7 @@ impl Number {
     }
 
     /// Numerator and denominator modulo a prime.
-    pub fn modulo(&self, prime: u64) -> [u64; 2] {
+    pub fn modulo(&self, prime: u128) -> [u128; 2] {
         let above = self.value.numerator();
         let rest = above.clone().unsigned_abs() % prime;
         let is_negative = rest != 0 && self.is_negative();

@@ -1,75 +1,175 @@
-//! Arithmetic modulo a prime: whether an expression is zero in all states, without long numbers.
+//! Arithmetic modulo a prime: an expression that is zero at a random place is zero identically.
 //!
-//! A state is a random residue for each symbol. What is not zero identically is zero in one of 2^50 of
-//! them, or is a written multiple of the prime. A function has a random value for each argument, as has a
-//! number that is not rational. Of what holds between such values little is known, that of a root its square
-//! is its argument and that `sin^2 + cos^2 = 1`: what is not zero may be. And a root has either sign: what is
-//! zero may be so for that sign alone, which doubles see.
+//! Symbols have random residues. What is not known of a value is a random residue too, the same for
+//! equal arguments: that of a sine by the tangent of half its angle, that of a hyperbolic function by
+//! the exponential of its argument, that of any other function, and of a number that is not rational,
+//! by itself. A root has both signs, and a condition both outcomes: each is a branch of its own. A root
+//! of a root may have no residue, and is random too.
+//!
+//! What is zero at the place on every branch is so in all states, for all such functions, but for one
+//! chance in `PRIME / degree` (J. Schwartz, Fast probabilistic algorithms for verification of
+//! polynomial identities, J. ACM 27, 1980, 701; R. Zippel, Probabilistic algorithms for sparse
+//! polynomials, EUROSAM 1979). What is not zero there may be zero all the same: `sin 2x - 2 sin x cos x`.
 
 use core::ops::{Add, Mul, Neg};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use super::algebra::Algebra;
+use super::branches::Side;
 use super::function::Function;
+use super::graph::Comparison;
 use super::number::Number;
 
 /// Of Mersenne; -1 has no root, and of `a` and `-a` one has.
-const PRIME: u64 = (1 << 61) - 1;
+pub(super) const PRIME: u128 = (1 << 127) - 1;
 
-/// Bound of a numerator and of a denominator that are told by their residue: one of 2^30 has such, by chance.
-const DIGITS: i64 = 1 << 15;
+/// Bound of a numerator and of a denominator that are told by their residue: one of 2^62 has such, by
+/// chance.
+const DIGITS: i128 = 1 << 32;
 
 /// `real + imaginary i`, both modulo [`PRIME`]: numbers among which all that are real have roots.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Residue {
-    real: u64,
-    imaginary: u64,
+    real: u128,
+    imaginary: u128,
 }
 
-/// Residues; `None` is a quotient by zero.
-#[derive(Default)]
-pub struct Residues {
-    /// There were functions, or numbers that are not rational.
-    has_stand_ins: bool,
+/// Residues on one branch; `None` is a quotient by zero.
+pub struct Residues<'a> {
+    side: &'a mut dyn FnMut(Side) -> Option<bool>,
 }
 
-impl Residues {
-    /// Whether what is not zero is not zero.
-    pub fn is_final(&self) -> bool {
-        !self.has_stand_ins
+impl<'a> Residues<'a> {
+    /// Residues on the branch that `side` tells; without an answer a choice is a symbol too.
+    pub(super) fn new(side: &'a mut dyn FnMut(Side) -> Option<bool>) -> Self {
+        Self { side }
     }
 
-    fn stand_in(&mut self, of: impl Hash) -> Residue {
-        self.has_stand_ins = true;
-        let mut hasher = DefaultHasher::new();
-        of.hash(&mut hasher);
-        Residue::real(hasher.finish() % PRIME)
-    }
-
-    /// A sine, or a cosine, by the tangent of half the angle.
-    fn on_circle(&mut self, function: Function, angle: Residue) -> Option<Residue> {
-        let tangent = self.stand_in((Function::Tan, angle));
+    /// A sine, a cosine or a tangent, by the tangent of half the angle.
+    fn on_circle(function: Function, angle: Residue) -> Option<Residue> {
+        let tangent = Self::odd(Function::Tan, angle);
         let square = tangent * tangent;
-        let above = match function {
-            Function::Sin => tangent + tangent,
-            _ => Residue::ONE + -square,
+        let (sine, cosine) = (tangent + tangent, Residue::ONE + -square);
+        let (above, below) = match function {
+            Function::Sin => (sine, Residue::ONE + square),
+            Function::Cos => (cosine, Residue::ONE + square),
+            _ => (sine, cosine),
         };
-        Some(above * (Residue::ONE + square).reciprocal()?)
+        Some(above * below.reciprocal()?)
     }
 
+    /// A hyperbolic function, by the exponential of its argument.
+    fn on_hyperbola(function: Function, a: Residue) -> Option<Residue> {
+        let grown = Self::exponential(a)?;
+        let decayed = grown.reciprocal()?;
+        let (sinh, cosh) = (grown + -decayed, grown + decayed);
+        let below = match function {
+            Function::Tanh => cosh,
+            _ => Residue::ONE + Residue::ONE,
+        };
+        let above = if function == Function::Cosh {
+            cosh
+        } else {
+            sinh
+        };
+        Some(above * below.reciprocal()?)
+    }
+
+    /// `e^-a = 1 / e^a`
+    fn exponential(a: Residue) -> Option<Residue> {
+        let (size, is_turned) = a.unsigned();
+        let grown = Residue::stand_in(&(Function::Exp, size));
+        if is_turned {
+            grown.reciprocal()
+        } else {
+            Some(grown)
+        }
+    }
+
+    /// `f(-a) = -f(a)`
+    fn odd(function: Function, a: Residue) -> Residue {
+        if a == Residue::ZERO {
+            return Residue::ZERO;
+        }
+        let (size, is_turned) = a.unsigned();
+        let value = Residue::stand_in(&(function, size));
+        if is_turned { -value } else { value }
+    }
+
+    /// Of either sign.
     fn root(&mut self, a: Residue) -> Residue {
-        self.has_stand_ins = true;
-        a.root()
-            .unwrap_or_else(|| self.stand_in((Function::Sqrt, a)))
+        if a.is_zero() {
+            return a;
+        }
+        let Some(is_turned) = (self.side)(Side::Root(a)) else {
+            return Residue::stand_in(&(Function::Sqrt, a));
+        };
+        let root = a
+            .root()
+            .unwrap_or_else(|| Residue::stand_in(&(Function::Sqrt, a)));
+        if is_turned { -root } else { root }
+    }
+
+    /// Whether a number is below zero: one, zero, or a symbol.
+    fn is_below_zero(&mut self, a: Residue) -> Residue {
+        if a.is_zero() {
+            return Residue::ZERO;
+        }
+        match (self.side)(Side::Below(a)) {
+            Some(holds) => Residue::real(u128::from(holds)),
+            None => Residue::stand_in(&("below", a)),
+        }
+    }
+
+    /// Whether it is zero.
+    fn is_nothing(&mut self, a: Residue) -> Residue {
+        if a.is_zero() {
+            return Residue::ONE;
+        }
+        match (self.side)(Side::Nothing(a)) {
+            Some(holds) => Residue::real(u128::from(holds)),
+            None => Residue::stand_in(&("nothing", a)),
+        }
+    }
+
+    /// `first` where `a < b`, else `second`.
+    fn where_less(&mut self, [a, b]: [Residue; 2], first: Residue, second: Residue) -> Residue {
+        let is_less = self.is_below_zero(a + -b);
+        second + is_less * (first + -second)
     }
 }
 
 impl Residue {
-    const ZERO: Self = Self::real(0);
-    const ONE: Self = Self::real(1);
+    pub const ZERO: Self = Self::real(0);
+    pub const ONE: Self = Self::real(1);
 
-    const fn real(real: u64) -> Self {
+    const fn real(real: u128) -> Self {
         Self { real, imaginary: 0 }
+    }
+
+    /// A random residue, different for what is different.
+    pub fn stand_in(of: &impl Hash) -> Self {
+        let half = |salt: u8| {
+            let mut hasher = DefaultHasher::new();
+            (salt, of).hash(&mut hasher);
+            u128::from(hasher.finish())
+        };
+        Self::real(reduced(half(0) << 64 | half(1)))
+    }
+
+    pub fn is_zero(self) -> bool {
+        self == Self::ZERO
+    }
+
+    /// Of `a` and `-a` always the same one, and whether it is the other.
+    pub(super) fn unsigned(self) -> (Self, bool) {
+        let opposite = -self;
+        let key = |a: &Self| (a.real, a.imaginary);
+        if key(&self) <= key(&opposite) {
+            (self, false)
+        } else {
+            (opposite, true)
+        }
     }
 
     /// The rational number of few digits that it is.
@@ -77,8 +177,8 @@ impl Residue {
         let Residue { real, imaginary: 0 } = self else {
             return None;
         };
-        let rest = i64::try_from(real.min(minus(real))).ok()?;
-        let (mut last, mut number) = ((i64::try_from(PRIME).ok()?, 0), (rest, 1));
+        let rest = i128::try_from(real.min(minus(real))).ok()?;
+        let (mut last, mut number) = ((i128::try_from(PRIME).ok()?, 0), (rest, 1));
         // a fraction of its convergents is the number over its denominator
         while number.0 >= DIGITS {
             let quotient = last.0 / number.0;
@@ -88,15 +188,16 @@ impl Residue {
             );
         }
         let (above, below) = number;
-        let sign = if below < 0 { -1 } else { 1 };
-        let sign = if real <= minus(real) { sign } else { -sign };
-        (below.abs() < DIGITS).then(|| Number::ratio(sign * above, below.unsigned_abs()))
+        let is_negative = (below < 0) == (real <= minus(real));
+        let above = i64::try_from(if is_negative { -above } else { above }).ok()?;
+        let below = u64::try_from(below.unsigned_abs()).ok()?;
+        (below < DIGITS.unsigned_abs().try_into().ok()?).then(|| Number::ratio(above, below))
     }
 
     /// `a^exponent` of a real number.
-    fn power(a: u64, exponent: u64) -> u64 {
+    fn power(a: u128, exponent: u128) -> u128 {
         let mut power = 1;
-        for bit in (0..u64::BITS - exponent.leading_zeros()).rev() {
+        for bit in (0..u128::BITS - exponent.leading_zeros()).rev() {
             power = times(power, power);
             if exponent >> bit & 1 == 1 {
                 power = times(power, a);
@@ -105,8 +206,14 @@ impl Residue {
         power
     }
 
-    fn reciprocal(self) -> Option<Self> {
+    pub fn reciprocal(self) -> Option<Self> {
         let Self { real, imaginary } = self;
+        if self == Self::ONE {
+            return Some(self);
+        }
+        if imaginary == 0 {
+            return (real != 0).then(|| Self::real(Self::power(real, PRIME - 2)));
+        }
         let square = plus(times(real, real), times(imaginary, imaginary));
         let over = Self::real(Self::power(square, PRIME - 2));
         (square != 0).then(|| {
@@ -118,7 +225,7 @@ impl Residue {
     }
 
     /// Of a real number, if it has one that is real.
-    fn real_root(a: u64) -> Option<u64> {
+    fn real_root(a: u128) -> Option<u128> {
         let root = Self::power(a, PRIME.div_ceil(4));
         (times(root, root) == a).then_some(root)
     }
@@ -146,22 +253,33 @@ impl Residue {
     }
 }
 
-fn plus(a: u64, b: u64) -> u64 {
+/// Of any number of 128 bits.
+fn reduced(a: u128) -> u128 {
+    let folded = (a & PRIME) + (a >> 127);
+    if folded >= PRIME {
+        folded - PRIME
+    } else {
+        folded
+    }
+}
+
+fn plus(a: u128, b: u128) -> u128 {
     let sum = a + b;
     if sum < PRIME { sum } else { sum - PRIME }
 }
 
-fn minus(a: u64) -> u64 {
+fn minus(a: u128) -> u128 {
     if a == 0 { 0 } else { PRIME - a }
 }
 
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "the low bits, and the high ones"
-)]
-fn times(a: u64, b: u64) -> u64 {
-    let product = u128::from(a) * u128::from(b);
-    plus(product as u64 & PRIME, (product >> 61) as u64)
+fn times(a: u128, b: u128) -> u128 {
+    const LOW: u128 = (1 << 64) - 1;
+    let ([a_high, a_low], [b_high, b_low]) = ([a >> 64, a & LOW], [b >> 64, b & LOW]);
+    let middle = a_high * b_low + a_low * b_high;
+    // 2^128 = 2
+    let high = plus(2 * a_high * b_high, 2 * (middle >> 64));
+    let low = plus(reduced((middle & LOW) << 64), reduced(a_low * b_low));
+    plus(reduced(high), low)
 }
 
 impl Add for Residue {
@@ -202,19 +320,19 @@ impl Mul for Residue {
     }
 }
 
-impl Algebra for Residues {
+impl Algebra for Residues<'_> {
     type Value = Option<Residue>;
 
+    /// A multiple of the prime has no value: it is not zero.
     fn number(&mut self, number: &Number) -> Option<Residue> {
         if number.is_rounded() {
-            let magnitude = self.stand_in(number.abs());
-            return Some(if number.is_negative() {
-                -magnitude
-            } else {
-                magnitude
-            });
+            let size = Residue::stand_in(&number.abs());
+            return Some(if number.is_negative() { -size } else { size });
         }
         let [above, below] = number.modulo(PRIME).map(Residue::real);
+        if above.is_zero() && !number.is_zero() {
+            return None;
+        }
         self.divide(&Some(above), &Some(below))
     }
 
@@ -235,21 +353,29 @@ impl Algebra for Residues {
     }
 
     fn divide(&mut self, a: &Option<Residue>, b: &Option<Residue>) -> Option<Residue> {
-        let (a, b) = ((*a)?, (*b)?);
-        Some(if b == Residue::ONE {
-            a
-        } else {
-            a * b.reciprocal()?
-        })
+        Some((*a)? * (*b)?.reciprocal()?)
     }
 
     fn apply(&mut self, function: Function, arguments: &[Option<Residue>]) -> Option<Residue> {
         let arguments: Vec<Residue> = arguments.iter().copied().collect::<Option<_>>()?;
         match (function, arguments.as_slice()) {
-            (Function::Sin | Function::Cos, [angle]) => self.on_circle(function, *angle),
+            (Function::Sin | Function::Cos | Function::Tan, [a]) => Self::on_circle(function, *a),
+            (Function::Sinh | Function::Cosh | Function::Tanh, [a]) => {
+                Self::on_hyperbola(function, *a)
+            }
+            (Function::Exp, [a]) => Self::exponential(*a),
+            (Function::Asin | Function::Atan | Function::Cbrt, [a]) => {
+                Some(Self::odd(function, *a))
+            }
             (Function::Sqrt, [a]) => Some(self.root(*a)),
             (Function::Hypot, [a, b]) => Some(self.root(*a * *a + *b * *b)),
-            _ => Some(self.stand_in((function, arguments))),
+            (Function::Abs, [a]) => Some(self.where_less([*a, Residue::ZERO], -*a, *a)),
+            (Function::Signum, [a]) => {
+                Some(self.where_less([*a, Residue::ZERO], -Residue::ONE, Residue::ONE))
+            }
+            (Function::Min, [a, b]) => Some(self.where_less([*a, *b], *a, *b)),
+            (Function::Max, [a, b]) => Some(self.where_less([*b, *a], *a, *b)),
+            _ => Some(Residue::stand_in(&(function, arguments))),
         }
     }
 
@@ -257,7 +383,31 @@ impl Algebra for Residues {
         *a == Some(Residue::ZERO)
     }
 
-    fn is_not_zero(&self, a: &Option<Residue>) -> bool {
-        a.is_some_and(|a| a != Residue::ZERO)
+    fn compare(
+        &mut self,
+        comparison: Comparison,
+        a: &Option<Residue>,
+        b: &Option<Residue>,
+    ) -> Option<Residue> {
+        let (a, b) = ((*a)?, (*b)?);
+        Some(match comparison {
+            Comparison::Less => self.is_below_zero(a + -b),
+            Comparison::LessOrEqual => Residue::ONE + -self.is_below_zero(b + -a),
+            Comparison::Equal => self.is_nothing(a + -b),
+            Comparison::NotEqual => Residue::ONE + -self.is_nothing(a + -b),
+        })
+    }
+
+    fn select(
+        &mut self,
+        condition: &Option<Residue>,
+        first: &Option<Residue>,
+        second: &Option<Residue>,
+    ) -> Option<Residue> {
+        match (*condition)? {
+            Residue::ONE => *first,
+            Residue::ZERO => *second,
+            share => Some((*second)? + share * ((*first)? + -(*second)?)),
+        }
     }
 }

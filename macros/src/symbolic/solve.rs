@@ -1,10 +1,9 @@
 //! Linear equations with coefficients that are known early, solved exactly.
 //!
 //! Gauss-Jordan elimination by structure: pivots are ones before numbers before parameters, and
-//! what is zero for all parameters is found by exact evaluation at random rational points.
+//! what is zero for all parameters is proved to be so.
 
 use super::graph::{Graph, Id, Stage};
-use super::number::Number;
 
 /// `sum of coefficients * unknowns = right`
 pub struct Equation {
@@ -126,32 +125,6 @@ impl Graph {
             }
         }
         best.map(|(_, _, row, column)| (row, column))
-    }
-
-    /// Whether an early expression is zero for all parameters.
-    pub fn vanishes(&mut self, id: Id) -> bool {
-        if self.stage(id) == Stage::Constant {
-            return self.is_zero(id);
-        }
-        (1..=3_i64).all(|seed| {
-            let symbols = self.reachable(&[id], |_| true);
-            // rationals without common factors, different for each symbol and each try
-            let numbers: Vec<(Id, Id)> = symbols
-                .into_iter()
-                .enumerate()
-                .map(|(index, symbol)| {
-                    let value = 7919 * seed + 104_729 * i64::try_from(index).unwrap_or(0);
-                    (symbol, self.number(Number::ratio(value, 65_537)))
-                })
-                .collect();
-            let value = self.substitute(&[id], |symbol| {
-                let found = numbers
-                    .binary_search_by_key(&symbol, |(known, _)| *known)
-                    .ok()?;
-                Some(numbers[found].1)
-            });
-            self.is_zero(value[0])
-        })
     }
 }
 

@@ -77,10 +77,6 @@ impl Algebra for Graph {
         self.is_zero(*a)
     }
 
-    fn is_not_zero(&self, a: &Id) -> bool {
-        self.as_number(*a).is_some_and(|number| !number.is_zero())
-    }
-
     fn compare(&mut self, comparison: Comparison, a: &Id, b: &Id) -> Id {
         self.compare(comparison, *a, *b)
     }

@@ -1,0 +1,70 @@
+//! What is proved to be zero in all states, by the values of expressions at one random state.
+
+use crate::model::{Meaning, Model};
+use crate::symbolic::{Id, Node, Residue, Sample, free};
+
+/// Whether all of `roots` are proved to be zero in all states, on all branches.
+pub fn all_vanish(model: &Model, roots: &[Id]) -> bool {
+    samples(model, roots).iter().all(Sample::is_zero)
+}
+
+/// The values of `roots` at one random state, on each branch.
+pub fn samples(model: &Model, roots: &[Id]) -> Vec<Sample> {
+    let state = RandomState::draw(0);
+    model.frames.graph.samples(roots, |id| state.of(model, id))
+}
+
+/// A random state. What is not free of it is rational in what is: a unit quaternion and a unit vector by
+/// stereographic projection, the rate of the unit vector as a product with it.
+pub struct RandomState {
+    number: u64,
+    quaternion: [Residue; 4],
+    axis: [Residue; 3],
+    axis_rate: [Residue; 3],
+}
+
+impl RandomState {
+    pub fn draw(number: u64) -> Self {
+        let free = |index: u8| Residue::stand_in(&("state", index, number));
+        let [scalar, x, y, z] = unit_vector([0, 1, 2].map(free));
+        let axis = unit_vector([3, 4].map(free));
+        Self {
+            number,
+            quaternion: [scalar, x, y, z],
+            axis,
+            axis_rate: cross(axis, [5, 6, 7].map(free)),
+        }
+    }
+
+    /// The value of a symbol.
+    pub fn of(&self, model: &Model, id: Id) -> Residue {
+        let meaning = match *model.frames.graph.node(id) {
+            Node::Symbol(symbol) => Some(model.meanings.of(symbol)),
+            _ => None,
+        };
+        match meaning {
+            Some(Meaning::Quaternion(part)) => self.quaternion[part],
+            Some(Meaning::Axis(part)) => self.axis[part],
+            Some(Meaning::AxisRate(part)) => self.axis_rate[part],
+            _ => free(id, self.number),
+        }
+    }
+}
+
+/// `(1 - s^2, 2 s) / (1 + s^2)` of a vector s: a unit vector of one more dimension.
+fn unit_vector<const N: usize, const M: usize>(s: [Residue; N]) -> [Residue; M] {
+    let square = s
+        .iter()
+        .fold(Residue::ZERO, |sum, part| sum + *part * *part);
+    let below = Residue::ONE + square;
+    // -1 is no square of a real residue, but a sum of squares may be -1
+    let scale = below.reciprocal().unwrap_or(Residue::ONE);
+    core::array::from_fn(|part| match part.checked_sub(1) {
+        None => (Residue::ONE + -square) * scale,
+        Some(part) => (s[part] + s[part]) * scale,
+    })
+}
+
+fn cross(a: [Residue; 3], b: [Residue; 3]) -> [Residue; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] + -(a[j] * b[i]))
+}

@@ -1,7 +1,7 @@
 //! Where a constraint says something: one that is constant on some branch says nothing there.
 
 use crate::model::Model;
-use crate::symbolic::{Id, Node};
+use crate::symbolic::Id;
 
 use super::constraints::Constrained;
 use super::zeros::all_vanish;
@@ -12,15 +12,7 @@ const MOST: usize = 6;
 /// Where the gradient of a constraint is not proved to be zero; `None` is everywhere.
 pub fn active(model: &mut Model, constraint: &Constrained) -> Option<Id> {
     let gradient = [constraint.rates.linear, constraint.rates.angular].concat();
-    let graph = &mut model.frames.graph;
-    let mut conditions: Vec<Id> = Vec::new();
-    for id in graph.reachable(&gradient, |_| true) {
-        if let Node::Select(condition, ..) = *graph.node(id)
-            && !conditions.contains(&condition)
-        {
-            conditions.push(condition);
-        }
-    }
+    let conditions = model.frames.graph.conditions(&gradient);
     if conditions.is_empty() || conditions.len() > MOST {
         return None;
     }

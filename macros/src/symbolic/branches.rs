@@ -2,8 +2,10 @@
 
 use std::collections::HashMap;
 
+use super::function::Function;
 use super::graph::{Graph, Id, Node};
 use super::residue::{Residue, Residues};
+use super::slopes::takes_first;
 
 /// Branches that are taken one by one. Where there are more, one of them is that on which choices are
 /// symbols: what holds whatever the sign of a root, and of any mixture of two sides, holds on all.
@@ -53,13 +55,35 @@ pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T
 }
 
 impl Graph {
+    /// The conditions that decide between the sides of `roots`.
+    pub fn conditions(&mut self, roots: &[Id]) -> Vec<Id> {
+        let mut conditions = Vec::new();
+        for id in self.reachable(roots, |_| true) {
+            conditions.extend(self.sides(id).map(|(condition, ..)| condition));
+        }
+        conditions.sort_unstable();
+        conditions.dedup();
+        conditions
+    }
+
     /// `roots` where conditions have these outcomes.
     pub fn on_side(&mut self, roots: &[Id], holds: impl Fn(Id) -> bool) -> Vec<Id> {
-        self.rebuild(roots, |graph, id, image| match *graph.node(id) {
-            Node::Select(condition, first, second) => {
+        self.rebuild(roots, |graph, id, image| match graph.sides(id) {
+            Some((condition, first, second)) => {
                 image(if holds(condition) { first } else { second })
             }
-            _ => graph.remake(id, image),
+            None => graph.remake(id, image),
         })
+    }
+
+    /// A condition, what an expression is where it holds, and elsewhere.
+    fn sides(&mut self, id: Id) -> Option<(Id, Id, Id)> {
+        match *self.node(id) {
+            Node::Select(condition, first, second) => Some((condition, first, second)),
+            Node::Binary(function @ (Function::Min | Function::Max), a, b) => {
+                Some((takes_first(self, function, &a, &b), a, b))
+            }
+            _ => None,
+        }
     }
 }

@@ -197,3 +197,40 @@ fn a_motor_that_switches_on_turns_the_body() {
         end.angular_velocity.z
     );
 }
+
+/// Bearings whose distance is written with conditions of a parameter, and a drive that is one on a side only.
+mod bearings {
+    newton_euler::rigid_body!(Rotor {
+        motion: fixed_axis(a, body(0, 0, 1)),
+        params: [p, torque],
+        mass: 2[kg],
+        inertia: principal(1, 2, 3)[kg * m ^ 2],
+        points: [
+            a = (0, 0, -(p - 100[m]).max(0[m])),
+            b = (0, 0, if p > 50[m] { p } else { 1[m] }),
+        ],
+        fields: [weight = mass * world(0, -9.80665[m / s ^ 2], 0)],
+        moments: [drive = body(0, 0, (torque - 3[N * m]).max(0[N * m]))],
+        reactions: [in_a = body(_, _, _).at(a), in_b = body(_, _, 0).at(b)],
+        outputs: [reactions],
+    });
+}
+
+#[test]
+fn distances_of_bearings_may_have_branches() {
+    for (p, torque) in [(60.0_f64, 0.0_f64), (20.0, 5.0), (160.0, 1.0), (1e6, 1e3)] {
+        let rotor = bearings::Rotor::new(bearings::RotorParams { p, torque }).unwrap();
+        let (a, b) = (-(p - 100.0).max(0.0), if p > 50.0 { p } else { 1.0 });
+        let acceleration = rotor.acceleration(0.0, &Hinge::default(), &());
+        assert!((acceleration - (torque - 3.0).max(0.0) / 3.0).abs() < 1e-12 * torque.max(1.0));
+        let reactions = rotor.reactions(0.0, &Hinge::default(), &());
+        // a lever: m g = A + B, a A + b B = 0
+        let weight = 2.0 * 9.80665;
+        let in_b = -a / (b - a) * weight;
+        assert!(
+            (reactions.in_a.y - (weight - in_b)).abs() < 1e-12 * weight,
+            "{p}"
+        );
+        assert!((reactions.in_b.y - in_b).abs() < 1e-12 * weight, "{p}");
+    }
+}

@@ -4,6 +4,7 @@ use crate::model::{AXES, Family, Inertia, Meaning, Model, Motion, Output};
 use crate::symbolic::{Components, Id, Node};
 
 use super::energy::uniform_field;
+use super::newton_euler::inertia_about_center;
 use super::skipped_loads::skip_loads;
 use super::structure::Structure;
 use super::symmetry::Symmetry;
@@ -96,8 +97,12 @@ fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
     }
 }
 
-fn skip_gyroscopic(model: &Model, skipped: &mut Vec<String>) {
-    let Inertia::Spatial(rows) = model.inertia else {
+/// What of the tensor about G, or about the point that is held, is not in the balance.
+fn skip_gyroscopic(model: &mut Model, skipped: &mut Vec<String>) {
+    if model.motion.is_hinged() {
+        return;
+    }
+    let Inertia::Spatial(rows) = inertia_about_center(model) else {
         return;
     };
     let graph = &model.frames.graph;

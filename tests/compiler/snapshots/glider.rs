@@ -13,6 +13,7 @@
 /// Skipped:
 /// - the force balance: the reaction of the support has no moment about it
 /// - products of inertia: the axes are principal
+/// - (w x J w)_y: the other two moments of inertia are equal
 /// - two rows of the rotation: what turns is along z in world axes
 /// - energy, momentum, balance: not in `outputs`
 #[derive(Clone, Debug)]
@@ -42,6 +43,7 @@ impl Glider {
     pub const SKIPPED: &[&str] = &[
         "the force balance: the reaction of the support has no moment about it",
         "products of inertia: the axes are principal",
+        "(w x J w)_y: the other two moments of inertia are equal",
         "two rows of the rotation: what turns is along z in world axes",
         "energy, momentum, balance: not in `outputs`",
     ];

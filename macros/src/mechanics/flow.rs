@@ -149,7 +149,7 @@ pub struct Contribution {
     pub moment: Components,
 }
 
-pub fn contributions(model: &mut Model) -> Vec<Contribution> {
+fn contributions(model: &mut Model) -> Vec<Contribution> {
     let center = model.state.center(&mut model.frames);
     let moments = moments_about(model, center);
     let loads = model.loads.iter().zip(moments);
@@ -234,7 +234,11 @@ fn turning(
     if model.motion.is_planar() || model.motion.is_hinged() {
         return about_axis(model, angular[2], contributions, obstacles);
     }
-    let total = total_moment(model, contributions);
+    let moments: Vec<Components> = contributions.iter().map(|load| load.moment).collect();
+    let zeros = model.frames.graph.zeros();
+    let total = moments.into_iter().fold(zeros, |sum, moment| {
+        model.frames.graph.add_vectors(sum, moment)
+    });
     let is_free = all_vanish(model, &total);
     if model.motion == Motion::Rod {
         if is_free {
@@ -247,13 +251,6 @@ fn turning(
     }
     report_moments(model, contributions, obstacles);
     None
-}
-
-/// The moment of all that acts.
-pub fn total_moment(model: &mut Model, contributions: &[Contribution]) -> Components {
-    let graph = &mut model.frames.graph;
-    let moments = contributions.iter().map(|load| load.moment);
-    moments.fold(graph.zeros(), |sum, moment| graph.add_vectors(sum, moment))
 }
 
 /// How a symmetric body turns under a moment.

@@ -6,8 +6,8 @@ use std::collections::HashMap;
 use crate::model::{Inertia, Meaning, Model, Motion};
 use crate::symbolic::{Components, Id, Node, Number};
 
-use super::flow::{contributions, total_moment};
-use super::newton_euler::inertia_about_center;
+use super::newton_euler::{inertia_about_center, moments_about};
+use super::reactions::given_parts;
 use super::symmetry::{Space, Symmetry, symmetries};
 use super::zeros::all_vanish;
 
@@ -115,12 +115,6 @@ fn is_torque_free(model: &mut Model, angular: &Components) -> bool {
             let held = graph.scale_vector(square, axis.unit);
             graph.add_vectors(*angular, held)
         }
-        (Inertia::Spatial(_), None)
-            if !model.motion.is_hinged() && model.constraints.is_empty() =>
-        {
-            let contributions = contributions(model);
-            total_moment(model, &contributions)
-        }
         // J w' + w x J w
         (Inertia::Spatial(rows), None) if !model.motion.is_hinged() => {
             let graph = &mut model.frames.graph;
@@ -130,7 +124,24 @@ fn is_torque_free(model: &mut Model, angular: &Components) -> bool {
         }
         _ => *angular,
     };
-    all_vanish(model, &moment)
+    all_vanish(model, &moment) || model.constraints.is_empty() && has_no_moment(model)
+}
+
+/// Whether the moments of all loads vanish, those in body axes and those in world axes: of a tensor in
+/// principal axes `J w' + w x J w` may not tell.
+fn has_no_moment(model: &mut Model) -> bool {
+    if model.motion.is_hinged() || model.state.axis.is_some() {
+        return false;
+    }
+    let center = model.state.center(&mut model.frames);
+    let mut moments = moments_about(model, center);
+    moments.extend(
+        given_parts(model, center)
+            .into_iter()
+            .map(|(_, moment)| moment),
+    );
+    let total = model.frames.sum(moments);
+    all_vanish(model, &[total.body, total.world].concat())
 }
 
 /// Whether the angular acceleration has no component along the axes of symmetry.

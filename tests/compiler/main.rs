@@ -30,6 +30,7 @@ mod expansions;
 mod numbers;
 mod operations;
 mod rooms;
+mod words;
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -12,7 +12,7 @@ impl Algebra for Exact {
     type Value = Option<Number>;
 
     fn number(&mut self, number: &Number) -> Option<Number> {
-        Some(number.clone())
+        Some(number.sampled())
     }
 
     fn undefined(&mut self) -> Option<Number> {
@@ -37,7 +37,7 @@ impl Algebra for Exact {
 
     fn apply(&mut self, function: Function, arguments: &[Option<Number>]) -> Option<Number> {
         let arguments: Option<Vec<Number>> = arguments.iter().cloned().collect();
-        carried(Number::apply(function, &arguments?)?)
+        carried(Number::apply_sampled(function, &arguments?)?)
     }
 
     fn is_zero(&self, a: &Option<Number>) -> bool {

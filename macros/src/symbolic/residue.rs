@@ -20,7 +20,7 @@ const PRIME: u64 = (1 << 61) - 1;
 const DIGITS: i64 = 1 << 15;
 
 /// `real + imaginary i`, both modulo [`PRIME`]: numbers among which all that are real have roots.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Residue {
     real: u64,
     imaginary: u64,
@@ -65,11 +65,17 @@ impl Residues {
 }
 
 impl Residue {
-    const ZERO: Self = Self::real(0);
-    const ONE: Self = Self::real(1);
+    pub(super) const ZERO: Self = Self::real(0);
+    pub(super) const ONE: Self = Self::real(1);
 
-    const fn real(real: u64) -> Self {
+    pub(super) const fn real(real: u64) -> Self {
         Self { real, imaginary: 0 }
+    }
+
+    /// That of a rational number, unless the prime divides its denominator.
+    pub(super) fn rational(number: &Number) -> Option<Self> {
+        let [above, below] = number.modulo(PRIME).map(Self::real);
+        Some(above * below.reciprocal()?)
     }
 
     /// The rational number of few digits that it is.
@@ -105,7 +111,7 @@ impl Residue {
         power
     }
 
-    fn reciprocal(self) -> Option<Self> {
+    pub(super) fn reciprocal(self) -> Option<Self> {
         let Self { real, imaginary } = self;
         let square = plus(times(real, real), times(imaginary, imaginary));
         let over = Self::real(Self::power(square, PRIME - 2));
@@ -123,7 +129,7 @@ impl Residue {
         (times(root, root) == a).then_some(root)
     }
 
-    fn root(self) -> Option<Self> {
+    pub(super) fn root(self) -> Option<Self> {
         let Self { real, imaginary } = self;
         if imaginary == 0 {
             let root = Self::real_root(real).map(Self::real);

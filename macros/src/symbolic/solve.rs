@@ -3,6 +3,8 @@
 //! Gauss-Jordan elimination by structure: pivots are ones before numbers before parameters, and
 //! what is zero for all parameters is found by exact evaluation at random rational points.
 
+use super::algebra::Algebra;
+use super::exact::Exact;
 use super::graph::{Graph, Id, Stage};
 use super::number::Number;
 
@@ -133,24 +135,14 @@ impl Graph {
         if self.stage(id) == Stage::Constant {
             return self.is_zero(id);
         }
+        let tape = self.tape(&[id]);
         (1..=3_i64).all(|seed| {
-            let symbols = self.reachable(&[id], |_| true);
             // rationals without common factors, different for each symbol and each try
-            let numbers: Vec<(Id, Id)> = symbols
-                .into_iter()
-                .enumerate()
-                .map(|(index, symbol)| {
-                    let value = 7919 * seed + 104_729 * i64::try_from(index).unwrap_or(0);
-                    (symbol, self.number(Number::ratio(value, 65_537)))
-                })
-                .collect();
-            let value = self.substitute(&[id], |symbol| {
-                let found = numbers
-                    .binary_search_by_key(&symbol, |(known, _)| *known)
-                    .ok()?;
-                Some(numbers[found].1)
+            let values = tape.values(&mut Exact, |_, symbol| {
+                let index = i64::try_from(symbol.index()).unwrap_or(0);
+                Some(Number::ratio(7919 * seed + 104_729 * index, 65_537))
             });
-            self.is_zero(value[0])
+            Exact.is_zero(tape.of(&values, id))
         })
     }
 }

@@ -29,6 +29,7 @@ mod expansions;
 mod numbers;
 mod operations;
 mod rooms;
+mod words;
 mod zeros;
 
 use proc_macro2::TokenStream;

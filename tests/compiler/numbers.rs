@@ -102,6 +102,185 @@ fn a_zero_behind_a_rounding_is_zero() {
     assert!((root.clone() * root - parse("2")).is_zero());
 }
 
+fn apply(function: Function, arguments: &[&Number]) -> Number {
+    let arguments: Vec<Number> = arguments.iter().copied().cloned().collect();
+    Number::apply(function, &arguments).expect("a value")
+}
+
+/// However small a number is, it is zero only if an identity says so.
+#[test]
+fn small_is_not_zero() {
+    let one = Number::one();
+    for exponent in [20, 70, 100, 300] {
+        let (tiny, huge) = (
+            Number::power_of_ten(-exponent),
+            Number::power_of_ten(exponent),
+        );
+        let angle = tiny.clone() * Number::pi();
+        let near = |number: Number, expected: f64| {
+            let value = (number.clone() * huge.clone()).to_f64();
+            assert!(
+                !number.is_zero() && (value / expected - 1.0).abs() < 1e-15,
+                "{exponent}: {value} and {expected}"
+            );
+        };
+        let beside_one = one.clone() + tiny.clone();
+        near(apply(Function::Sin, &[&angle]), std::f64::consts::PI);
+        near(apply(Function::Tan, &[&angle]), std::f64::consts::PI);
+        near(apply(Function::Sinh, &[&tiny]), 1.0);
+        near(apply(Function::Tanh, &[&tiny]), 1.0);
+        near(apply(Function::Asin, &[&tiny]), 1.0);
+        near(apply(Function::Ln, &[&beside_one]), 1.0);
+        near(apply(Function::Exp, &[&tiny]) - one.clone(), 1.0);
+        near(apply(Function::Sqrt, &[&beside_one]) - one.clone(), 0.5);
+        near(
+            apply(Function::Cbrt, &[&beside_one]) - one.clone(),
+            1.0 / 3.0,
+        );
+        let two = parse("2");
+        let root = apply(Function::Sqrt, &[&two]);
+        let beside = apply(Function::Sqrt, &[&(two.clone() + tiny.clone())]);
+        near(beside.clone() - root.clone(), 0.5 / 2.0_f64.sqrt());
+        assert!(root < beside && root != beside && one < beside_one);
+        // a whole turn more, and a little
+        let turned = apply(
+            Function::Sin,
+            &[&(angle.clone() + Number::pi() * two.clone())],
+        );
+        near(turned, std::f64::consts::PI);
+        let cosine = apply(Function::Cos, &[&(angle + Number::pi() / two)]);
+        near(cosine, -std::f64::consts::PI);
+        let floor = apply(Function::Floor, &[&(-(root * tiny))]);
+        assert_eq!(floor.to_integer(), Some(-1));
+    }
+}
+
+/// Identities in which a number is exactly another one.
+#[test]
+fn identities_are_seen() {
+    let ratio = |numerator, denominator| Number::ratio(numerator, denominator);
+    let of_pi = |numerator, denominator| Number::pi() * ratio(numerator, denominator);
+    for (numerator, denominator) in [(0, 1), (1, 2), (1, 1), (3, 2), (-7, 1), (1_000, 1), (41, 2)] {
+        let angle = of_pi(numerator, denominator);
+        let sine = apply(Function::Sin, &[&angle]).to_integer();
+        let cosine = apply(Function::Cos, &[&angle]).to_integer();
+        let quarters = numerator * 2 / i64::try_from(denominator).expect("small");
+        let expected = [(0, 1), (1, 0), (0, -1), (-1, 0)]
+            [usize::try_from(quarters.rem_euclid(4)).expect("below 4")];
+        assert_eq!(
+            (sine, cosine),
+            (Some(expected.0), Some(expected.1)),
+            "{numerator}"
+        );
+    }
+    let third = of_pi(1, 3);
+    assert_eq!(apply(Function::Cos, &[&third]), ratio(1, 2));
+    assert_eq!(
+        apply(Function::Tan, &[&third]),
+        apply(Function::Sqrt, &[&parse("3")])
+    );
+    assert_eq!(Number::apply(Function::Tan, &[of_pi(-3, 2)]), None);
+    assert_eq!(apply(Function::Tan, &[&of_pi(1, 4)]), Number::one());
+    assert_eq!(apply(Function::Acos, &[&-ratio(1, 2)]), of_pi(2, 3));
+    assert_eq!(
+        apply(
+            Function::Atan2,
+            &[&Number::integer(-1), &Number::integer(-1)]
+        ),
+        of_pi(-3, 4)
+    );
+    for digits in ["0.3", "17", "1e-30", "12345.6789"] {
+        for angle in [parse(digits), of_pi(1, 180) * parse(digits)] {
+            let (sine, cosine) = (
+                apply(Function::Sin, &[&angle]),
+                apply(Function::Cos, &[&angle]),
+            );
+            let square = sine.clone() * sine.clone() + cosine.clone() * cosine.clone();
+            assert_eq!(square, Number::one(), "{digits}");
+            assert_eq!(sine.clone() / cosine, apply(Function::Tan, &[&angle]));
+            assert_eq!(
+                apply(Function::Sin, &[&(Number::pi() - angle)]).to_f64(),
+                sine.to_f64()
+            );
+        }
+        let x = parse(digits);
+        if x < Number::integer(100) {
+            let (sinh, cosh) = (apply(Function::Sinh, &[&x]), apply(Function::Cosh, &[&x]));
+            assert_eq!(cosh.clone() * cosh - sinh.clone() * sinh, Number::one());
+            let back = apply(Function::Ln, &[&apply(Function::Exp, &[&x])]);
+            assert_eq!(back, x);
+        }
+        let root = apply(Function::Sqrt, &[&(x.clone() * parse("2"))]);
+        assert_eq!(root.clone() * root, x.clone() * parse("2"));
+    }
+    let root = |of: &str| apply(Function::Sqrt, &[&parse(of)]);
+    assert_eq!(root("2") * root("3"), root("6"));
+    assert_eq!(root("0.5") + root("0.5"), root("2"));
+    let nested = apply(Function::Sqrt, &[&(root("2") + Number::one())]);
+    assert_eq!(nested.clone() * nested, root("2") + Number::one());
+    // equal, and nobody knows: kept, as near to zero as it is, on no side of it
+    let unknown = apply(Function::Sqrt, &[&(parse("3") + parse("2") * root("2"))])
+        - (Number::one() + root("2"));
+    assert!(unknown.is_undecided() && !unknown.is_zero() && unknown.to_f64().abs() < 1e-60);
+    assert_eq!(Number::one().checked_div(&unknown), None);
+    // the residue of the prime itself is zero, and the number is not
+    let prime = parse("2305843009213693951") * root("2");
+    assert!(!prime.is_zero() && prime.is_positive());
+    assert!(!(prime * Number::power_of_ten(-90) + root("3")).is_zero());
+}
+
+/// As `f64` has it, whatever the arguments.
+#[test]
+fn functions_at_the_ends_of_their_domains() {
+    let two = |function, x: &str, y: &str| {
+        let of = |digits: &str| match digits.strip_prefix('-') {
+            Some(digits) => -parse(digits),
+            None => parse(digits),
+        };
+        Number::apply(function, &[of(x), of(y)]).map(|number| number.to_f64())
+    };
+    for (x, y) in [
+        ("-2", "3"),
+        ("-2", "-3"),
+        ("-2", "2"),
+        ("-0.5", "1001"),
+        ("-2.5", "0"),
+        ("0", "0"),
+        ("0", "2.5"),
+        ("-1", "1e17"),
+        ("-1", "3e5"),
+        ("1", "1e300"),
+        ("4", "0.5"),
+        ("2", "-1.5"),
+        ("-1.0009765625", "12345"),
+    ] {
+        let expected = x
+            .parse::<f64>()
+            .expect("a double")
+            .powf(y.parse().expect("a double"));
+        let value = two(Function::Powf, x, y).unwrap_or_else(|| panic!("{x}^{y}"));
+        assert!(
+            (value - expected).abs() <= 2.0 * f64::EPSILON * expected.abs(),
+            "{x}^{y}: {value} and {expected}"
+        );
+    }
+    for (x, y) in [
+        ("-2", "0.5"),
+        ("-8", "0.3333333333333333"),
+        ("0", "-1"),
+        ("0", "-0.5"),
+    ] {
+        assert_eq!(two(Function::Powf, x, y), None, "{x}^{y}");
+    }
+    for x in ["-3", "-0", "0", "2"] {
+        for y in ["-3", "0", "5"] {
+            let expected = x.replace("-0", "0").parse::<f64>().expect("a double");
+            let expected = expected.atan2(y.parse().expect("a double"));
+            assert_eq!(two(Function::Atan2, x, y), Some(expected), "{x} {y}");
+        }
+    }
+}
+
 #[test]
 fn outside_the_domain_there_is_nothing() {
     assert_eq!(Number::apply(Function::Sqrt, &[parse("-1")]), None);

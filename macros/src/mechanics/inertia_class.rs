@@ -1,7 +1,7 @@
 //! What kind of body has a constant tensor, in the words of the runtime's `Symmetry` and `Extent`.
 
-use crate::model::{Inertia, Model, shown};
-use crate::symbolic::{Function, Number, Spectrum, Symmetry, is_noise};
+use crate::model::{Inertia, Model, is_flat, shown};
+use crate::symbolic::{Function, Number, Spectrum, Symmetry};
 
 /// A principal moment and the unit vector of its axis.
 type Moment = (Number, [Number; 3]);
@@ -26,7 +26,9 @@ pub fn classify(model: &mut Model) -> Vec<String> {
         Spectrum::General(principal) => {
             let [x, y, z] = principal.moments;
             let [along_x, along_y, along_z] = principal.axes;
-            general([(x, along_x), (y, along_y), (z, along_z)])
+            let matrix = model.frames.graph.constant_matrix(&rows);
+            let is_flat = matrix.is_some_and(|matrix| is_flat(&matrix));
+            general([(x, along_x), (y, along_y), (z, along_z)], is_flat)
         }
     }
 }
@@ -45,7 +47,7 @@ fn about_axis(symmetry: Symmetry) -> Vec<String> {
         shown(&across)
     )];
     let twice = across.clone() + across.clone();
-    if is_noise(&(twice - along.clone()), &along) {
+    if twice == along {
         lines.push(PLANAR.to_owned() + "n");
     }
     if is_thin(&along, &across) {
@@ -55,15 +57,14 @@ fn about_axis(symmetry: Symmetry) -> Vec<String> {
 }
 
 /// Moments in ascending order.
-fn general(mut principal: [Moment; 3]) -> Vec<String> {
+fn general(mut principal: [Moment; 3], is_flat: bool) -> Vec<String> {
     principal.sort_by(|a, b| a.0.cmp(&b.0));
     let [least, middle, largest] = principal;
     let mut lines = vec!["general: three different principal moments".to_owned()];
     for (moment, axis) in [&least, &middle, &largest] {
         lines.push(format!("{} kg m^2 about {}", shown(moment), vector(axis)));
     }
-    let excess = least.0.clone() + middle.0 - largest.0.clone();
-    if is_noise(&excess, &largest.0) {
+    if is_flat {
         lines.push(PLANAR.to_owned() + "the axis of the largest moment");
     }
     if is_thin(&least.0, &largest.0) {

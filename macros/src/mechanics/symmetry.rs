@@ -13,11 +13,13 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Attitude, Model, Motion};
+use crate::model::{Attitude, Inertia, Model, Motion};
 use crate::symbolic::{
-    Algebra, Components, Function, Graph, Id, Node, Number, Residue, Residues, Tape, on_branches,
+    Algebra, Components, Function, Graph, Id, Node, Number, Residue, Residues, Spectrum, Tape,
+    on_branches,
 };
 
+use super::newton_euler::inertia_about_center;
 use super::zeros::RandomState;
 
 /// Directions about which a turn changes nothing; a group of turns has no other sets of them.
@@ -82,6 +84,20 @@ impl Space<Residue> {
             basis: basis.collect::<Option<_>>()?,
         })
     }
+
+    /// A known axis, if that is the only direction.
+    fn along(&self, axis: &[Number; 3]) -> Option<Space> {
+        let [direction] = self.basis.as_slice() else {
+            return None;
+        };
+        let known = axis.each_ref().map(Number::residue);
+        let is_parallel = [(1, 2), (2, 0), (0, 1)]
+            .into_iter()
+            .all(|(i, j)| direction[i] * known[j] == direction[j] * known[i]);
+        is_parallel.then(|| Space {
+            basis: vec![axis.clone()],
+        })
+    }
 }
 
 impl Space {
@@ -128,6 +144,7 @@ pub fn symmetries(model: &mut Model, linear: &Components, angular: &Components) 
     let of_body = if is_rod { &[] } else { axes };
     let world = [0, 1, 2].map(|axis| turn_of_world(model, axis));
     let body = [0, 1, 2].map(|axis| turn_of_body(model, axis));
+    let known = axis_of_tensor(model);
     // the linear acceleration, and that of the axis of a rod, are written in world axes
     [(linear, true), (angular, is_rod)].map(|(vector, is_in_world)| {
         let roots = roots(&mut model.frames.graph, vector);
@@ -138,10 +155,22 @@ pub fn symmetries(model: &mut Model, linear: &Components, angular: &Components) 
                 rates,
                 turns,
                 axes,
+                known: &known,
             };
             case.space()
         })
     })
+}
+
+/// The axis of a tensor of numbers, if two of its moments are equal.
+fn axis_of_tensor(model: &mut Model) -> Option<[Number; 3]> {
+    let Inertia::Spatial(rows) = inertia_about_center(model) else {
+        return None;
+    };
+    match model.frames.graph.spectrum(&rows)? {
+        Spectrum::Symmetric(symmetry) => Some(symmetry.axis),
+        _ => None,
+    }
 }
 
 /// What decides between branches, and the arguments of functions that are made of pieces: where these
@@ -178,6 +207,8 @@ struct Case<'a> {
     turns: bool,
     /// Those about which there may be turns.
     axes: &'a [usize],
+    /// An axis that may be one of them.
+    known: &'a Option<[Number; 3]>,
 }
 
 impl Case<'_> {
@@ -212,7 +243,10 @@ impl Case<'_> {
                 break;
             }
         }
-        space.numbers().unwrap_or(none)
+        space
+            .numbers()
+            .or_else(|| space.along(self.known.as_ref()?))
+            .unwrap_or(none)
     }
 
     /// What of each root changes but does not turn, for each axis.

@@ -7,6 +7,7 @@ use crate::syntax::{Expression, Kind, Operator, Prefix, Step};
 use super::dimension::Dimension;
 use super::frame::Vector;
 use super::lower::{Lowering, dimension};
+use super::unit::TOO_LARGE;
 use super::value::{Point, Value};
 
 impl Lowering<'_> {
@@ -253,7 +254,9 @@ impl Lowering<'_> {
             };
             return self.report(place, format!("{} cannot be multiplied", wrong.kind()));
         };
-        let product = a.times(b);
+        let Some(product) = a.times(b) else {
+            return self.report(sides.step.place, TOO_LARGE);
+        };
         match (left, right) {
             (Value::Scalar(a, _), Value::Scalar(b, _)) => {
                 Some(Value::Scalar(self.frames.graph.multiply(a, b), product))
@@ -297,14 +300,28 @@ impl Lowering<'_> {
         if self.frames.graph.is_zero(divisor) {
             return self.report(place, "this is zero, and nothing can be divided by it");
         }
-        let quotient = a.over(b);
+        if let Some(number) = self.frames.graph.as_number(divisor)
+            && number.is_undecided()
+        {
+            return self.report(
+                place,
+                "this cannot be told from zero, and nothing can be divided by that",
+            );
+        }
+        let Some(quotient) = a.over(b) else {
+            return self.report(sides.step.place, TOO_LARGE);
+        };
+        let one = self.frames.graph.one();
+        if self.frames.graph.is_early(divisor) {
+            let reciprocal = self.frames.graph.divide(one, divisor);
+            self.check_value("/", &[divisor], reciprocal, place)?;
+        }
         if let Value::Scalar(dividend, _) = left {
             return Some(Value::Scalar(
                 self.frames.graph.divide(dividend, divisor),
                 quotient,
             ));
         }
-        let one = self.frames.graph.one();
         let reciprocal = self.frames.graph.divide(one, divisor);
         self.scaled(reciprocal, left, quotient)
     }

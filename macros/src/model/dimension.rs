@@ -2,10 +2,11 @@
 
 use core::fmt;
 
+use crate::symbolic::Number;
+use crate::syntax::Fraction;
+
 /// Base units, in the order of the exponents.
 const BASE: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
-/// Exponents are counted in twelfths, so that square and cubic roots stay whole.
-const WHOLE: i16 = 12;
 
 /// Products with a name of their own in messages and documentation.
 const NAMED: [(&str, [i16; 7]); 10] = [
@@ -23,7 +24,7 @@ const NAMED: [(&str, [i16; 7]); 10] = [
 
 /// Powers of the base units, or [`Dimension::ANY`] for what was written without a unit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Dimension(Option<[i16; 7]>);
+pub struct Dimension(Option<[Fraction; 7]>);
 
 impl Dimension {
     /// Fits everything: no unit was written.
@@ -41,33 +42,38 @@ impl Dimension {
 
     /// From whole powers of kg, m, s, A, K, mol, cd.
     pub const fn base(exponents: [i16; 7]) -> Self {
-        let mut twelfths = [0; 7];
+        let mut fractions = [Fraction::ZERO; 7];
         let mut i = 0;
         while i < 7 {
-            twelfths[i] = exponents[i] * WHOLE;
+            fractions[i] = Fraction::whole(exponents[i] as i32);
             i += 1;
         }
-        Self(Some(twelfths))
+        Self(Some(fractions))
     }
 
-    pub fn times(self, other: Self) -> Self {
-        self.combine(other, i16::saturating_add)
+    /// `None`, here and in what follows, where an exponent becomes too large.
+    pub fn times(self, other: Self) -> Option<Self> {
+        self.combine(other, Fraction::plus)
     }
 
-    pub fn over(self, other: Self) -> Self {
-        self.combine(other, i16::saturating_sub)
+    pub fn over(self, other: Self) -> Option<Self> {
+        self.combine(other, |a, b| a.plus(b.negative()))
     }
 
-    /// To the power `numerator / denominator`; unknown where an exponent is not in twelfths.
-    pub fn power(self, numerator: i32, denominator: i32) -> Self {
-        let scaled = |exponent: i16| {
-            let product = i32::from(exponent).checked_mul(numerator)?;
-            (product % denominator == 0).then(|| i16::try_from(product / denominator).ok())?
+    pub fn power(self, exponent: Fraction) -> Option<Self> {
+        self.combine(self, |own, _| own.times(exponent))
+    }
+
+    /// To the power of a number; that of a pure number is one.
+    pub fn power_of_number(self, exponent: &Number) -> Option<Self> {
+        let Some(exponents) = self.0 else {
+            return Some(Self::ANY);
         };
-        Self(self.0.and_then(|exponents| {
-            let scaled: Option<Vec<i16>> = exponents.into_iter().map(scaled).collect();
-            scaled?.try_into().ok()
-        }))
+        if exponents == [Fraction::ZERO; 7] {
+            return Some(self);
+        }
+        let (numerator, denominator) = exponent.to_fraction()?;
+        self.power(Fraction::new(numerator, denominator)?)
     }
 
     /// The dimension of both, if they can be the same.
@@ -86,7 +92,7 @@ impl Dimension {
     /// What a quantity of this dimension is said to be: `in N`, `a pure number`.
     pub fn described(self) -> String {
         match self.0 {
-            Some(exponents) if exponents != [0; 7] => format!("in {self}"),
+            Some(exponents) if exponents != [Fraction::ZERO; 7] => format!("in {self}"),
             Some(_) => "a pure number".to_owned(),
             None => "without a unit".to_owned(),
         }
@@ -105,11 +111,19 @@ impl Dimension {
         self.0.is_some()
     }
 
-    fn combine(self, other: Self, operation: impl Fn(i16, i16) -> i16) -> Self {
-        match (self.0, other.0) {
-            (Some(a), Some(b)) => Self(Some(core::array::from_fn(|i| operation(a[i], b[i])))),
-            _ => Self::ANY,
+    fn combine(
+        self,
+        other: Self,
+        operation: impl Fn(Fraction, Fraction) -> Option<Fraction>,
+    ) -> Option<Self> {
+        let (Some(a), Some(b)) = (self.0, other.0) else {
+            return Some(Self::ANY);
+        };
+        let mut combined = a;
+        for (exponent, other) in combined.iter_mut().zip(b) {
+            *exponent = operation(*exponent, other)?;
         }
+        Some(Self(Some(combined)))
     }
 }
 
@@ -128,11 +142,11 @@ impl fmt::Display for Dimension {
             let factors = BASE
                 .iter()
                 .zip(exponents)
-                .filter(|(_, exponent)| (*exponent > 0) == positive && *exponent != 0);
+                .filter(|(_, exponent)| exponent.is_positive() == positive)
+                .filter(|(_, exponent)| *exponent != Fraction::ZERO);
             let words = factors.map(|(unit, exponent)| match exponent.abs() {
-                WHOLE => (*unit).to_owned(),
-                power if power % WHOLE == 0 => format!("{unit} ^ {}", power / WHOLE),
-                power => format!("{unit} ^ ({power}/{WHOLE})"),
+                Fraction::ONE => (*unit).to_owned(),
+                power => format!("{unit} ^ {power}"),
             });
             words.collect::<Vec<_>>()
         };

@@ -8,6 +8,7 @@
 
 use crate::symbolic::{Components, Graph, Id};
 
+use super::domains::Partial;
 use super::names::Labels;
 use super::turned_vector::{Turn, Turns};
 
@@ -62,6 +63,8 @@ pub struct Frames {
     pub turned: Vec<Turn>,
     /// Of a rod, products `u x b`, and b; world axes.
     pub swept: Vec<(Components, Components)>,
+    /// What was written that parameters may leave without a value.
+    pub partial: Vec<Partial>,
 }
 
 impl Frames {

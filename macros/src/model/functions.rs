@@ -4,13 +4,14 @@ use proc_macro2::Ident;
 
 use crate::errors::{Extent, hint};
 use crate::symbolic::{Function, Id, Number};
-use crate::syntax::{Expression, Kind, Prefix};
+use crate::syntax::{Expression, Fraction, Kind, Prefix};
 
 use super::dimension::Dimension;
 use super::frame::Frame;
 use super::lower::Lowering;
 use super::solid::is_solid;
-use super::value::{Value, shown};
+use super::unit::TOO_LARGE;
+use super::value::Value;
 
 pub const VECTOR_METHODS: [&str; 7] = [
     "cross",
@@ -149,14 +150,14 @@ impl Lowering<'_> {
         arguments: &[Expression],
     ) -> Option<Value> {
         let value = self.apply(x, of_x, receiver, method, arguments)?;
-        if let Value::Scalar(id, _) = value
-            && self.frames.graph.is_undefined(id)
-        {
-            let of = match self.frames.graph.as_number(x) {
-                Some(number) if arguments.is_empty() => format!(" of {}", shown(number)),
-                _ => String::new(),
-            };
-            return self.report(method.span(), format!("`{method}`{of} has no value"));
+        if let Value::Scalar(id, _) = value {
+            let mut operands = vec![x];
+            if method == "powf"
+                && let [exponent] = arguments
+            {
+                operands.push(self.scalar(exponent, Dimension::NONE, "an exponent")?);
+            }
+            self.check_value(&method.to_string(), &operands, id, method.span().into())?;
         }
         Some(value)
     }
@@ -174,18 +175,14 @@ impl Lowering<'_> {
             "powi" => {
                 self.expect_arguments(method, arguments, 1)?;
                 let exponent = self.whole_exponent(&arguments[0])?;
-                return Some(Value::Scalar(
-                    self.frames.graph.powi(x, exponent),
-                    of_x.power(exponent, 1),
-                ));
+                let of_value = self.raised(of_x, Fraction::new(exponent.into(), 1), method)?;
+                return Some(Value::Scalar(self.frames.graph.powi(x, exponent), of_value));
             }
             "recip" => {
                 self.expect_arguments(method, arguments, 0)?;
                 let one = self.frames.graph.one();
-                return Some(Value::Scalar(
-                    self.frames.graph.divide(one, x),
-                    of_x.power(-1, 1),
-                ));
+                let of_value = self.raised(of_x, Fraction::new(-1, 1), method)?;
+                return Some(Value::Scalar(self.frames.graph.divide(one, x), of_value));
             }
             "clamp" => return self.clamp(x, of_x, method, arguments),
             _ => {}
@@ -237,8 +234,8 @@ impl Lowering<'_> {
             of_all = unified;
         }
         let of_value = match function {
-            Function::Sqrt => of_all.power(1, 2),
-            Function::Cbrt => of_all.power(1, 3),
+            Function::Sqrt => self.raised(of_all, Fraction::new(1, 2), method)?,
+            Function::Cbrt => self.raised(of_all, Fraction::new(1, 3), method)?,
             Function::Abs
             | Function::Floor
             | Function::Ceil
@@ -325,6 +322,16 @@ impl Lowering<'_> {
         }
     }
 
+    fn raised(
+        &mut self,
+        dimension: Dimension,
+        exponent: Option<Fraction>,
+        method: &Ident,
+    ) -> Option<Dimension> {
+        let raised = exponent.and_then(|exponent| dimension.power(exponent));
+        raised.or_else(|| self.report(method.span(), TOO_LARGE))
+    }
+
     fn powf(
         &mut self,
         x: Id,
@@ -333,25 +340,16 @@ impl Lowering<'_> {
         exponent: &Expression,
     ) -> Option<Value> {
         let power = self.scalar(exponent, Dimension::NONE, "an exponent")?;
-        let whole = self
-            .frames
-            .graph
-            .as_number(power)
-            .map(|number| number.clone() * Number::integer(12))
-            .and_then(|twelfths| twelfths.to_integer());
-        let of_value = match whole.and_then(|twelfths| i32::try_from(twelfths).ok()) {
-            _ if of_x == Dimension::NONE => Dimension::NONE,
-            Some(twelfths) => of_x.power(twelfths, 12),
-            None if !of_x.is_known() => Dimension::ANY,
-            None => {
-                return self.report(
-                    receiver.extent,
-                    format!(
-                        "only a pure number can be raised to this power, and this is {}",
-                        of_x.described()
-                    ),
-                );
-            }
+        let of_value = match self.frames.graph.as_number(power) {
+            Some(number) => of_x.power_of_number(number),
+            None => (!of_x.is_known() || of_x == Dimension::NONE).then_some(of_x),
+        };
+        let Some(of_value) = of_value else {
+            let message = format!(
+                "only a pure number can be raised to this power, and this is {}",
+                of_x.described()
+            );
+            return self.report(receiver.extent, message);
         };
         Some(Value::Scalar(
             self.frames.graph.apply(Function::Powf, &[x, power]),

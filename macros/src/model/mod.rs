@@ -8,6 +8,7 @@ mod composition;
 mod constraint;
 mod definitions;
 mod dimension;
+mod domains;
 mod draft;
 mod entries;
 mod frame;
@@ -49,6 +50,7 @@ pub use inertia::Inertia;
 pub use motion::{Axis, Meanings, Motion, State};
 pub use names::{AXES, Labels, Meaning};
 pub use outline::{Declared, Outline, Output, outline};
+pub use possible::is_flat;
 pub use potential::{Form, Potential, Potentials};
 pub use reaction::Reaction;
 pub use syntax::{Family, LoadKind};
@@ -155,6 +157,7 @@ pub fn lower_description(
         turns: None,
         turned: Vec::new(),
         swept: Vec::new(),
+        partial: Vec::new(),
     };
     let mut scope = Scope::new(description, repeated);
     let mut lowering = Lowering {
@@ -261,11 +264,14 @@ pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &
         .filter(|id| graph.is_early(*id))
         .collect();
     let values = graph.substitute(&early, |id| model.defaults.get(&id).copied());
+    let has_no_value = values.iter().any(|id| graph.is_undefined(*id));
+    if has_no_value && domains::report_without_value(model, errors) {
+        return;
+    }
+    let graph = &model.frames.graph;
     let out_of_range = |id: &Id| {
-        graph.is_undefined(*id)
-            || graph
-                .as_number(*id)
-                .is_some_and(|number| !number.fits_f64())
+        let number = graph.as_number(*id);
+        graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())
     };
     if values.iter().any(out_of_range) || outline.has_default() && overflows(model, &early) {
         let with = if outline.params.is_empty() {

@@ -259,15 +259,7 @@ impl Violation {
                 });
             }
         }
-        let half = Number::ratio(1, 2);
-        let trace = j[0][0].clone() + j[1][1].clone() + j[2][2].clone();
-        let sigma = |i: usize, k: usize| {
-            if i == k {
-                half.clone() * trace.clone() - j[i][i].clone()
-            } else {
-                -j[i][k].clone()
-            }
-        };
+        let sigma = |i: usize, k: usize| second_moment(j, i, k);
         for (i, axis) in AXES.iter().enumerate() {
             let (k, l) = ((i + 1) % 3, (i + 2) % 3);
             if sigma(i, i).is_negative() {
@@ -310,6 +302,20 @@ impl Violation {
         }
         None
     }
+}
+
+/// Half the trace minus a tensor, which is `int r r dm`.
+fn second_moment(j: &Matrix, i: usize, k: usize) -> Number {
+    if i != k {
+        return -j[i][k].clone();
+    }
+    let trace = j[0][0].clone() + j[1][1].clone() + j[2][2].clone();
+    Number::ratio(1, 2) * trace - j[i][i].clone()
+}
+
+/// Whether all mass of a body is in one plane.
+pub fn is_flat(j: &Matrix) -> bool {
+    determinant(&|i, k| second_moment(j, i, k)).is_zero()
 }
 
 /// Of a possible tensor, the least principal moment over the largest, where it is small: the others are

@@ -101,7 +101,7 @@ impl Lowering<'_> {
             let Value::Scalar(id, found) = self.value(charge)? else {
                 return self.report(charge.extent, "a charge is a scalar");
             };
-            let expected = Dimension::FORCE.over(of_field?);
+            let expected = Dimension::FORCE.over(of_field?)?;
             if !found.fits(expected) {
                 let place: Extent = self.culprit(charge, expected);
                 let (found, expected) = (found.described(), expected.described());

@@ -1,8 +1,8 @@
 //! The units that may stand in brackets, and what they are in SI.
 
 use crate::errors::{Errors, hint};
-use crate::symbolic::Number;
-use crate::syntax::UnitExpression;
+use crate::symbolic::{Function, Number};
+use crate::syntax::{Fraction, UnitExpression};
 
 use super::dimension::Dimension;
 
@@ -112,6 +112,7 @@ const SPELT_OUT: [(&str, &str); 21] = [
 /// The factor to SI and the dimension of a unit; unknown names are reported.
 pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number, Dimension)> {
     let mut known = Some((Number::one(), Dimension::NONE));
+    let mut is_known = true;
     for (name, exponent) in &unit.factors {
         let word = name.to_string();
         let Some((factor, dimension)) = look_up(&word) else {
@@ -119,22 +120,35 @@ pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number,
                 name.span(),
                 format!("unknown unit `{word}`{}", advice(&word)),
             );
-            known = None;
+            is_known = false;
             continue;
         };
-        known = known.map(|(total, product)| {
-            let mut total = total;
-            for _ in 0..exponent.unsigned_abs() {
-                total = if *exponent > 0 {
-                    total * factor.clone()
-                } else {
-                    total / factor.clone()
-                };
-            }
-            (total, product.times(dimension.power(*exponent, 1)))
+        let raised = raised(&factor, dimension, *exponent);
+        known = known.and_then(|(total, product)| {
+            let (factor, dimension) = raised?;
+            Some((total * factor, product.times(dimension)?))
         });
+        if known.is_none() {
+            errors.push(name.span(), TOO_LARGE);
+            return None;
+        }
     }
-    known
+    known.filter(|_| is_known)
+}
+
+/// What is said of a dimension that is none.
+pub const TOO_LARGE: &str =
+    "this has a unit with an exponent beyond 1000, or with a fraction of larger numbers";
+
+fn raised(
+    factor: &Number,
+    dimension: Dimension,
+    exponent: Fraction,
+) -> Option<(Number, Dimension)> {
+    let (above, below) = exponent.parts();
+    let power = Number::ratio(above, below.unsigned_abs());
+    let factor = Number::apply(Function::Powf, &[factor.clone(), power])?;
+    Some((factor, dimension.power(exponent)?))
 }
 
 /// What to write instead of an unknown unit, as far as it can be guessed.

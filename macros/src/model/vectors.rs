@@ -12,6 +12,7 @@ use super::functions::VECTOR_METHODS;
 use super::lower::{Lowering, dimension};
 use super::motion::Motion;
 use super::rod::UNTURNED;
+use super::unit::TOO_LARGE;
 use super::value::{Point, Value};
 
 impl Lowering<'_> {
@@ -32,7 +33,13 @@ impl Lowering<'_> {
             body: graph.cross(axis, vector.body),
             world: graph.cross(axis, vector.world),
         };
-        Some(Value::Vector(turned, of_w.times(of_vector)))
+        let of_turned = self.multiplied(of_w, of_vector, method)?;
+        Some(Value::Vector(turned, of_turned))
+    }
+
+    fn multiplied(&mut self, a: Dimension, b: Dimension, method: &Ident) -> Option<Dimension> {
+        let product = a.times(b);
+        product.or_else(|| self.report(method.span(), TOO_LARGE))
     }
 
     fn vector_argument(&mut self, argument: &Expression) -> Option<(Vector, Dimension)> {
@@ -68,20 +75,19 @@ impl Lowering<'_> {
         match word.as_str() {
             "cross" => {
                 let (other, of_other) = self.vector_argument(&arguments[0])?;
+                let of_product = self.multiplied(of_vector, of_other, method)?;
                 let product = self.frames.cross(vector, other);
-                Some(self.moment_value(product, of_vector.times(of_other)))
+                Some(self.moment_value(product, of_product))
             }
             "dot" => {
                 let (other, of_other) = self.vector_argument(&arguments[0])?;
-                Some(Value::Scalar(
-                    self.frames.dot(vector, other),
-                    of_vector.times(of_other),
-                ))
+                let of_product = self.multiplied(of_vector, of_other, method)?;
+                Some(Value::Scalar(self.frames.dot(vector, other), of_product))
             }
             "norm" => Some(Value::Scalar(self.frames.norm(vector), of_vector)),
             "norm_squared" => Some(Value::Scalar(
                 self.frames.norm_squared(vector),
-                of_vector.power(2, 1),
+                self.multiplied(of_vector, of_vector, method)?,
             )),
             "normalize" => {
                 let norm = self.frames.norm(vector);

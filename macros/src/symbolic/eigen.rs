@@ -1,7 +1,8 @@
 //! Eigenvalues and eigenvectors of a symmetric matrix of numbers.
 //!
 //! A repeated eigenvalue of rational entries is rational, and so is the direction of the other: both
-//! are found exactly. Three different ones come from Jacobi's method at [`WORKING`] bits.
+//! are found exactly, and equal are eigenvalues that are proved to be. Three different ones come from
+//! Jacobi's method at [`WORKING`] bits.
 
 use super::graph::Graph;
 use super::number::{Float, Number};
@@ -14,8 +15,10 @@ pub type Matrix = [[Number; 3]; 3];
 const WORKING: usize = 512;
 /// Sweeps through the three planes. From 8 on, each of the last ones doubles the digits.
 const SWEEPS: usize = 24;
-/// Eigenvalues whose difference, over the largest entry, is below 2 to the minus this are equal.
-const EQUAL: usize = 200;
+/// Bits of it that are right.
+const RIGHT: usize = 480;
+/// Components of a unit vector below 2 to the minus this may be zero.
+const SMALL: isize = 200;
 
 /// What a symmetric matrix is in axes of its own.
 #[derive(Clone, Debug)]
@@ -63,7 +66,6 @@ impl Graph {
 }
 
 impl Spectrum {
-    /// Eigenvalues that agree to [`EQUAL`] bits count as equal.
     pub fn of(matrix: &Matrix) -> Self {
         if let Some(symmetry) = Symmetry::of(matrix) {
             return Self::Symmetric(Box::new(symmetry));
@@ -72,7 +74,7 @@ impl Spectrum {
             return Self::General(Box::new(jacobi(matrix)));
         }
         let moments = [0, 1, 2].map(|i| matrix[i][i].clone());
-        if are_equal(&moments[0], &moments[1]) {
+        if moments[0] == moments[1] {
             let [_, _, lambda] = moments;
             return Self::Spherical(lambda);
         }
@@ -91,7 +93,7 @@ impl Symmetry {
         }
         let equal = |k: &usize| {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            are_equal(&matrix[i][i], &matrix[j][j])
+            matrix[i][i] == matrix[j][j]
         };
         let mut axes = (0..3).filter(equal);
         let (Some(k), None) = (axes.next(), axes.next()) else {
@@ -135,10 +137,6 @@ pub fn is_diagonal(matrix: &Matrix) -> bool {
         .all(|(i, k)| matrix[*i][*k].is_zero())
 }
 
-fn are_equal(a: &Number, b: &Number) -> bool {
-    is_noise(&(a.clone() - b.clone()), &a.abs().max(b.abs()))
-}
-
 fn unit(k: usize) -> [Number; 3] {
     core::array::from_fn(|i| Number::integer(i64::from(i == k)))
 }
@@ -151,20 +149,11 @@ pub fn scaled(vector: &[Number; 3]) -> ([Number; 3], Number) {
             largest = component.clone();
         }
     }
-    let ratios = vector.clone().map(|component| {
-        let ratio = component.checked_div(&largest).unwrap_or_else(Number::zero);
-        [-1, 0, 1]
-            .map(Number::integer)
-            .into_iter()
-            .find(|whole| is_noise(&(whole.clone() - ratio.clone()), &Number::one()))
-            .unwrap_or(ratio)
-    });
+    let over = |component: &Number| component.checked_div(&largest);
+    let ratios = vector
+        .each_ref()
+        .map(|component| over(component).unwrap_or_else(Number::zero));
     (ratios, largest)
-}
-
-/// Whether a number beside others of this size is nothing but rounding.
-pub fn is_noise(value: &Number, size: &Number) -> bool {
-    value.abs() <= size.clone() * Number::power_of_two(-EQUAL.cast_signed())
 }
 
 /// The eigenvalue that a matrix which is not diagonal has twice, if it has one: what is left on the
@@ -178,12 +167,10 @@ fn repeated(matrix: &Matrix) -> Option<Number> {
         let square = product(i, j).clone() * product(k, i).clone();
         Some(matrix[i][i].clone() - square.checked_div(product(j, k))?)
     };
-    let size = (0..3).map(|i| matrix[i][i].abs()).max()?;
-    let agree = |a: &Number, b: &Number| is_noise(&(a.clone() - b.clone()), &size);
     match zeros {
         [false, false, false] => {
             let [x, y, z] = [lambda(0)?, lambda(1)?, lambda(2)?];
-            (agree(&x, &y) && agree(&y, &z)).then_some(z)
+            (x == y && y == z).then_some(z)
         }
         // n lies in a coordinate plane, and across is about its normal: the rest of the block is
         // singular
@@ -197,7 +184,7 @@ fn repeated(matrix: &Matrix) -> Option<Number> {
             );
             let square = product(i, j).clone() * product(i, j).clone();
             let other = square.checked_div(&b)?;
-            agree(&a, &other).then_some(across)
+            (a == other).then_some(across)
         }
         _ => None,
     }
@@ -232,16 +219,57 @@ fn jacobi(matrix: &Matrix) -> PrincipalAxes {
     }
     let [x, y, z] = j;
     let ([x, _, _], [_, y, _], [_, _, z]) = (x, y, z);
-    let cosine = |float| {
-        let cosine = Number::from_float_or_zero(float);
-        if is_noise(&cosine, &Number::one()) {
-            Number::zero()
-        } else {
-            cosine
+    let measured = |float| Number::measured(float, RIGHT);
+    let axes = transposed(axes).map(|axis| related(matrix, axis.map(measured)));
+    nearest(&[x, y, z].map(measured), &axes)
+}
+
+/// An eigenvector n with what is exact of it: a component that is zero, and two that are equal but for
+/// their sign.
+fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
+    let is_small = |number: &Number| number.abs() < Number::power_of_two(-SMALL);
+    for i in 0..3 {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let (to_j, to_k) = (&matrix[i][j], &matrix[i][k]);
+        let is_equal = matrix[j][j] == matrix[k][k] && to_j.abs() == to_k.abs();
+        if n[i].is_zero() || to_j.is_zero() && to_k.is_zero() {
+            if is_small(&n[i]) {
+                n[i] = Number::zero();
+            }
+            // of a block [[a, b], [b, a]], they are (1, 1) and (1, -1)
+            if n[i].is_zero() && to_j == to_k && is_equal && !is_small(&n[j]) {
+                let opposite = n[j].is_negative() != n[k].is_negative();
+                n[k] = if opposite {
+                    -n[j].clone()
+                } else {
+                    n[j].clone()
+                };
+            }
+        } else if !is_small(&n[i]) {
+            // J stays as it is where j and k change places, and so does n
+            if is_equal && !is_small(&n[j]) {
+                n[k] = (to_k.clone() / to_j.clone()) * n[j].clone();
+            }
+        } else if let Some(ratio) = zero_component(matrix, i)
+            // and not one across it
+            && is_small(&(n[k].clone() - n[j].clone() * ratio.clone()))
+        {
+            n[i] = Number::zero();
+            n[k] = n[j].clone() * ratio;
         }
-    };
-    let axes = transposed(axes).map(|axis| axis.map(cosine));
-    nearest(&[x, y, z].map(Number::from_float_or_zero), &axes)
+    }
+    n
+}
+
+/// `n_k / n_j` of an eigenvector with `n_i = 0`, if there is one and i is no axis of its own: `(J n)_i = 0`
+/// leaves it one direction.
+fn zero_component(matrix: &Matrix, i: usize) -> Option<Number> {
+    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+    let ratio = (-matrix[i][j].clone()).checked_div(&matrix[i][k])?;
+    let along = |row: usize| matrix[row][j].clone() + matrix[row][k].clone() * ratio.clone();
+    (along(j) * ratio.clone() - along(k))
+        .is_zero()
+        .then_some(ratio)
 }
 
 /// Cosine and sine of the turn that makes the entry `(a, b)` vanish, unless it is nothing beside the
@@ -303,7 +331,8 @@ fn nearest(moments: &[Number; 3], axes: &[[Number; 3]; 3]) -> PrincipalAxes {
     };
     let mut best = ORDERS[0];
     for order in ORDERS {
-        if nearness(&order) > nearness(&best) {
+        let more = nearness(&order) - nearness(&best);
+        if more.is_positive() && !more.is_undecided() {
             best = order;
         }
     }

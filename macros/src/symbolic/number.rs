@@ -1,24 +1,23 @@
 //! Numbers as they stand in a description: exact rationals, from the token to the one rounding.
 //!
-//! Sums, products and quotients of literals are exact. Roots and transcendental functions are
-//! evaluated to [`PRECISION`] bits and marked as rounded; a sum of rounded numbers that cancels to
-//! within that precision is zero, so that `(PI / 2).cos()` prunes like the zero it stands for.
+//! Sums, products and quotients of literals are exact. What is not rational carries its value, how
+//! far it may be off, and by which identities it is known ([`super::irrational`]): it is zero, or
+//! another rational, only by proof, never because it is small.
 
 use core::cmp::Ordering;
 use core::hash::{Hash, Hasher};
 use core::ops::{Add, Div, Mul, Neg, Sub};
+use std::rc::Rc;
 
 use dashu_float::{FBig, round::mode::HalfEven};
 use dashu_int::ops::{BitTest, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-use super::function::Function;
+use super::irrational::Irrational;
 
 /// Bits kept of a number that is not rational.
-const PRECISION: usize = 256;
-/// Bits that survive the cancellation of two rounded numbers before the rest counts as zero.
-const SIGNIFICANT: usize = 200;
+pub(super) const PRECISION: usize = 256;
 /// Decimal exponents beyond which a literal is refused before any number is built.
 const DECIMAL_EXPONENTS: i64 = 5000;
 /// Bits of numerator and denominator beyond which an exact number is rounded to [`PRECISION`].
@@ -32,13 +31,20 @@ const SIZE: usize = 1 << 16;
 /// A binary number of so many bits.
 pub(super) type Float = FBig<HalfEven, 2>;
 
-/// An exact rational, or the rational nearest to an irrational number.
-///
-/// Equality, order and hash are those of the value.
+/// A rational number, or a rational near to a number that is not.
 #[derive(Clone, Debug)]
 pub struct Number {
-    value: RBig,
-    rounded: bool,
+    pub(super) value: RBig,
+    pub(super) kind: Kind,
+}
+
+/// What the value of a number is.
+#[derive(Clone, Debug)]
+pub(super) enum Kind {
+    /// The number itself.
+    Rational,
+    /// Near to a number that is known by other means.
+    Irrational(Rc<Irrational>),
 }
 
 impl Number {
@@ -81,10 +87,6 @@ impl Number {
         } else {
             power
         })
-    }
-
-    pub fn pi() -> Self {
-        Self::from_float(Float::pi(PRECISION)).unwrap_or_else(Self::zero)
     }
 
     /// Reads the digits of a Rust literal: `1_000`, `1.5e-3`, `0x1F`, `0b10`, `0o17`.
@@ -138,9 +140,16 @@ impl Number {
             .flatten()
     }
 
-    /// Whether it is the nearest to a number that is not rational.
+    /// Numerator and denominator, if it is a ratio of small numbers.
+    pub fn to_fraction(&self) -> Option<(i64, i64)> {
+        let above = i64::try_from(self.value.numerator().clone()).ok()?;
+        let below = i64::try_from(self.value.denominator().clone()).ok()?;
+        (!self.is_rounded()).then_some((above, below))
+    }
+
+    /// Whether its value is only near to it.
     pub fn is_rounded(&self) -> bool {
-        self.rounded
+        !matches!(self.kind, Kind::Rational)
     }
 
     /// Numerator and denominator modulo a prime.
@@ -178,49 +187,9 @@ impl Number {
         }
     }
 
-    /// `None` for a division by zero.
+    /// `None` for a division by zero, or by what cannot be told from it.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
-        (!divisor.is_zero()).then(|| self.clone() / divisor.clone())
-    }
-
-    /// The value of a function, or `None` outside its domain or the range of doubles.
-    pub fn apply(function: Function, arguments: &[Self]) -> Option<Self> {
-        let first = arguments.first()?;
-        match function {
-            Function::Abs => Some(first.abs()),
-            Function::Signum => Some(Self::integer(if first.is_negative() { -1 } else { 1 })),
-            Function::Floor => Some(Self::from(RBig::from(first.value.floor()))),
-            Function::Ceil => Some(Self::from(RBig::from(first.value.ceil()))),
-            Function::Min => Some(first.min(arguments.get(1)?).clone()),
-            Function::Max => Some(first.max(arguments.get(1)?).clone()),
-            Function::Sqrt => first.root(2),
-            Function::Cbrt if first.is_negative() => Some(-(-first.clone()).root(3)?),
-            Function::Cbrt => first.root(3),
-            Function::Hypot => {
-                let second = arguments.get(1)?;
-                (first.clone() * first.clone() + second.clone() * second.clone()).root(2)
-            }
-            Function::Powf => first.powf(arguments.get(1)?),
-            _ => first.transcendental(function, arguments.get(1)),
-        }
-    }
-
-    /// The exact root if there is one, else the rounded one; `None` for a negative number.
-    fn root(&self, degree: usize) -> Option<Self> {
-        if self.is_negative() {
-            return None;
-        }
-        if self.is_zero() {
-            return Some(Self::zero());
-        }
-        let float = self.to_float(PRECISION);
-        let root = if degree == 2 {
-            float.sqrt()
-        } else {
-            float.nth_root(degree)
-        };
-        let rounded = Self::from_float(root)?;
-        Some(self.exact_root(degree).unwrap_or(rounded))
+        (!divisor.is_zero() && !divisor.is_undecided()).then(|| self.clone() / divisor.clone())
     }
 
     /// The root, if it is a ratio of whole numbers.
@@ -228,105 +197,32 @@ impl Number {
         let (numerator, denominator) = (self.value.numerator().clone(), self.value.denominator());
         let numerator = UBig::try_from(numerator).ok()?;
         let roots = (numerator.nth_root(degree), denominator.nth_root(degree));
-        (roots.0.pow(degree) == numerator && &roots.1.pow(degree) == denominator).then(|| Self {
-            value: RBig::from_parts(roots.0.into(), roots.1),
-            rounded: self.rounded,
-        })
+        let is_exact = roots.0.pow(degree) == numerator && &roots.1.pow(degree) == denominator;
+        (is_exact && !self.is_rounded())
+            .then(|| Self::from(RBig::from_parts(roots.0.into(), roots.1)))
     }
 
-    fn powf(&self, exponent: &Self) -> Option<Self> {
-        if exponent.is_zero() {
-            return Some(Self::one());
-        }
-        if self.is_zero() {
-            return exponent.is_positive().then(Self::zero);
-        }
-        if self.is_negative() {
-            return None;
-        }
-        let logarithm = self.to_float(PRECISION).ln() * exponent.to_float(PRECISION);
-        Self::exponential(&logarithm)
-    }
-
-    /// `e^x`, refused far beyond the range of doubles before anything is built.
-    fn exponential(exponent: &Float) -> Option<Self> {
-        let bound = Float::from(1000);
-        (*exponent < bound && *exponent > -bound).then(|| Self::from_float(exponent.exp()))?
-    }
-
-    fn transcendental(&self, function: Function, second: Option<&Self>) -> Option<Self> {
-        if let Some(exact) = self.trivial(function, second) {
-            return Some(exact);
-        }
-        let x = self.to_float(PRECISION);
-        let within_one = self.abs() <= Self::one();
-        let value = match function {
-            Function::Exp => return Self::exponential(&x),
-            Function::Ln => self.is_positive().then(|| x.ln()),
-            Function::Sin => Some(x.sin()),
-            Function::Cos => Some(x.cos()),
-            Function::Tan => Some(x.tan()),
-            Function::Asin => within_one.then(|| x.asin()),
-            Function::Acos => within_one.then(|| x.acos()),
-            Function::Atan => Some(x.atan()),
-            Function::Atan2 => Some(x.atan2(&second?.to_float(PRECISION))),
-            Function::Sinh | Function::Cosh | Function::Tanh => return self.hyperbolic(function),
-            _ => None,
-        }?;
-        let value = Self::from_float(value)?;
-        // a value of order one that is as small as the rounding of its argument stands for zero
-        let noise = Self::from(RBig::from_parts(IBig::ONE, UBig::ONE << SIGNIFICANT));
-        let vanishes = self.rounded
-            && matches!(function, Function::Sin | Function::Cos)
-            && value.abs() < noise;
-        Some(if vanishes { Self::zero() } else { value })
-    }
-
-    /// Arguments at which a function is rational.
-    fn trivial(&self, function: Function, second: Option<&Self>) -> Option<Self> {
-        match function {
-            Function::Exp | Function::Cos | Function::Cosh if self.is_zero() => Some(Self::one()),
-            Function::Ln | Function::Acos if self.is_one() => Some(Self::zero()),
-            Function::Sin
-            | Function::Tan
-            | Function::Asin
-            | Function::Atan
-            | Function::Sinh
-            | Function::Tanh
-                if self.is_zero() =>
-            {
-                Some(Self::zero())
+    /// A whole power.
+    pub(super) fn power(&self, exponent: i64) -> Option<Self> {
+        let (mut power, mut square) = (Self::one(), self.clone());
+        for bit in 0..i64::BITS - exponent.unsigned_abs().leading_zeros() {
+            if exponent.unsigned_abs() >> bit & 1 == 1 {
+                power = power * square.clone();
             }
-            Function::Atan2 if self.is_zero() && !second?.is_negative() => Some(Self::zero()),
-            _ => None,
+            square = square.clone() * square;
+            if !power.is_carried() || !square.is_carried() {
+                return None;
+            }
         }
-    }
-
-    fn hyperbolic(&self, function: Function) -> Option<Self> {
-        let grown = Self::exponential(&self.to_float(PRECISION))?;
-        let decayed = Self::one() / grown.clone();
-        let (sinh, cosh) = (grown.clone() - decayed.clone(), grown + decayed);
-        Some(match function {
-            Function::Sinh => sinh / Self::integer(2),
-            Function::Cosh => cosh / Self::integer(2),
-            _ => sinh / cosh,
-        })
+        if exponent < 0 {
+            Self::one().checked_div(&power)
+        } else {
+            Some(power)
+        }
     }
 
     pub(super) fn to_float(&self, bits: usize) -> Float {
         self.value.to_float(bits).value()
-    }
-
-    /// Of a result of arithmetic, which is finite.
-    pub(super) fn from_float_or_zero(value: Float) -> Self {
-        Self::from_float(value).unwrap_or_else(Self::zero)
-    }
-
-    fn from_float(value: Float) -> Option<Self> {
-        RBig::try_from(value).ok().map(|value| Self {
-            value,
-            rounded: true,
-        })
     }
 
     /// Whether the number is still small enough to be carried along.
@@ -338,9 +234,9 @@ impl Number {
         self.value.numerator().bit_len() + self.value.denominator().bit_len()
     }
 
-    /// Gives up exactness where it has grown out of all proportion.
-    fn condensed(self) -> Self {
-        let (most, kept) = if self.rounded {
+    /// Gives up digits where there are out of all proportion.
+    pub(super) fn condensed(self) -> Self {
+        let (most, kept) = if self.is_rounded() {
             (ROUNDED, KEPT)
         } else {
             (EXACT, PRECISION)
@@ -348,34 +244,7 @@ impl Number {
         if self.bits() < most || !self.is_carried() {
             return self;
         }
-        Self::from_float(self.to_float(kept)).unwrap_or(self)
-    }
-
-    /// A rounded result that has cancelled down to the noise of its terms is zero.
-    fn snapped(self, scale: &RBig) -> Self {
-        let is_far = || size(&self.value) > size(scale) - SIGNIFICANT.cast_signed() + 2;
-        if !self.rounded || self.value.is_zero() || is_far() {
-            return self;
-        }
-        let noise = RBig::from_parts(IBig::ONE, UBig::ONE << SIGNIFICANT) * magnitude(scale);
-        if magnitude(&self.value) < noise {
-            Self::zero()
-        } else {
-            self
-        }
-    }
-}
-
-/// The exponent of two, to one.
-fn size(value: &RBig) -> isize {
-    value.numerator().bit_len().cast_signed() - value.denominator().bit_len().cast_signed()
-}
-
-fn magnitude(value: &RBig) -> RBig {
-    if *value < RBig::ZERO {
-        -value.clone()
-    } else {
-        value.clone()
+        self.near(kept)
     }
 }
 
@@ -383,7 +252,7 @@ impl From<RBig> for Number {
     fn from(value: RBig) -> Self {
         Self {
             value,
-            rounded: false,
+            kind: Kind::Rational,
         }
     }
 }
@@ -391,13 +260,10 @@ impl From<RBig> for Number {
 impl Add for Number {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        let scale = self.value.clone();
-        Self {
-            value: self.value + other.value,
-            rounded: self.rounded || other.rounded,
+        match (&self.kind, &other.kind) {
+            (Kind::Rational, Kind::Rational) => Self::from(self.value + other.value).condensed(),
+            _ => Self::sum(self, other),
         }
-        .condensed()
-        .snapped(&scale)
     }
 }
 
@@ -411,38 +277,40 @@ impl Sub for Number {
 impl Mul for Number {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self {
-            value: self.value * other.value,
-            rounded: self.rounded || other.rounded,
+        match (&self.kind, &other.kind) {
+            (Kind::Rational, Kind::Rational) => Self::from(self.value * other.value).condensed(),
+            _ => Self::product(self, other),
         }
-        .condensed()
     }
 }
 
 impl Div for Number {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        Self {
-            value: self.value / other.value,
-            rounded: self.rounded || other.rounded,
+        match (&self.kind, &other.kind) {
+            (Kind::Rational, Kind::Rational) => Self::from(self.value / other.value).condensed(),
+            _ => Self::quotient(self, other),
         }
-        .condensed()
     }
 }
 
 impl Neg for Number {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            rounded: self.rounded,
+        match self.kind {
+            Kind::Irrational(_) => Self::product(Self::integer(-1), self),
+            Kind::Rational => Self::from(-self.value),
         }
     }
 }
 
 impl PartialEq for Number {
     fn eq(&self, other: &Self) -> bool {
-        self.value == other.value
+        match (&self.kind, &other.kind) {
+            (Kind::Irrational(_), Kind::Irrational(_)) => self.is_same(other),
+            (Kind::Irrational(_), _) | (_, Kind::Irrational(_)) => false,
+            _ => self.value == other.value,
+        }
     }
 }
 
@@ -450,7 +318,10 @@ impl Eq for Number {}
 
 impl Hash for Number {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        self.value.hash(state);
+        match &self.kind {
+            Kind::Irrational(known) => known.residue.hash(state),
+            Kind::Rational => self.value.hash(state),
+        }
     }
 }
 
@@ -461,7 +332,12 @@ impl PartialOrd for Number {
 }
 
 impl Ord for Number {
+    /// Of irrational numbers, by the sign of their difference.
     fn cmp(&self, other: &Self) -> Ordering {
-        self.value.cmp(&other.value)
+        match (&self.kind, &other.kind) {
+            (Kind::Rational, Kind::Rational) => self.value.cmp(&other.value),
+            _ if self == other => Ordering::Equal,
+            _ => self.cmp_irrational(other),
+        }
     }
 }

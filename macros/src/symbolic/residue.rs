@@ -2,8 +2,8 @@
 //!
 //! Symbols have random residues. What is not known of a value is a random residue too, the same for
 //! equal arguments: that of a sine by the tangent of half its angle, that of a hyperbolic function by
-//! the exponential of its argument, that of any other function, and of a number that is not rational,
-//! by itself. A root has both signs, and a condition both outcomes: each is a branch of its own. A root
+//! the exponential of its argument, that of any other function by itself; a number that is not rational
+//! carries its residue along ([`super::irrational`]). A root has both signs, and a condition both outcomes: each is a branch of its own. A root
 //! of a root may have no residue, and is random too.
 //!
 //! What is zero at the place on every branch is so in all states, for all such functions, but for one
@@ -28,7 +28,7 @@ pub(super) const PRIME: u128 = (1 << 127) - 1;
 const DIGITS: i128 = 1 << 32;
 
 /// `real + imaginary i`, both modulo [`PRIME`]: numbers among which all that are real have roots.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Residue {
     real: u128,
     imaginary: u128,
@@ -143,7 +143,7 @@ impl Residue {
     pub const ZERO: Self = Self::real(0);
     pub const ONE: Self = Self::real(1);
 
-    const fn real(real: u128) -> Self {
+    pub(super) const fn real(real: u128) -> Self {
         Self { real, imaginary: 0 }
     }
 
@@ -170,6 +170,13 @@ impl Residue {
         } else {
             (opposite, true)
         }
+    }
+
+    /// That of a rational number. A multiple of the prime has none, as it is not zero.
+    pub(super) fn rational(number: &Number) -> Option<Self> {
+        let [above, below] = number.modulo(PRIME).map(Self::real);
+        let is_lost = above.is_zero() && !number.is_zero();
+        Some(above * below.reciprocal()?).filter(|_| !is_lost)
     }
 
     /// The rational number of few digits that it is.
@@ -230,7 +237,7 @@ impl Residue {
         (times(root, root) == a).then_some(root)
     }
 
-    fn root(self) -> Option<Self> {
+    pub(super) fn root(self) -> Option<Self> {
         let Self { real, imaginary } = self;
         if imaginary == 0 {
             let root = Self::real_root(real).map(Self::real);
@@ -323,17 +330,8 @@ impl Mul for Residue {
 impl Algebra for Residues<'_> {
     type Value = Option<Residue>;
 
-    /// A multiple of the prime has no value: it is not zero.
     fn number(&mut self, number: &Number) -> Option<Residue> {
-        if number.is_rounded() {
-            let size = Residue::stand_in(&number.abs());
-            return Some(if number.is_negative() { -size } else { size });
-        }
-        let [above, below] = number.modulo(PRIME).map(Residue::real);
-        if above.is_zero() && !number.is_zero() {
-            return None;
-        }
-        self.divide(&Some(above), &Some(below))
+        Some(number.residue())
     }
 
     fn undefined(&mut self) -> Option<Residue> {

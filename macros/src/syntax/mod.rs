@@ -8,6 +8,7 @@ mod charges;
 mod composition;
 mod entries;
 mod expression;
+mod fraction;
 mod motion;
 mod parse;
 mod read;
@@ -22,6 +23,7 @@ use crate::errors::Extent;
 
 pub use composition::{Composition, Part};
 pub use expression::{Expression, Kind, Operator, Prefix, Step};
+pub use fraction::Fraction;
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
 pub use unit::UnitExpression;

@@ -6,18 +6,19 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent};
 
+use super::fraction::Fraction;
 use super::tokens::group_beyond;
 use super::words::is_keyword;
 
 /// A product of powers of named units.
 #[derive(Clone, Debug)]
 pub struct UnitExpression {
-    pub factors: Vec<(Ident, i32)>,
+    pub factors: Vec<(Ident, Fraction)>,
     pub extent: Extent,
 }
 
 /// The largest exponent of a unit.
-const EXPONENT: i32 = 12;
+const EXPONENT: i64 = 12;
 /// Parentheses that may be nested in each other.
 const NESTING: usize = 8;
 /// Units that may be multiplied with each other.
@@ -48,7 +49,7 @@ impl UnitExpression {
     }
 }
 
-type Factors = Vec<(Ident, i32)>;
+type Factors = Vec<(Ident, Fraction)>;
 
 /// `unit * unit / unit`, all that stands in `around`.
 fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<Factors> {
@@ -56,9 +57,9 @@ fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<F
     let mut rest = tokens.as_slice();
     let mut factors = power(&mut rest, around, errors)?;
     while let [operator, tail @ ..] = rest {
-        let sign = match operator {
-            TokenTree::Punct(sign) if sign.as_char() == '*' => 1,
-            TokenTree::Punct(sign) if sign.as_char() == '/' => -1,
+        let is_below = match operator {
+            TokenTree::Punct(sign) if sign.as_char() == '*' => false,
+            TokenTree::Punct(sign) if sign.as_char() == '/' => true,
             TokenTree::Ident(word) => {
                 errors.push(
                     word.span(),
@@ -77,7 +78,8 @@ fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<F
         }
         rest = tail;
         let next = power(&mut rest, around, errors)?;
-        factors.extend(next.into_iter().map(|(unit, power)| (unit, sign * power)));
+        let signed = |power: Fraction| if is_below { power.negative() } else { power };
+        factors.extend(next.into_iter().map(|(unit, power)| (unit, signed(power))));
     }
     Some(factors)
 }
@@ -112,7 +114,7 @@ fn power(rest: &mut &[TokenTree], around: &Group, errors: &mut Errors) -> Option
             return None;
         }
         TokenTree::Ident(word) if !is_keyword(&word.to_string()) && word != "_" => {
-            vec![(word.clone(), 1)]
+            vec![(word.clone(), Fraction::ONE)]
         }
         other => {
             errors.push(other.span(), "expected a unit such as `kg`, `m` or `N`");
@@ -127,8 +129,8 @@ fn power(rest: &mut &[TokenTree], around: &Group, errors: &mut Errors) -> Option
     }
     let (exponent, place) = exponent(tail, hat.span().into(), rest, errors)?;
     let raised = factors.into_iter().map(|(unit, power)| {
-        let power = power * exponent;
-        (power.abs() <= EXPONENT).then_some((unit, power))
+        let power = power.times(exponent)?;
+        is_small(power).then_some((unit, power))
     });
     let raised: Option<Factors> = raised.collect();
     if raised.is_none() {
@@ -138,16 +140,24 @@ fn power(rest: &mut &[TokenTree], around: &Group, errors: &mut Errors) -> Option
 }
 
 fn message() -> String {
-    format!("the exponent of a unit is a whole number from -{EXPONENT} to {EXPONENT}")
+    format!(
+        "the exponent of a unit is a whole number from -{EXPONENT} to {EXPONENT}, or a fraction of \
+         such numbers in parentheses, as in `m ^ (3/2)`"
+    )
 }
 
-/// `2`, `-2`, `(-2)`; moves `rest` behind it.
+fn is_small(exponent: Fraction) -> bool {
+    let (numerator, denominator) = exponent.parts();
+    numerator.abs() <= EXPONENT && denominator <= EXPONENT
+}
+
+/// `2`, `-2`, `(-2)`, `(3/2)`; moves `rest` behind it.
 fn exponent<'t>(
     tokens: &'t [TokenTree],
     hat: Extent,
     rest: &mut &'t [TokenTree],
     errors: &mut Errors,
-) -> Option<(i32, Extent)> {
+) -> Option<(Fraction, Extent)> {
     let inner: Vec<TokenTree>;
     let (digits, after) = match tokens {
         [TokenTree::Group(group), after @ ..] if group.delimiter() == Delimiter::Parenthesis => {
@@ -162,23 +172,42 @@ fn exponent<'t>(
         }
     };
     *rest = after;
-    let (negative, number) = match digits {
-        [TokenTree::Punct(minus), TokenTree::Literal(number)] if minus.as_char() == '-' => {
-            (true, Some(number))
-        }
-        [TokenTree::Literal(number)] => (false, Some(number)),
-        _ => (false, None),
-    };
-    let value = number
-        .and_then(|number| number.to_string().parse::<i32>().ok())
-        .filter(|value| *value <= EXPONENT);
     let place = digits.first().map_or(hat, |first| {
         let last = digits.last().unwrap_or(first);
         Extent::from(first.span()).to(last.span().into())
     });
-    let Some(value) = value else {
-        errors.push(place, message());
-        return None;
+    let is_slash =
+        |token: &TokenTree| matches!(token, TokenTree::Punct(sign) if sign.as_char() == '/');
+    let slash = digits.iter().position(is_slash);
+    let (above, below) = digits.split_at(slash.unwrap_or(digits.len()));
+    let denominator = match below {
+        [] => Some(1),
+        [_, below @ ..] => whole_number(below),
     };
-    Some((if negative { -value } else { value }, place))
+    if denominator == Some(0)
+        && let Some(zero) = below.last()
+    {
+        errors.push(zero.span(), "nothing can be divided by zero");
+        return None;
+    }
+    let exponent = whole_number(above)
+        .zip(denominator)
+        .and_then(|(above, below)| Fraction::new(above, below))
+        .filter(|exponent| is_small(*exponent));
+    if exponent.is_none() {
+        errors.push(place, message());
+    }
+    Some((exponent?, place))
+}
+
+/// `2`, `-2`
+fn whole_number(tokens: &[TokenTree]) -> Option<i64> {
+    let (sign, number) = match tokens {
+        [TokenTree::Punct(minus), TokenTree::Literal(number)] if minus.as_char() == '-' => {
+            (-1, number)
+        }
+        [TokenTree::Literal(number)] => (1, number),
+        _ => return None,
+    };
+    Some(sign * number.to_string().replace('_', "").parse::<i64>().ok()?)
 }

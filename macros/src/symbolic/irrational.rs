@@ -1,0 +1,411 @@
+//! Numbers that are not rational: a value, how far it may be off, and a residue that knows identities.
+//!
+//! The residue is computed along with the value, modulo a prime: pi, and what a function makes of an
+//! argument, are random residues there, up to `sin^2 + cos^2 = 1`; the root of a rational number is
+//! the product of the roots of its primes, whose signs no identity tells apart. So a residue of zero
+//! is a proof that a number is zero, by an identity in all of these, but for one of 2^100 by chance;
+//! and then only where its value may be zero too. A value that has cancelled down to its error, and
+//! is not zero by proof, is computed again with more bits.
+
+use core::cmp::Ordering;
+use std::rc::Rc;
+
+use dashu_int::ops::BitTest;
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
+
+use super::function::Function;
+use super::number::{Float, Kind, Number, PRECISION};
+use super::residue::Residue;
+
+/// What is known of a number beside its value.
+#[derive(Debug)]
+pub(super) struct Irrational {
+    pub residue: Residue,
+    /// Its value is off by less than 2 to this.
+    error: isize,
+    term: Term,
+    /// How many operations it takes to compute it again.
+    cost: usize,
+}
+
+/// How a number is computed with more bits.
+#[derive(Clone, Debug)]
+enum Term {
+    Pi,
+    Sum(Number, Number),
+    Product(Number, Number),
+    Quotient(Number, Number),
+    Value(Function, Number),
+    /// Not at all: it is as near as it will be.
+    Kept,
+}
+
+/// Bits of a value that are right; with fewer, it is computed again.
+const ENOUGH: isize = 128;
+/// Bits with which it is.
+const MORE: [usize; 4] = [512, 1024, 2048, 4096];
+/// Operations that are done again, at most.
+const COST: usize = 200;
+/// The error of a rational number, which has none.
+const NONE: isize = isize::MIN / 4;
+
+/// That of a quotient by what may be zero.
+const UNKNOWN: isize = 1 << 15;
+
+/// A value, and the power of two by which it is off at most.
+struct Ball {
+    value: RBig,
+    error: isize,
+}
+
+impl Ball {
+    fn rounded(value: &RBig, error: isize, bits: usize) -> Self {
+        let value = value
+            .to_float::<dashu_float::round::mode::HalfEven, 2>(bits)
+            .value();
+        let value = RBig::try_from(value).unwrap_or(RBig::ZERO);
+        let error = error.max(size(&value) - bits.cast_signed() + 1) + 1;
+        Self { value, error }
+    }
+
+    /// Of a function that is right to the last bit or two.
+    fn of_float(value: Float, error: isize, bits: usize) -> Option<Self> {
+        let value = RBig::try_from(value).ok()?;
+        let error = error.max(size(&value) - bits.cast_signed() + 1) + 1;
+        Some(Self { value, error })
+    }
+
+    fn sum(a: &Self, b: &Self) -> Self {
+        Self {
+            value: &a.value + &b.value,
+            error: a.error.max(b.error) + 1,
+        }
+    }
+
+    fn product(a: &Self, b: &Self) -> Self {
+        let of_a = a.error + size(&b.value) + 1;
+        let of_b = b.error + size(&a.value) + 1;
+        Self {
+            value: &a.value * &b.value,
+            error: of_a.max(of_b).max(a.error + b.error) + 2,
+        }
+    }
+
+    /// `None` unless the divisor is certainly not zero.
+    fn quotient(a: &Self, b: &Self) -> Option<Self> {
+        if b.bits() < 3 {
+            return None;
+        }
+        let (value, least) = (&a.value / &b.value, size(&b.value) - 2);
+        let error = a.error.max(size(&value) + 1 + b.error) + 1 - least;
+        Some(Self { value, error })
+    }
+
+    /// Bits of the value that are right.
+    fn bits(&self) -> isize {
+        if self.value.is_zero() {
+            isize::MIN
+        } else {
+            size(&self.value) - self.error
+        }
+    }
+
+    fn may_be_zero(&self) -> bool {
+        self.bits() < 3
+    }
+
+    /// The value of a function, by its slope.
+    fn apply(&self, function: Function, bits: usize) -> Option<Self> {
+        let x = self.value.to_float(bits).value();
+        let is_near = self.bits() > 3;
+        let (value, error) = match function {
+            Function::Sin => (x.sin(), self.error),
+            Function::Cos => (x.cos(), self.error),
+            Function::Atan => (x.atan(), self.error),
+            Function::Exp => {
+                let value = (self.error < 0).then(|| x.exp())?;
+                let slope = size(&RBig::try_from(value.clone()).ok()?) + 1;
+                (value, self.error + slope + 1)
+            }
+            Function::Ln => {
+                let value = (is_near && self.value > RBig::ZERO).then(|| x.ln())?;
+                (value, self.error - size(&self.value) + 3)
+            }
+            Function::Sqrt => {
+                let value = (is_near && self.value > RBig::ZERO).then(|| x.sqrt())?;
+                (value, self.error - size(&self.value).div_euclid(2) + 2)
+            }
+            Function::Cbrt => {
+                let value = is_near.then(|| x.nth_root(3))?;
+                (value, self.error - 2 * size(&self.value).div_euclid(3) + 2)
+            }
+            _ => return None,
+        };
+        Self::of_float(value, error, bits)
+    }
+}
+
+impl Term {
+    fn cost(&self) -> usize {
+        match self {
+            Self::Pi | Self::Kept => 0,
+            Self::Sum(a, b) | Self::Product(a, b) | Self::Quotient(a, b) => 1 + a.cost() + b.cost(),
+            Self::Value(_, a) => 1 + a.cost(),
+        }
+    }
+
+    /// With so many bits of what it is computed from.
+    fn ball(&self, bits: usize) -> Option<Ball> {
+        let exact = match self {
+            Self::Pi => return Ball::of_float(Float::pi(bits), NONE, bits),
+            Self::Sum(a, b) => Ball::sum(&a.ball(bits)?, &b.ball(bits)?),
+            Self::Product(a, b) => Ball::product(&a.ball(bits)?, &b.ball(bits)?),
+            Self::Quotient(a, b) => Ball::quotient(&a.ball(bits)?, &b.ball(bits)?)?,
+            Self::Value(function, a) => return a.ball(bits)?.apply(*function, bits),
+            Self::Kept => return None,
+        };
+        Some(Ball::rounded(&exact.value, exact.error, bits))
+    }
+}
+
+impl Number {
+    pub fn pi() -> Self {
+        let residue = Residue::stand_in(&"pi");
+        Self::settled(Term::Pi.ball(PRECISION), residue, Term::Pi).unwrap_or_else(Self::zero)
+    }
+
+    /// A value that is right to so many bits, of which nothing else is known.
+    pub(super) fn measured(value: Float, bits: usize) -> Self {
+        let ball = Ball::of_float(value, NONE, bits);
+        let residue = ball
+            .as_ref()
+            .map_or(Residue::ZERO, |ball| Residue::stand_in(&ball.value));
+        Self::settled(ball, residue, Term::Kept).unwrap_or_else(Self::zero)
+    }
+
+    /// The value of one of the functions that others are made of.
+    pub(super) fn value_of(function: Function, x: &Self, residue: Option<Residue>) -> Option<Self> {
+        let residue = residue.unwrap_or_else(|| Residue::stand_in(&(function, x.residue())));
+        let term = Term::Value(function, x.clone());
+        Self::settled(term.ball(PRECISION), residue, term)
+    }
+
+    /// What a function was applied to.
+    pub(super) fn argument(&self, of: Function) -> Option<&Self> {
+        match &self.known()?.term {
+            Term::Value(function, argument) if *function == of => Some(argument),
+            _ => None,
+        }
+    }
+
+    pub(super) fn sum(a: Self, b: Self) -> Self {
+        let near = Ball::sum(&a.stored(), &b.stored());
+        let residue = a.residue() + b.residue();
+        Self::settled_or(near, residue, Term::Sum(a, b))
+    }
+
+    pub(super) fn product(a: Self, b: Self) -> Self {
+        if a.is_zero() || b.is_zero() {
+            return Self::zero();
+        }
+        if let (Some(x), Some(y)) = (a.argument(Function::Sqrt), b.argument(Function::Sqrt))
+            && x == y
+        {
+            return x.clone();
+        }
+        let near = Ball::product(&a.stored(), &b.stored());
+        let residue = a.residue() * b.residue();
+        Self::settled_or(near, residue, Term::Product(a, b))
+    }
+
+    pub(super) fn quotient(a: Self, b: Self) -> Self {
+        if a.is_zero() {
+            return a;
+        }
+        let near = Ball::quotient(&a.stored(), &b.stored());
+        let near = near.unwrap_or_else(|| Ball {
+            value: &a.value / &b.value,
+            error: UNKNOWN,
+        });
+        let residue = match b.residue().reciprocal() {
+            Some(reciprocal) => a.residue() * reciprocal,
+            None => Residue::stand_in(&near.value),
+        };
+        Self::settled_or(near, residue, Term::Quotient(a, b))
+    }
+
+    fn settled_or(near: Ball, residue: Residue, term: Term) -> Self {
+        let value = near.value.clone();
+        Self::settled(Some(near), residue, term).unwrap_or_else(|| Self::from(value))
+    }
+
+    /// A number near to a value: zero, or another rational, if that is proved; else with digits that
+    /// are right, if they can be had. `None` without a value.
+    fn settled(mut near: Option<Ball>, mut residue: Residue, term: Term) -> Option<Self> {
+        if let Some(ball) = &near
+            && residue == Residue::ZERO
+        {
+            if ball.may_be_zero() {
+                return Some(Self::zero());
+            }
+            residue = Residue::stand_in(&ball.value);
+        }
+        for bits in MORE {
+            if near.as_ref().is_some_and(|ball| ball.bits() >= ENOUGH) {
+                break;
+            }
+            near = term.ball(bits).or(near);
+        }
+        let mut ball = near?;
+        if ball.bits() >= ENOUGH
+            && let Some(rational) = residue.to_number()
+            && (Ball {
+                value: &ball.value - &rational.value,
+                ..ball
+            })
+            .may_be_zero()
+        {
+            return Some(rational);
+        }
+        if ball.may_be_zero() {
+            // nobody knows, and it may be as large as this
+            ball.value = power_of_two(ball.error);
+        }
+        Some(Self::known_by(ball, residue, term).condensed())
+    }
+
+    fn known_by(ball: Ball, residue: Residue, term: Term) -> Self {
+        let Ball { value, error } = ball;
+        let cost = term.cost();
+        let term = if cost > COST { Term::Kept } else { term };
+        let known = Irrational {
+            residue,
+            error,
+            cost: if cost > COST { 0 } else { cost },
+            term,
+        };
+        Self {
+            value,
+            kind: Kind::Irrational(Rc::new(known)),
+        }
+    }
+
+    /// The same with fewer digits.
+    pub(super) fn near(self, bits: usize) -> Self {
+        let ball = Ball::rounded(&self.value, self.error(), bits);
+        match &self.kind {
+            Kind::Rational => Self::known_by(ball, self.residue(), Term::Kept),
+            Kind::Irrational(known) => Self::known_by(ball, known.residue, known.term.clone()),
+        }
+    }
+
+    /// Whether it cannot be told from zero, nor proved to be zero.
+    pub fn is_undecided(&self) -> bool {
+        self.known().is_some() && self.stored().may_be_zero()
+    }
+
+    /// Whether irrational numbers are proved to be equal.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        let difference = || Ball {
+            value: &self.value - &other.value,
+            error: self.error().max(other.error()) + 1,
+        };
+        self.residue() == other.residue() && difference().may_be_zero()
+    }
+
+    /// Of different numbers; if nobody knows the sign of their difference, some order.
+    pub(super) fn cmp_irrational(&self, other: &Self) -> Ordering {
+        let difference = self.clone() - other.clone();
+        let residues = || self.residue().cmp(&other.residue());
+        if difference.is_undecided() {
+            return self.value.cmp(&other.value).then_with(residues);
+        }
+        difference.value.cmp(&RBig::ZERO)
+    }
+
+    fn known(&self) -> Option<&Irrational> {
+        match &self.kind {
+            Kind::Irrational(known) => Some(known),
+            Kind::Rational => None,
+        }
+    }
+
+    /// Modulo the prime of the test for zeros; equal numbers have equal residues.
+    pub fn residue(&self) -> Residue {
+        match self.known() {
+            Some(known) => known.residue,
+            None => Residue::rational(self).unwrap_or_else(|| Residue::stand_in(&self.value)),
+        }
+    }
+
+    fn error(&self) -> isize {
+        self.known().map_or(NONE, |known| known.error)
+    }
+
+    fn cost(&self) -> usize {
+        self.known().map_or(0, |known| known.cost)
+    }
+
+    fn stored(&self) -> Ball {
+        Ball {
+            value: self.value.clone(),
+            error: self.error(),
+        }
+    }
+
+    fn ball(&self, bits: usize) -> Option<Ball> {
+        match self.known() {
+            Some(known) if self.stored().bits() < bits.cast_signed() => known.term.ball(bits),
+            _ => Some(Ball::rounded(&self.value, self.error(), bits)),
+        }
+    }
+}
+
+/// The residue of the root of a positive rational number. What its primes are is looked for among
+/// small ones; of the rest nothing is known but that it is the same for equal numbers.
+pub(super) fn root_residue(of: &Number) -> Option<Residue> {
+    let (above, below) = (of.value.numerator(), of.value.denominator());
+    let mut rest = u128::try_from(above * IBig::from(below.clone())).ok()?;
+    let mut residue = Residue::rational(&Number::from(RBig::from(below.clone())))?.reciprocal()?;
+    let mut times = |prime: u128, power: u32| {
+        let prime = Residue::real(prime);
+        for _ in 0..power / 2 {
+            residue = residue * prime;
+        }
+        if power % 2 == 1 {
+            residue = residue * prime.root()?;
+        }
+        Some(())
+    };
+    for divisor in core::iter::once(2).chain((3..1 << 16).step_by(2)) {
+        let mut power = 0;
+        while rest % divisor == 0 {
+            (rest, power) = (rest / divisor, power + 1);
+        }
+        times(divisor, power)?;
+        if divisor * divisor > rest {
+            break;
+        }
+    }
+    match rest {
+        1 => {}
+        prime if prime < 1 << 32 => times(prime, 1)?,
+        _ => residue = residue * Residue::stand_in(&(Function::Sqrt, rest)),
+    }
+    Some(residue)
+}
+
+/// The exponent of two, to one.
+fn size(value: &RBig) -> isize {
+    value.numerator().bit_len().cast_signed() - value.denominator().bit_len().cast_signed()
+}
+
+fn power_of_two(exponent: isize) -> RBig {
+    let power = RBig::from(UBig::ONE << exponent.unsigned_abs().min(1 << 16));
+    if exponent < 0 {
+        RBig::ONE / power
+    } else {
+        power
+    }
+}

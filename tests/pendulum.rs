@@ -133,15 +133,88 @@ fn the_separatrix() {
     assert_eq!(rising.at(1e4).angular_velocity, 0.0);
 }
 
+/// Released at rest next to upright, it falls the way it leans: it hangs after `K = ln(4/k')`, `k' = sin(φ/2)`, as far before as
+/// after. The doubles next to upright lean too, and the sine says how.
+#[test]
+fn released_next_to_upright() {
+    for hanging in [0.0, PI, -FRAC_PI_2] {
+        for turns in [0.0, 1.0, -1.0, 7.0] {
+            for tilt in [1e-4, 1e-7, -1e-9, 1e-12, -1e-14, 1e-15, 4e-16, 0.0] {
+                let angle = hanging + PI + TAU * turns + tilt;
+                // of upright and a tilt, sine and cosine are those of the tilt, with a sign
+                let leans = if hanging == -FRAC_PI_2 {
+                    -f64::cos(angle)
+                } else {
+                    -f64::sin(angle) * f64::cos(hanging)
+                };
+                let leans = leans.asin();
+                let start = Hinge {
+                    angle,
+                    angular_velocity: 0.0,
+                };
+                if leans == 0.0 {
+                    assert_eq!(Pendulum::new(1.0, hanging, &start).at(1e9), start);
+                    continue;
+                }
+                let fall = f64::ln(4.0 / f64::sin(0.5 * leans.abs()));
+                for time in [fall, -fall] {
+                    let end = Pendulum::new(1.0, hanging, &start).at(time);
+                    let fallen = end.angle - (angle - leans);
+                    let error = fallen - f64::copysign(PI, leans);
+                    let case = format!("{hanging} {turns} {leans:e}: {fallen}");
+                    // of the end, and of the tilt in twice the precision
+                    let ulps = angle.abs() * (4.0 * f64::EPSILON + 8e-31 / leans.abs());
+                    assert!(error.abs() < 3e-14 + 8.0 * leans * leans + ulps, "{case}");
+                    let speed = f64::copysign(2.0, leans * time);
+                    assert!(
+                        (end.angular_velocity - speed).abs() < leans * leans + 2e-15,
+                        "{case}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// An angle from upright has all digits of any tilt: `φ cosh(Ω t)` while it is small.
+#[test]
+fn tilts_from_upright_keep_their_digits() {
+    for tilt in [1e-9, -3e-16, 1e-20, 5e-29] {
+        let start = Hinge {
+            angle: tilt,
+            angular_velocity: 0.0,
+        };
+        for time in [-8.0, -1.0, 0.0, 0.5, 9.0] {
+            let end = Pendulum::new(1.0, PI, &start).at(time);
+            let expected = tilt * f64::cosh(time);
+            let bound = 4e-15 + end.angle * end.angle;
+            assert!(
+                (end.angle / expected - 1.0).abs() < bound,
+                "{tilt:e} {time}: {:e}",
+                end.angle
+            );
+            let again = Pendulum::new(1.0, PI, &end).at(-time);
+            let size = f64::cosh(2.0 * time);
+            assert!(
+                (again.angle / tilt - 1.0).abs() < 4e-15 * size,
+                "{tilt:e} {time}"
+            );
+        }
+    }
+}
+
 #[test]
 fn at_rest_and_without_weight() {
-    let hanging = Hinge {
-        angle: 0.5 + 2.0 * TAU,
-        angular_velocity: 0.0,
-    };
-    let end = Pendulum::new(3.0, 0.5, &hanging).at(1e6);
-    assert!((end.angle - hanging.angle).abs() < 4e-15);
-    assert_eq!(end.angular_velocity, 0.0);
+    for turns in [0.0, 2.0] {
+        let hanging = Hinge {
+            angle: 0.5 + turns * TAU,
+            angular_velocity: 0.0,
+        };
+        let end = Pendulum::new(3.0, 0.5, &hanging).at(1e6);
+        assert!((end.angle - hanging.angle).abs() < 4e-15);
+        // two turns in doubles are 5e-16 off
+        assert!(end.angular_velocity.abs() <= 3.0 * 5e-16 * turns);
+    }
     for angular_velocity in [2.0, -1e-3, 0.0] {
         let start = Hinge {
             angle: 0.3,

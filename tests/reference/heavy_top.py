@@ -1,6 +1,6 @@
 """Writes heavy_top.json: end states of symmetric bodies under the moment k Gamma x e_3, Gamma = R(q)^T e_z.
 
-By Taylor series of order 50 in 50-digit arithmetic; the inputs are doubles, the attitude is made unit exactly. What the step leaves of
+With "axis" and "up", e_3 is along that vector of the body and e_z along that vector of the world. By Taylor series of order 50 in 50-digit arithmetic; the inputs are doubles, the attitude is made unit exactly. What the step leaves of
 energy and of the vertical angular momentum is checked.   pip install mpmath gmpy2; python3 heavy_top.py > heavy_top.json
 """
 
@@ -54,7 +54,38 @@ def conserved(a, p, q, w):
     return w[0] ** 2 / 2 + w[1] ** 2 / 2 + a * g[2], w[0] * g[0] + w[1] * g[1] + p * g[2]
 
 
+def times(p, q):
+    a, b, c, d = p
+    w, x, y, z = q
+    return [a * w - b * x - c * y - d * z, a * x + b * w + c * z - d * y,
+            a * y - b * z + c * w + d * x, a * z + b * y - c * x + d * w]
+
+
+def conjugate(q):
+    return [q[0], -q[1], -q[2], -q[3]]
+
+
+def to_third(vector):
+    """A rotation of a vector, not opposite to the third axis, to it."""
+    x, y, z = (mpf(part) for part in vector)
+    length = sqrt(x * x + y * y + z * z)
+    above = length + z
+    root = sqrt(2 * length * above)
+    return [above / root, y / root, -x / root, mpf(0)]
+
+
+def turned(q, vector):
+    return times(times(q, [mpf(0), *vector]), conjugate(q))[1:]
+
+
 def end(case):
+    if "axis" in case:
+        world, body = to_third(case["up"]), to_third(case["axis"])
+        q = times(times(world, [mpf(x) for x in case["attitude"]]), conjugate(body))
+        w = turned(body, [mpf(x) for x in case["angular_velocity"]])
+        plain = {name: case[name] for name in ("moments", "couple", "time")}
+        q, w = end({**plain, "attitude": q, "angular_velocity": w})
+        return times(times(conjugate(world), q), body), turned(conjugate(body), w)
     across, along = (mpf(x) for x in case["moments"])
     a, e, p = mpf(case["couple"]) / across, (across - along) / across, along / across
     q = [mpf(x) for x in case["attitude"]]
@@ -151,6 +182,22 @@ def cases():
             along = p * (pole - u) / math.sin(angle)
             yield case("past the vertical", [1.0, 0.5], 0.7, [math.cos(angle / 2), 0.0, math.sin(angle / 2), 0.0],
                        [-along * (1 + off), 3.0, 2 * p], 7.0)
+    # released next to the vertical, at rest and spinning
+    for tilt in (1e-5, 6e-9, 1e-9, 1e-12, 1e-15, 1e-20):
+        for spin, heading in ((0.0, 0.7), (0.0, -2.5), (1e-9, 0.7), (0.3, 2.0), (-2.5, 0.1)):
+            fall = 0.7 * math.log(1 / max(tilt, 1e-15)) + 2
+            yield case("released next to upright", [1.0, 0.5], 1.25, tilted(tilt, heading=heading), [0.0, 0.0, spin],
+                       -fall if heading < 0 else fall)
+        yield case("released next to hanging", [1.0, 0.5], 1.25,
+                   [math.sin(tilt / 2), math.cos(tilt / 2), 0.0, 0.0], [0.0, 0.0, 1e-3], 9.0)
+    # of any axes: the tilt is what these doubles leave
+    for axis, up in (([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]), ([0.0, 1.0, 0.0], [0.0, -1.0, 0.0]),
+                     ([2 / 3, -1 / 3, 2 / 3], [3.0, 4.0, 12.0])):
+        for tilt in (1e-6, 1e-10, 1e-13, 1e-15):
+            upright = times(times(conjugate(to_third(up)), [mpf(x) for x in tilted(tilt)]), to_third(axis))
+            length = math.hypot(*up)
+            yield {**case("released next to upright", [length, 0.5], 1.25 * length, [float(x) for x in upright],
+                          [0.0, 0.0, 0.0], 0.9 * math.log(1 / tilt) + 2), "axis": axis, "up": up}
 
 
 def written(case):
@@ -159,4 +206,5 @@ def written(case):
     return {**case, "end_attitude": [decimal(x) for x in q], "end_angular_velocity": [decimal(x) for x in w]}
 
 
-print("[\n" + ",\n".join(json.dumps(written(case)) for case in cases()) + "\n]")
+if __name__ == "__main__":
+    print("[\n" + ",\n".join(json.dumps(written(case)) for case in cases()) + "\n]")

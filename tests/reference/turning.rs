@@ -1,6 +1,6 @@
 //! Bodies that turn in space, from a start to an end that is known: how far off an end is, and how far the inputs may move it.
 
-use nalgebra::{Quaternion, UnitQuaternion};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use newton_euler::state::Rotation;
 use serde_json::Value;
 
@@ -12,6 +12,8 @@ pub struct Turning<const N: usize> {
     pub moments: [f64; N],
     /// What turns it, if anything does: a torque, a couple.
     pub drive: f64,
+    /// The axis of symmetry in the body, and the direction of the couple in the world.
+    pub axes: [Vector3<f64>; 2],
     pub start: Rotation,
     pub time: f64,
     pub end: Rotation,
@@ -38,6 +40,7 @@ fn read<const N: usize>(text: &str, drive: Option<&str>) -> Vec<Turning<N>> {
         name: case.to_string(),
         moments: numbers(&case["moments"]),
         drive: drive.map_or(0.0, |name| number(&case[name])),
+        axes: ["axis", "up"].map(|name| case.get(name).map_or(Vector3::z(), vector)),
         start: Rotation {
             attitude: attitude(&case["attitude"]),
             angular_velocity: vector(&case["angular_velocity"]),

@@ -134,6 +134,10 @@ impl Jacobi {
         let square = (1.0 - complement) * (1.0 + complement);
         let (sines, cosines, rest) = (a.sn * b.sn, a.cn * b.cn, a.dn * b.dn);
         let scale = a.cn * a.cn + (a.sn * b.dn) * (a.sn * b.dn); // 1 - k² sn² sn²
+        if scale == 0.0 {
+            // for k = 1, an endless argument: nothing is far from there
+            return a;
+        }
         let sn = (a.sn * b.cn * b.dn + b.sn * a.cn * a.dn) / scale;
         let cn = if sines > 0.5 {
             let [near, far] = [a.cn * b.dn, complement * b.sn.abs()];

@@ -12,9 +12,11 @@ use crate::state::Rotation;
 use crate::twofold::Twofold;
 
 mod parameter;
+mod turn;
 mod turning_points;
 
 use parameter::{Given, Parameter};
+use turn::Turn;
 use turning_points::{Start, TurningPoints};
 
 /// A body that is symmetric about an axis, under a couple `k × e`: k is constant in the world, e is the unit vector along the axis.
@@ -27,7 +29,8 @@ use turning_points::{Start, TurningPoints};
 /// A. Sommerfeld, Über die Theorie des Kreisels (1897), chapter VI; E. T. Whittaker, Analytical Dynamics, §§ 71 to 74.
 ///
 /// Errors are those of rounding for each radian turned, also where it nearly precesses steadily, sleeps, or falls along the
-/// separatrix; the sign of the quaternion is continuous in time.
+/// separatrix; the sign of the quaternion is continuous in time. A top at rest falls the way it leans, whatever is left of an
+/// attitude as its tilt: down to 1e-70, below which it stays where it is.
 ///
 /// ```
 /// use newton_euler::exact::{LagrangeTop, Path};
@@ -108,6 +111,9 @@ impl Path for LagrangeTop {
     }
 }
 
+/// Tilts, and velocities in their unit, of which the fourth powers do not underflow.
+const LEAST: f64 = 1e-70;
+
 /// The motion of a top that is not at rest on the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Nutation {
@@ -134,22 +140,24 @@ impl Nutation {
         couple: &Vector3<f64>,
         state: &Rotation,
     ) -> Option<Self> {
-        let (size, up) = scale::direction(couple);
-        let [world, body] = [onto_third(&up).conjugate(), onto_third(&axis)];
-        let attitude = world.conjugate() * state.attitude.quaternion() * body.conjugate();
+        let [world, body] = [couple, &axis].map(Turn::to_third_axis);
+        let attitude = world * Turn::from(state.attitude.quaternion()) * body.conjugate();
+        let attitude = attitude.value();
         let alpha = Complex::new(attitude.w, attitude.k);
         let beta = Complex::new(attitude.i, attitude.j);
 
         // all rates carry one power of two
         let rates = state.angular_velocity;
+        let (size, _) = scale::direction(couple);
         let couple = size / Twofold::from(across);
         let exponent = scale::exponent(f64::max(rates.amax(), math::sqrt(couple.value())));
         let couple = couple.scaled(-2 * exponent);
         let rates = scale::scaled(&rates, -exponent);
         let axial = axis.dot(&rates);
-        let turned = rotated(&body, &(rates - axis * axial));
+        let turned = body.apply(&rates);
         let omega = Complex::new(turned.x, turned.y);
-        if omega == Complex::default() && [alpha, beta].contains(&Complex::default()) {
+        let is_least = |part: Complex<f64>| f64::max(part.re.abs(), part.im.abs()) < LEAST;
+        if is_least(omega) && (is_least(alpha) || is_least(beta)) {
             return None;
         }
 
@@ -214,8 +222,8 @@ impl Nutation {
             ),
         ];
         Some(Self {
-            world,
-            body,
+            world: world.conjugate().value(),
+            body: body.value(),
             phase: phase.faster(exponent),
             parameters,
             double_rate: libm::scalbn(double_rate, exponent),
@@ -278,16 +286,6 @@ fn start(
         rise: gamma_x * y - gamma_y * x,
         square: square(omega),
     }
-}
-
-/// A rotation of a unit vector to the third axis.
-fn onto_third(unit: &Vector3<f64>) -> Quaternion<f64> {
-    if unit.z >= 0.0 {
-        return attitude::to_third_axis(unit);
-    }
-    // half a turn about the first axis before
-    let turned = Vector3::new(unit.x, -unit.y, -unit.z);
-    attitude::to_third_axis(&turned) * Quaternion::new(0.0, 1.0, 0.0, 0.0)
 }
 
 /// A vector, turned by a unit quaternion.

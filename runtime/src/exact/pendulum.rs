@@ -1,6 +1,6 @@
 //! The plane pendulum.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::Path;
 use super::jacobi::{Elliptic, Jacobi};
@@ -8,6 +8,15 @@ use super::phase::Phase;
 use crate::private::math;
 use crate::state::Hinge;
 use crate::twofold::Twofold;
+
+/// π/2 less the double next to it.
+const QUARTER_REST: f64 = 6.123_233_995_736_766e-17;
+
+/// As cosine of half the angle: next to upright, tilts are told from there, and keep their digits.
+const NEAR: f64 = 1e-5;
+
+/// As such a cosine: squares of what is larger do not underflow.
+const LEAST: f64 = 1e-150;
 
 /// A body that turns about a fixed axis under its weight: `θ'' = -Ω² sin(θ - θ₀)`, at any amplitude.
 ///
@@ -18,7 +27,9 @@ use crate::twofold::Twofold;
 /// goes round    φ/2 = am(k Ω t + u₀, 1/k)         φ' = 2 k Ω dn        k² = sin²(φ/2) + φ'²/4Ω²
 /// ```
 ///
-/// k' is written as a product, and keeps its digits near the separatrix between the two. The angle is not wrapped.
+/// k' is written as a product, and keeps its digits near the separatrix between the two. The angle is not wrapped. Next to upright
+/// its digits are those of the tilt that it leaves; below 1e-150, at rest, it stays upright. A θ₀ that is the double next to a quarter
+/// turn, or to several, is taken for these.
 ///
 /// ```
 /// use newton_euler::exact::{Path, Pendulum};
@@ -30,8 +41,10 @@ use crate::twofold::Twofold;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pendulum {
-    /// θ₀ and what was wrapped.
-    center: Twofold,
+    /// θ₀
+    hanging: Twofold,
+    /// How often half a turn was taken off.
+    wrapped: f64,
     /// `k Ω` \[rad/s\]
     rate: f64,
     course: Course,
@@ -50,11 +63,27 @@ impl Pendulum {
     /// From the rate Ω of small oscillations \[rad/s\], the angle θ₀ at which it hangs at rest, and the state at time zero.
     #[must_use]
     pub fn new(rate: f64, hanging: f64, state: &Hinge) -> Self {
-        let turns = math::floor((state.angle - hanging) / TAU + 0.5);
-        let center = Twofold::from(hanging) + Twofold::product(TAU, turns);
-        let from_hanging = (Twofold::from(state.angle) - center).value();
-        let (sine, cosine) = math::sin_cos(0.5 * from_hanging);
-        let [height, speed] = [rate * cosine, 0.5 * state.angular_velocity];
+        let mut wrapped = 2.0 * math::floor((state.angle - hanging) / TAU + 0.5);
+        let hanging = exact(hanging);
+        let half_from = |wrapped: f64| {
+            let angle = Twofold::from(state.angle) - (hanging + half_turns(wrapped));
+            angle.scaled(-1).sin_cos()
+        };
+        let (mut sine, mut cosine) = half_from(wrapped);
+        if cosine < NEAR {
+            // from upright; turns may have been rounded to the other side of it
+            let side = f64::copysign(1.0, sine);
+            let (tilt, upright) = half_from(wrapped + side);
+            (sine, cosine) = (side * upright, -side * tilt);
+            if cosine < 0.0 {
+                wrapped += 2.0 * side;
+                (sine, cosine) = (-sine, -cosine);
+            }
+        }
+        let [mut height, mut speed] = [rate * cosine, 0.5 * state.angular_velocity];
+        if f64::max(height, speed.abs()) < rate * LEAST {
+            [cosine, height, speed] = [0.0; 3];
+        }
         let total = math::hypot(rate * sine, speed); // k Ω
         let apart = math::sqrt((height - speed.abs()).abs()) * math::sqrt(height + speed.abs());
         let over = |part: f64, whole: f64, rest: f64| if whole > 0.0 { part / whole } else { rest };
@@ -81,7 +110,8 @@ impl Pendulum {
             (Course::GoesRound(direction), phase)
         };
         Self {
-            center,
+            hanging,
+            wrapped,
             rate: total,
             course,
             phase,
@@ -110,23 +140,49 @@ impl Pendulum {
     }
 }
 
+/// A number of half turns \[rad\].
+fn half_turns(number: f64) -> Twofold {
+    Twofold::product(PI, number) + Twofold::from(2.0 * QUARTER_REST * number)
+}
+
+/// An angle, of which the doubles next to quarter turns are these.
+#[expect(clippy::float_cmp, reason = "one double stands for a quarter turn")]
+fn exact(angle: f64) -> Twofold {
+    let quarters = math::floor(angle / FRAC_PI_2 + 0.5);
+    if angle == quarters * FRAC_PI_2 {
+        Twofold::product(FRAC_PI_2, quarters) + Twofold::from(QUARTER_REST * quarters)
+    } else {
+        Twofold::from(angle)
+    }
+}
+
 impl Path for Pendulum {
     type State = Hinge;
 
     fn at(&self, time: f64) -> Hinge {
         let reading = self.phase.at(time);
-        let (turned, speed) = match self.course {
+        // φ as it comes, the sine and cosine of half of it, up to a common sign
+        let (turned, [sine, cosine], speed) = match self.course {
             Course::Swings(modulus) => {
                 let Elliptic { sn, cn, dn } = reading.elliptic();
-                (Twofold::from(2.0 * math::atan2(modulus * sn, dn)), cn)
+                let sine = modulus * sn;
+                (2.0 * math::atan2(sine, dn), [sine, dn], cn)
             }
             Course::GoesRound(direction) => {
-                let turned = Twofold::from(2.0 * direction * reading.amplitude());
-                (turned, direction * reading.sum.dn)
+                let Elliptic { sn, cn, dn } = reading.sum;
+                let turned = 2.0 * direction * reading.amplitude();
+                (turned, [direction * sn, cn], direction * dn)
             }
         };
+        let (wrapped, turned) = if cosine.abs() < NEAR {
+            let upright = math::floor(turned / PI + 0.5);
+            (self.wrapped + upright, -2.0 * math::atan(cosine / sine))
+        } else {
+            (self.wrapped, turned)
+        };
+        let center = self.hanging + half_turns(wrapped);
         Hinge {
-            angle: (self.center + turned).value(),
+            angle: (center + Twofold::from(turned)).value(),
             angular_velocity: 2.0 * self.rate * speed,
         }
     }

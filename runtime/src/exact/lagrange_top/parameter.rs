@@ -87,7 +87,9 @@ impl Parameter {
             math::sqrt(0.5 * first),
             direction * math::sqrt(0.5 * second * (third / span)),
         ];
-        let is_modulus = apart * span < twice * first * first;
+        // |n| < |κ|, by 1 + n and 1 + κ: near -1 these have the digits
+        let [of_first, of_second] = [second * span, third * first];
+        let is_modulus = sign * of_first < sign * of_second;
         let [parameter, above, amplitude] = if is_modulus {
             let n = sign * apart / first;
             [n, second / first, -n * sizes[1] / sizes[0]]

@@ -18,8 +18,33 @@ pub struct Draw {
 
 /// The same body for the same seed and index, in every build.
 pub fn body(seed: u64, index: usize) -> Body {
+    let mut draw = Draw::new(seed, index);
+    draw.scales();
+    draw.motion();
+    draw.params_and_inputs();
+    draw.points();
+    draw.mass_and_inertia();
+    draw.locals();
+    draw.loads();
+    draw.pole();
+    draw.body
+}
+
+/// A body with few loads, of which claims are made.
+pub fn sparse_body(seed: u64, index: usize) -> Body {
+    let mut draw = Draw::new(seed, index);
+    draw.motion();
+    draw.params_and_inputs();
+    draw.points();
+    draw.mass_and_inertia();
+    draw.sparse_loads();
+    draw.body
+}
+
+impl Draw {
+    fn new(seed: u64, index: usize) -> Self {
     let index_seed = seed.wrapping_mul(1_000_003).wrapping_add(index as u64);
-    let mut draw = Draw {
+    Draw {
         random: Rng::with_seed(index_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)),
         body: Body {
             name: format!("Body{index}"),
@@ -35,19 +60,9 @@ pub fn body(seed: u64, index: usize) -> Body {
         },
         strength: 0,
         length: 0,
-    };
-    draw.scales();
-    draw.motion();
-    draw.params_and_inputs();
-    draw.points();
-    draw.mass_and_inertia();
-    draw.locals();
-    draw.loads();
-    draw.pole();
-    draw.body
-}
+    }
+    }
 
-impl Draw {
     pub fn chance(&mut self, probability: f64) -> bool {
         self.random.f64() < probability
     }

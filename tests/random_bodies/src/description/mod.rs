@@ -3,6 +3,7 @@
 pub mod body;
 pub mod draw;
 pub mod expression;
+pub mod gates;
 pub mod inertia;
 pub mod literal;
 pub mod loads;

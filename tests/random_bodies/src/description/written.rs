@@ -7,8 +7,24 @@ use super::body::{
 };
 use super::expression::{Axes, Place, Scalar};
 
-/// The whole invocation.
+/// The whole invocation, with all outputs that are not of a closed form.
 pub fn description(body: &Body) -> String {
+    let of_reactions = |reactions: bool| {
+        let open = |load: &Load| load.is_open() && (load.key == Key::Reactions) == reactions;
+        body.loads.iter().any(open)
+    };
+    let mut outputs = vec!["energy", "momentum", "balance"];
+    if of_reactions(true) {
+        outputs.push("reactions");
+    }
+    if of_reactions(false) {
+        outputs.push("inverse");
+    }
+    format!("newton_euler::rigid_body!({});", described(body, &outputs))
+}
+
+/// What is described, with these outputs.
+pub fn described(body: &Body, outputs: &[&str]) -> String {
     let write = Writer { body };
     let mut keys = vec![format!("motion: {}", write.motion())];
     let list = |entries: Vec<String>| format!("[{}]", entries.join(", "));
@@ -65,27 +81,9 @@ pub fn description(body: &Body) -> String {
             keys.push(format!("{word}: {}", list(entries)));
         }
     }
-    let mut outputs = vec!["energy", "momentum", "balance"];
-    if body
-        .loads
-        .iter()
-        .any(|load| load.is_open() && load.key == Key::Reactions)
-    {
-        outputs.push("reactions");
-    }
-    if body
-        .loads
-        .iter()
-        .any(|load| load.is_open() && load.key != Key::Reactions)
-    {
-        outputs.push("inverse");
-    }
     keys.push(format!("outputs: [{}]", outputs.join(", ")));
     let keys = keys.join(",\n    ");
-    format!(
-        "newton_euler::rigid_body!({} {{\n    {keys},\n}});",
-        body.name
-    )
+    format!("{} {{\n    {keys},\n}}", body.name)
 }
 
 /// Loads are listed in this order.

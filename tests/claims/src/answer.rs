@@ -4,6 +4,7 @@ use crate::description::body::Body;
 use crate::given::Given;
 use crate::layout::{is_hinged, is_rod};
 use crate::oracle::Constants;
+use crate::oracle::constrained::constrained;
 use crate::oracle::law::{Motions, acceleration, inertial};
 use crate::oracle::loads::{Acting, Wrench, acting};
 use crate::oracle::scene::{Instant, Scene};
@@ -19,22 +20,65 @@ pub struct Answer {
     pub angular: Vector,
     /// About G or about the point that is held, body axes; of a rod what turns its axis, of a hinge the angular acceleration.
     pub moment: Vector,
+    /// Of the terms that the linear and the angular acceleration are sums of, whatever differences have added to the sizes of the vectors.
+    pub sizes: [f64; 2],
 }
+
+/// Beyond it the last digits of constrained accelerations are not known.
+const CONDITION: f64 = 1e4;
+/// Of what is far below every double, double doubles lose their second part.
+const LEAST: f64 = 1e-150;
 
 /// Nothing where a number is not finite, or a condition is not decided.
 pub fn answer(constants: &Constants<'_>, given: &Given, instant: &Instant) -> Option<Answer> {
+    if !constants.body.constraints.is_empty() {
+        return held(constants, given, instant);
+    }
     let scene = Scene::at(constants, given, instant);
     let driving = driving(&scene);
     let motions = acceleration(&scene, &driving);
-    let moment = moment(&scene, &motions);
+    known(&scene, &motions).filter(|_| !scene.is_near_switch())
+}
+
+fn known(scene: &Scene<'_>, motions: &Motions) -> Option<Answer> {
     let answer = Answer {
         linear: motions.linear,
         angular: motions.angular,
-        moment,
+        moment: moment(scene, motions),
+        sizes: [motions.linear.size, motions.angular.size],
     };
     let vectors = [answer.linear, answer.angular, answer.moment];
-    let is_known = vectors.iter().all(is_finite);
-    (is_known && !scene.is_near_switch()).then_some(answer)
+    let is_lost = |vector: &Vector| vector.size > 0.0 && vector.size < LEAST;
+    (vectors.iter().all(is_finite) && !vectors.iter().any(is_lost)).then_some(answer)
+}
+
+/// Under constraints: what differences may be off by is added to the sizes.
+fn held(constants: &Constants<'_>, given: &Given, instant: &Instant) -> Option<Answer> {
+    let solved = constrained(constants, given, instant)?;
+    let sizes = [solved.motions.linear.size, solved.motions.angular.size];
+    let are_known = solved.errors.iter().zip(sizes).all(|(error, size)| *error <= 1e-11 * size);
+    if solved.is_near_switch || solved.condition > CONDITION || !are_known {
+        return None;
+    }
+    let scene = Scene::at(constants, given, instant);
+    let answer = known(&scene, &solved.motions)?;
+    let widened = |vector: Vector, error: f64| Vector {
+        size: 1e8 * vector.size + 1e23 * error,
+        ..vector
+    };
+    let [linear, angular] = solved.errors;
+    Some(Answer {
+        linear: widened(answer.linear, linear),
+        angular: widened(answer.angular, angular),
+        moment: widened(answer.moment, constants.inertia.size.max(1.0) * angular),
+        ..answer
+    })
+}
+
+/// Whether constraints and unknowns determine each other at an instant, beyond doubt.
+pub fn is_determined(constants: &Constants<'_>, given: &Given, instant: &Instant) -> bool {
+    let solved = constrained(constants, given, instant);
+    solved.is_some_and(|solved| solved.condition < 1e3 && !solved.is_near_switch)
 }
 
 pub fn is_finite(vector: &Vector) -> bool {

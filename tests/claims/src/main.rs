@@ -54,6 +54,10 @@ fn main() -> ExitCode {
         seed: number("--seed", 1) as u64,
         shown: number("--shown", 20),
     };
+    if words.first().is_some_and(|word| word == "show") {
+        println!("{}", run::shown(&plan));
+        return ExitCode::SUCCESS;
+    }
     let report = run::run(&plan);
     println!("{report}");
     if report.failures == 0 {

@@ -5,7 +5,7 @@ use std::fmt;
 
 use fastrand::Rng;
 
-use crate::answer::answer;
+use crate::answer::{answer, is_determined};
 use crate::compiled::Compiled;
 use crate::description::body::{Body, Key};
 use crate::description::draw;
@@ -85,6 +85,11 @@ pub fn run(plan: &Plan) -> Report {
     report
 }
 
+/// The first description of a plan.
+pub fn shown(plan: &Plan) -> String {
+    described(&draw::sparse_body(plan.seed, plan.first), &[])
+}
+
 /// The claim without numbers.
 fn kind(claim: &str) -> String {
     claim.chars().filter(|c| !c.is_ascii_digit() && *c != '.' && *c != '-').collect()
@@ -127,14 +132,16 @@ fn tried(body: &Body, seed: u64, index: usize, has_flow: bool, mut report: Optio
                 report.refused += 1;
                 *report.refusals.entry(kind(&mistakes)).or_default() += 1;
             }
-            return None;
+            return refusal(body, seed, index, &text, &mistakes);
         }
     };
+    if let Some(failure) = order(body, &outputs, seed, index) {
+        return Some(failure);
+    }
     if let Some(report) = &mut report {
         report.count(&compiled, body);
     }
-    let random = Rng::with_seed((seed << 40 ^ index as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15));
-    let mut source = Source::new(random, &text);
+    let mut source = Source::new(random(seed, index), &text);
     let sets = if body.params.is_empty() { 1 } else { SETS };
     for _ in 0..sets {
         let params = source.params(body);
@@ -143,7 +150,9 @@ fn tried(body: &Body, seed: u64, index: usize, has_flow: bool, mut report: Optio
             continue;
         }
         let case = Case { body, compiled: &compiled, constants: &constants };
-        for _ in 0..STATES * SETS / sets {
+        // differences take their time
+        let states = if body.constraints.is_empty() { STATES * SETS } else { STATES };
+        for _ in 0..states.div_ceil(sets) {
             let sample = source.sample(body, &params);
             let Some(known) = answer(&constants, &sample.given, &sample.instant) else {
                 if let Some(report) = &mut report {
@@ -155,7 +164,7 @@ fn tried(body: &Body, seed: u64, index: usize, has_flow: bool, mut report: Optio
                 report.states += 1;
             }
             let mut refuted = Refuted::default();
-            structure::accelerations(&case, &sample, &known, &mut refuted);
+            structure::accelerations(&case, &sample, &known, &mut source, &mut refuted);
             structure::zeros(&case, &known, &mut refuted);
             structure::reads(&case, &sample, &known, &mut source, &mut refuted);
             structure::symmetries(&case, &sample, &known, &mut source, &mut refuted);
@@ -168,6 +177,52 @@ fn tried(body: &Body, seed: u64, index: usize, has_flow: bool, mut report: Optio
         }
     }
     None
+}
+
+/// What is said of constraints that determine their reactions at a state.
+const UNDETERMINED: [&str; 4] = [
+    "no acceleration changes",
+    "is kept already by",
+    "nothing determines",
+    "no unknown reaction keeps",
+];
+
+/// A refusal that a state refutes.
+fn refusal(body: &Body, seed: u64, index: usize, text: &str, mistakes: &str) -> Option<Failure> {
+    let claim = UNDETERMINED.iter().find(|words| mistakes.contains(**words))?;
+    let mut source = Source::new(random(seed, index), text);
+    for _ in 0..STATES * SETS {
+        let params = source.params(body);
+        let constants = Constants::new(body, params.clone());
+        if !is_possible(body, &constants) {
+            continue;
+        }
+        let sample = source.sample(body, &params);
+        if is_determined(&constants, &sample.given, &sample.instant) {
+            let claim = format!("refused: {claim}");
+            return Some(Failure { claim, what: mistakes.to_owned(), sample });
+        }
+    }
+    None
+}
+
+/// Whether the constraints in another order are refused.
+fn order(body: &Body, outputs: &[&str], seed: u64, index: usize) -> Option<Failure> {
+    if body.constraints.len() < 2 {
+        return None;
+    }
+    let mut other = body.clone();
+    other.constraints.rotate_left(1);
+    let text = described(&other, outputs);
+    let mistakes = Compiled::new(&text).err()?;
+    let mut source = Source::new(random(seed, index), &text);
+    let params = body.defaults();
+    let sample = source.sample(body, &params);
+    Some(Failure { claim: "refused in another order".to_owned(), what: mistakes, sample })
+}
+
+fn random(seed: u64, index: usize) -> Rng {
+    Rng::with_seed((seed << 40 ^ index as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15))
 }
 
 /// Whether parameters make a body whose mass and inertia doubles can do with.

@@ -17,6 +17,16 @@ pub fn smaller(body: &Body) -> Vec<Body> {
         less.loads.remove(index);
         all.push(less);
     }
+    for constraint in 0..body.constraints.len() {
+        for load in 0..body.loads.len() {
+            if body.loads[load].is_open() {
+                let mut less = body.clone();
+                less.constraints.remove(constraint);
+                less.loads.remove(load);
+                all.push(less);
+            }
+        }
+    }
     let mut less = body.clone();
     if !matches!(body.pole, Place::Center) {
         less.pole = Place::Center;

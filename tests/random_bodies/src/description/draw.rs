@@ -14,6 +14,8 @@ pub struct Draw {
     pub strength: i32,
     /// What points of this body are about.
     pub length: i32,
+    /// Whether nothing is to be read that is a velocity, or that changes in a way that nobody knows.
+    pub is_slow: bool,
 }
 
 /// The same body for the same seed and index, in every build.
@@ -56,10 +58,12 @@ impl Draw {
             points: Vec::new(),
             pole: Place::Center,
             locals: Vec::new(),
+            constraints: Vec::new(),
             loads: Vec::new(),
         },
         strength: 0,
         length: 0,
+        is_slow: false,
     }
     }
 

@@ -55,6 +55,13 @@ impl Draw {
         let motion = self.body.motion.clone();
         let planar = motion.is_planar();
         let axis = self.random.usize(..self.body.axes());
+        if self.is_slow {
+            return match self.random.u32(..3) {
+                0 => self.scalar_param().unwrap_or(Scalar::Time),
+                1 => Scalar::Component(Box::new(Vector::Position), Axes::World, axis),
+                _ => Scalar::Time,
+            };
+        }
         let of = |vector: Vector, axes: Axes| Scalar::Component(Box::new(vector), axes, axis);
         match self.random.u32(..10) {
             0 | 1 => Scalar::Time,
@@ -85,7 +92,7 @@ impl Draw {
     }
 
     #[allow(clippy::too_many_lines, reason = "a list")]
-    fn gate_of(&mut self, q: Scalar) -> Scalar {
+    pub fn gate_of(&mut self, q: Scalar) -> Scalar {
         let c = if self.chance(0.1) { Scalar::zero() } else { self.large() };
         let x = if self.random.bool() { q.clone() - c.clone() } else { c.clone() - q.clone() };
         let wide = self.large();
@@ -160,7 +167,8 @@ impl Draw {
 
     /// Few loads, most of them with a gate: so that claims are made that these refute.
     pub fn sparse_loads(&mut self) {
-        if self.chance(0.2) {
+        let is_constrained = self.takes_constraints() && self.chance(0.15);
+        if !is_constrained && self.chance(0.2) {
             self.reactions();
         }
         if self.chance(0.25) {
@@ -179,7 +187,9 @@ impl Draw {
             }
             self.body.loads.push(load);
         }
-        self.body.loads.sort_by_key(|load| load.key);
+        if is_constrained {
+            self.constraints();
+        }
     }
 
     fn gated_load(&mut self) -> Load {

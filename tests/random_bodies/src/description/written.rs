@@ -3,7 +3,7 @@
 mod expressions;
 
 use super::body::{
-    Body, Inertia, Input, Key, Load, Local, Motion, Param, Part, Potential, Support, What,
+    Body, Constraint, Inertia, Input, Key, Load, Local, Motion, Param, Part, Potential, Support, What,
 };
 use super::expression::{Axes, Place, Scalar};
 
@@ -70,6 +70,16 @@ pub fn described(body: &Body, outputs: &[&str]) -> String {
             format!("local_{i} = {value}")
         });
         keys.push(format!("locals: {}", list(entries.collect())));
+    }
+    if !body.constraints.is_empty() {
+        let entries = body.constraints.iter().enumerate().map(|(i, constraint)| {
+            let value = match constraint {
+                Constraint::Scalar(scalar, _) => write.scalar(scalar),
+                Constraint::Vector(vector, _) => write.vector(vector),
+            };
+            format!("constraint_{i} = {value}")
+        });
+        keys.push(format!("constraints: {}", list(entries.collect())));
     }
     for (key, word) in KEYS {
         let loads = body.loads.iter().enumerate();
@@ -219,7 +229,11 @@ impl Writer<'_> {
                 };
             }
             What::OpenForce(axes, parts, place) => {
-                return format!("{}.at({})", self.open(*axes, parts), self.place(place));
+                let force = self.open(*axes, parts);
+                return match place {
+                    Place::Center => force,
+                    _ => format!("{force}.at({})", self.place(place)),
+                };
             }
             What::Charges(field, charges) => {
                 let charges = charges.iter().map(|(charge, place)| {
@@ -231,6 +245,13 @@ impl Writer<'_> {
             What::Potential(potential) => return self.potential(potential),
             What::Moment(vector) => self.vector(vector),
             What::PlaneMoment(scalar) => self.scalar(scalar),
+            What::OpenAlong(direction, place) => {
+                let force = format!("_ * {}", self.vector_operand(direction));
+                return match place {
+                    Place::Center => force,
+                    _ => format!("({force}).at({})", self.place(place)),
+                };
+            }
             What::OpenMoment(..) if self.body.motion.is_planar() => "_".to_owned(),
             What::OpenMoment(axes, parts) => self.open(*axes, parts),
         };

@@ -5,6 +5,7 @@
 
 pub mod arithmetic;
 pub mod constants;
+pub mod constrained;
 mod expected;
 mod inertia;
 pub mod law;

@@ -50,6 +50,8 @@ pub struct Scene<'a> {
     pub axis: Vector,
     pub axis_rate: Vector,
     locals: Vec<Value>,
+    /// Of each load, if some mention them.
+    reactions: Vec<Vector>,
     near_switch: Cell<bool>,
 }
 
@@ -78,6 +80,10 @@ impl Values for Scene<'_> {
                 Value::Vector(_) => unreachable!("a scalar"),
             },
             Scalar::Time => self.time,
+            Scalar::Reaction(load, axis) => {
+                let known = self.reactions.get(*load);
+                known.map_or(Number::ZERO, |reaction| reaction.component(*axis))
+            }
             Scalar::Mass => constants.mass,
             Scalar::Angle => self.angle,
             Scalar::AngularRate => self.angular_velocity.component(2),
@@ -125,6 +131,7 @@ impl<'a> Scene<'a> {
             axis: Vector::ZERO,
             axis_rate: Vector::ZERO,
             locals: Vec::new(),
+            reactions: Vec::new(),
             near_switch: Cell::new(false),
         };
         scene.place_body(&instant.state);
@@ -136,6 +143,11 @@ impl<'a> Scene<'a> {
             scene.locals.push(value);
         }
         scene
+    }
+
+    /// With the values of the loads that others follow.
+    pub fn with_reactions(self, reactions: Vec<Vector>) -> Self {
+        Self { reactions, ..self }
     }
 
     /// Whether rounding may decide a condition in this state.

@@ -12,17 +12,17 @@
 #[path = "../../../macros/src/emit/mod.rs"]
 mod emit;
 #[path = "../../../macros/src/errors.rs"]
-mod errors;
+pub mod errors;
 #[path = "../../../macros/src/expand.rs"]
 mod expand;
 #[path = "../../../macros/src/mechanics/mod.rs"]
-mod mechanics;
+pub mod mechanics;
 #[path = "../../../macros/src/model/mod.rs"]
-mod model;
+pub mod model;
 #[path = "../../../macros/src/symbolic/mod.rs"]
-mod symbolic;
+pub mod symbolic;
 #[path = "../../../macros/src/syntax/mod.rs"]
-mod syntax;
+pub mod syntax;
 
 pub mod corpus;
 pub mod flat;

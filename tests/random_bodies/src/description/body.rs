@@ -15,6 +15,7 @@ pub struct Body {
     pub points: Vec<Point>,
     pub pole: Place,
     pub locals: Vec<Local>,
+    pub constraints: Vec<Constraint>,
     pub loads: Vec<Load>,
 }
 
@@ -61,6 +62,13 @@ pub struct Point {
 pub enum Local {
     Scalar(Scalar),
     Vector(Vector),
+}
+
+/// What is kept at zero, and whether it is of velocities.
+#[derive(Clone, Debug)]
+pub enum Constraint {
+    Scalar(Scalar, bool),
+    Vector(Vector, bool),
 }
 
 #[derive(Clone, Debug)]
@@ -129,6 +137,8 @@ pub enum What {
     /// What is `None` is unknown.
     OpenForce(Axes, [Option<Scalar>; 3], Place),
     OpenMoment(Axes, [Option<Scalar>; 3]),
+    /// An unknown force along a direction.
+    OpenAlong(Vector, Place),
 }
 
 /// Energies whose forces are known by name.
@@ -190,7 +200,10 @@ impl Motion {
 impl Load {
     /// Whether some of it is to be solved for.
     pub fn is_open(&self) -> bool {
-        matches!(self.what, What::OpenForce(..) | What::OpenMoment(..))
+        matches!(
+            self.what,
+            What::OpenForce(..) | What::OpenMoment(..) | What::OpenAlong(..)
+        )
     }
 }
 

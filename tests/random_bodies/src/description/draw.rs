@@ -14,28 +14,13 @@ pub struct Draw {
     pub strength: i32,
     /// What points of this body are about.
     pub length: i32,
+    /// Whether nothing is to be read that is a velocity, or that changes in a way that nobody knows.
+    pub is_slow: bool,
 }
 
 /// The same body for the same seed and index, in every build.
 pub fn body(seed: u64, index: usize) -> Body {
-    let index_seed = seed.wrapping_mul(1_000_003).wrapping_add(index as u64);
-    let mut draw = Draw {
-        random: Rng::with_seed(index_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)),
-        body: Body {
-            name: format!("Body{index}"),
-            motion: Motion::Spatial,
-            params: Vec::new(),
-            inputs: Vec::new(),
-            mass: None,
-            inertia: None,
-            points: Vec::new(),
-            pole: Place::Center,
-            locals: Vec::new(),
-            loads: Vec::new(),
-        },
-        strength: 0,
-        length: 0,
-    };
+    let mut draw = Draw::new(seed, index);
     draw.scales();
     draw.motion();
     draw.params_and_inputs();
@@ -47,7 +32,41 @@ pub fn body(seed: u64, index: usize) -> Body {
     draw.body
 }
 
+/// A body with few loads, of which claims are made.
+pub fn sparse_body(seed: u64, index: usize) -> Body {
+    let mut draw = Draw::new(seed, index);
+    draw.motion();
+    draw.params_and_inputs();
+    draw.points();
+    draw.mass_and_inertia();
+    draw.sparse_loads();
+    draw.body
+}
+
 impl Draw {
+    fn new(seed: u64, index: usize) -> Self {
+    let index_seed = seed.wrapping_mul(1_000_003).wrapping_add(index as u64);
+    Draw {
+        random: Rng::with_seed(index_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)),
+        body: Body {
+            name: format!("Body{index}"),
+            motion: Motion::Spatial,
+            params: Vec::new(),
+            inputs: Vec::new(),
+            mass: None,
+            inertia: None,
+            points: Vec::new(),
+            pole: Place::Center,
+            locals: Vec::new(),
+            constraints: Vec::new(),
+            loads: Vec::new(),
+        },
+        strength: 0,
+        length: 0,
+        is_slow: false,
+    }
+    }
+
     pub fn chance(&mut self, probability: f64) -> bool {
         self.random.f64() < probability
     }

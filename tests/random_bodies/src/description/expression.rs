@@ -20,6 +20,8 @@ pub enum Scalar {
     Angle,
     /// In the plane.
     AngularRate,
+    /// A component of an unknown load, world axes.
+    Reaction(usize, usize),
     /// One of w, i, j, k, in space.
     Attitude(usize),
     Component(Box<Vector>, Axes, usize),

@@ -16,21 +16,23 @@ impl Draw {
             self.body.loads.push(load);
         }
         if self.chance(0.5) {
-            let down = self.down();
-            let weight = What::Force(
-                Scalar::Mass * Vector::Written(Axes::World, down),
-                Place::Center,
-            );
-            self.body.loads.push(Load {
-                key: Key::Fields,
-                what: weight,
-            });
+            let weight = self.weight();
+            self.body.loads.push(weight);
         }
         // as the language lists them
         self.body.loads.sort_by_key(|load| load.key);
     }
 
-    fn load(&mut self) -> Load {
+    pub fn weight(&mut self) -> Load {
+        let down = self.down();
+        let weight = Scalar::Mass * Vector::Written(Axes::World, down);
+        Load {
+            key: Key::Fields,
+            what: What::Force(weight, Place::Center),
+        }
+    }
+
+    pub fn load(&mut self) -> Load {
         // what does not turn has moments only where guides take them
         let takes_moments = self.body.motion.turns() || self.has_guide();
         let what = match self.random.u32(..10) {
@@ -84,7 +86,7 @@ impl Draw {
     }
 
     /// A load that takes back the force of this one, or its moment, or makes a couple of the two.
-    fn opposite(&mut self, load: &Load) -> Load {
+    pub fn opposite(&mut self, load: &Load) -> Load {
         let what = match load.what.clone() {
             What::Force(force, place) => {
                 let place = match place {

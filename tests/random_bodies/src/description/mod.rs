@@ -1,8 +1,10 @@
 //! Descriptions of bodies as data: drawn at random, written in the language of `rigid_body!`.
 
 pub mod body;
+pub mod constraints;
 pub mod draw;
 pub mod expression;
+pub mod gates;
 pub mod inertia;
 pub mod literal;
 pub mod loads;

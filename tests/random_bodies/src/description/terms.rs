@@ -72,7 +72,7 @@ impl Draw {
         }
     }
 
-    fn attitude(&mut self) -> Scalar {
+    pub fn attitude(&mut self) -> Scalar {
         match self.body.motion {
             Motion::FixedAxis(..) => Scalar::Angle,
             _ if self.body.motion.is_planar() => self.pick(&[Scalar::Angle, Scalar::AngularRate]),

@@ -3,12 +3,28 @@
 mod expressions;
 
 use super::body::{
-    Body, Inertia, Input, Key, Load, Local, Motion, Param, Part, Potential, Support, What,
+    Body, Constraint, Inertia, Input, Key, Load, Local, Motion, Param, Part, Potential, Support, What,
 };
 use super::expression::{Axes, Place, Scalar};
 
-/// The whole invocation.
+/// The whole invocation, with all outputs that are not of a closed form.
 pub fn description(body: &Body) -> String {
+    let of_reactions = |reactions: bool| {
+        let open = |load: &Load| load.is_open() && (load.key == Key::Reactions) == reactions;
+        body.loads.iter().any(open)
+    };
+    let mut outputs = vec!["energy", "momentum", "balance"];
+    if of_reactions(true) {
+        outputs.push("reactions");
+    }
+    if of_reactions(false) {
+        outputs.push("inverse");
+    }
+    format!("newton_euler::rigid_body!({});", described(body, &outputs))
+}
+
+/// What is described, with these outputs.
+pub fn described(body: &Body, outputs: &[&str]) -> String {
     let write = Writer { body };
     let mut keys = vec![format!("motion: {}", write.motion())];
     let list = |entries: Vec<String>| format!("[{}]", entries.join(", "));
@@ -55,6 +71,16 @@ pub fn description(body: &Body) -> String {
         });
         keys.push(format!("locals: {}", list(entries.collect())));
     }
+    if !body.constraints.is_empty() {
+        let entries = body.constraints.iter().enumerate().map(|(i, constraint)| {
+            let value = match constraint {
+                Constraint::Scalar(scalar, _) => write.scalar(scalar),
+                Constraint::Vector(vector, _) => write.vector(vector),
+            };
+            format!("constraint_{i} = {value}")
+        });
+        keys.push(format!("constraints: {}", list(entries.collect())));
+    }
     for (key, word) in KEYS {
         let loads = body.loads.iter().enumerate();
         let entries: Vec<String> = loads
@@ -65,27 +91,9 @@ pub fn description(body: &Body) -> String {
             keys.push(format!("{word}: {}", list(entries)));
         }
     }
-    let mut outputs = vec!["energy", "momentum", "balance"];
-    if body
-        .loads
-        .iter()
-        .any(|load| load.is_open() && load.key == Key::Reactions)
-    {
-        outputs.push("reactions");
-    }
-    if body
-        .loads
-        .iter()
-        .any(|load| load.is_open() && load.key != Key::Reactions)
-    {
-        outputs.push("inverse");
-    }
     keys.push(format!("outputs: [{}]", outputs.join(", ")));
     let keys = keys.join(",\n    ");
-    format!(
-        "newton_euler::rigid_body!({} {{\n    {keys},\n}});",
-        body.name
-    )
+    format!("{} {{\n    {keys},\n}}", body.name)
 }
 
 /// Loads are listed in this order.
@@ -221,7 +229,11 @@ impl Writer<'_> {
                 };
             }
             What::OpenForce(axes, parts, place) => {
-                return format!("{}.at({})", self.open(*axes, parts), self.place(place));
+                let force = self.open(*axes, parts);
+                return match place {
+                    Place::Center => force,
+                    _ => format!("{force}.at({})", self.place(place)),
+                };
             }
             What::Charges(field, charges) => {
                 let charges = charges.iter().map(|(charge, place)| {
@@ -233,6 +245,13 @@ impl Writer<'_> {
             What::Potential(potential) => return self.potential(potential),
             What::Moment(vector) => self.vector(vector),
             What::PlaneMoment(scalar) => self.scalar(scalar),
+            What::OpenAlong(direction, place) => {
+                let force = format!("_ * {}", self.vector_operand(direction));
+                return match place {
+                    Place::Center => force,
+                    _ => format!("({force}).at({})", self.place(place)),
+                };
+            }
             What::OpenMoment(..) if self.body.motion.is_planar() => "_".to_owned(),
             What::OpenMoment(axes, parts) => self.open(*axes, parts),
         };

@@ -3,7 +3,7 @@
 use crate::description::body::Motion;
 use crate::wide::Wide;
 
-use super::constants::multiplied;
+use super::constants::{Constants, multiplied};
 use super::loads::Wrench;
 use super::number::Number;
 use super::scene::Scene;
@@ -200,4 +200,9 @@ pub fn kinetic_energy(scene: &Scene<'_>) -> Number {
     let half = Number::known(Wide::from(0.5));
     let v = scene.velocity;
     half * (scene.constants.mass * v.dot(v) + scene.angular_velocity.dot(spin(scene)))
+}
+
+/// The tensor of the balance of moments, body axes, and its size.
+pub fn gyration(constants: &Constants<'_>) -> ([[Wide; 3]; 3], f64) {
+    (constants.inertia.value, constants.inertia.size)
 }

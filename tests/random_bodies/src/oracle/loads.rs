@@ -113,7 +113,7 @@ pub fn acting(scene: &Scene<'_>, load: &Load) -> Option<Acting> {
             }
         }
         What::Potential(potential) => scene.potential(potential),
-        What::OpenForce(..) | What::OpenMoment(..) => return None,
+        What::OpenForce(..) | What::OpenMoment(..) | What::OpenAlong(..) => return None,
     };
     Some(acting)
 }
@@ -189,7 +189,10 @@ fn is_constant(scene: &Scene<'_>, scalar: &Scalar) -> bool {
         | Scalar::Quotient(a, b)
         | Scalar::Binary(_, a, b) => constant(a) && constant(b),
         Scalar::If(condition, a, b) => is_decided(scene, condition) && constant(a) && constant(b),
-        Scalar::Angle | Scalar::AngularRate | Scalar::Attitude(_) => false,
+        Scalar::Angle
+        | Scalar::AngularRate
+        | Scalar::Attitude(_)
+        | Scalar::Reaction(..) => false,
     }
 }
 

@@ -3,16 +3,17 @@
 //! Nothing here is shared with the macro or the runtime. All vectors are in world axes, the balances are those of the
 //! textbook, about G or about the point that is held, and unknown loads are what is missing in both.
 
-mod arithmetic;
-mod constants;
+pub mod arithmetic;
+pub mod constants;
+pub mod constrained;
 mod expected;
 mod inertia;
-mod law;
-mod loads;
-mod number;
+pub mod law;
+pub mod loads;
+pub mod number;
 mod potentials;
-mod scene;
-mod unknowns;
+pub mod scene;
+pub mod unknowns;
 pub mod vector;
 
 pub use constants::Constants;

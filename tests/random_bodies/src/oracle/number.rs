@@ -33,9 +33,14 @@ impl Number {
 
     /// Given at run time.
     pub fn given(value: f64) -> Self {
+        Self::exactly(value.into())
+    }
+
+    /// The same of a number that is longer.
+    pub fn exactly(value: Wide) -> Self {
         Self {
             known: false,
-            ..Self::known(value.into())
+            ..Self::known(value)
         }
     }
 

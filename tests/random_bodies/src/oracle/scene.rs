@@ -13,9 +13,32 @@ use super::inertia::{Components, turn};
 use super::number::Number;
 use super::vector::{Vector, dot};
 
+/// A time and the coordinates of a state, to 106 bits.
+#[derive(Clone, Debug)]
+pub struct Instant {
+    pub time: Wide,
+    pub state: Vec<Wide>,
+}
+
+impl Instant {
+    pub fn of(given: &Given) -> Self {
+        Self {
+            time: given.time.into(),
+            state: given.state.iter().map(|x| Wide::from(*x)).collect(),
+        }
+    }
+
+    /// In doubles, the time first.
+    pub fn high(&self) -> Vec<f64> {
+        let all = std::iter::once(&self.time).chain(&self.state);
+        all.map(|x| x.high).collect()
+    }
+}
+
 pub struct Scene<'a> {
     pub constants: &'a Constants<'a>,
     given: &'a Given,
+    time: Number,
     frame: Frame,
     attitude: [Number; 4],
     pub angle: Number,
@@ -27,6 +50,8 @@ pub struct Scene<'a> {
     pub axis: Vector,
     pub axis_rate: Vector,
     locals: Vec<Value>,
+    /// Of each load, if some mention them.
+    reactions: Vec<Vector>,
     near_switch: Cell<bool>,
 }
 
@@ -54,7 +79,11 @@ impl Values for Scene<'_> {
                 Value::Scalar(number) => number,
                 Value::Vector(_) => unreachable!("a scalar"),
             },
-            Scalar::Time => Number::given(self.given.time),
+            Scalar::Time => self.time,
+            Scalar::Reaction(load, axis) => {
+                let known = self.reactions.get(*load);
+                known.map_or(Number::ZERO, |reaction| reaction.component(*axis))
+            }
             Scalar::Mass => constants.mass,
             Scalar::Angle => self.angle,
             Scalar::AngularRate => self.angular_velocity.component(2),
@@ -84,9 +113,15 @@ impl Values for Scene<'_> {
 
 impl<'a> Scene<'a> {
     pub fn new(constants: &'a Constants<'a>, given: &'a Given) -> Self {
+        Self::at(constants, given, &Instant::of(given))
+    }
+
+    /// At another time and in another state than those that are given.
+    pub fn at(constants: &'a Constants<'a>, given: &'a Given, instant: &Instant) -> Self {
         let mut scene = Self {
             constants,
             given,
+            time: Number::exactly(instant.time),
             frame: Frame::Fixed,
             attitude: [Number::ZERO; 4],
             angle: Number::ZERO,
@@ -96,9 +131,10 @@ impl<'a> Scene<'a> {
             axis: Vector::ZERO,
             axis_rate: Vector::ZERO,
             locals: Vec::new(),
+            reactions: Vec::new(),
             near_switch: Cell::new(false),
         };
-        scene.place_body();
+        scene.place_body(&instant.state);
         for local in &constants.body.locals {
             let value = match local {
                 Local::Scalar(scalar) => Value::Scalar(scene.scalar(scalar)),
@@ -109,16 +145,20 @@ impl<'a> Scene<'a> {
         scene
     }
 
+    /// With the values of the loads that others follow.
+    pub fn with_reactions(self, reactions: Vec<Vector>) -> Self {
+        Self { reactions, ..self }
+    }
+
     /// Whether rounding may decide a condition in this state.
     pub fn is_near_switch(&self) -> bool {
         self.near_switch.get()
     }
 
-    fn place_body(&mut self) {
+    fn place_body(&mut self, state: &[Wide]) {
         let constants = self.constants;
-        let state = &self.given.state;
-        let three = |from: usize| Vector::given([state[from], state[from + 1], state[from + 2]]);
-        let two = |from: usize| Vector::given([state[from], state[from + 1], 0.0]);
+        let three = |from: usize| Vector::exactly([state[from], state[from + 1], state[from + 2]]);
+        let two = |from: usize| Vector::exactly([state[from], state[from + 1], Wide::ZERO]);
         match &constants.body.motion {
             Motion::Spatial => {
                 (self.center, self.velocity) = (three(0), three(7));
@@ -154,8 +194,8 @@ impl<'a> Scene<'a> {
     }
 
     /// By a quaternion, its scalar last, that is unit to rounding.
-    fn turn_by(&mut self, quaternion: &[f64]) {
-        let q: [Wide; 4] = std::array::from_fn(|i| Wide::from(quaternion[i]));
+    fn turn_by(&mut self, quaternion: &[Wide]) {
+        let q: [Wide; 4] = std::array::from_fn(|i| quaternion[i]);
         let norm = q.iter().map(|x| *x * *x).sum::<Wide>().sqrt();
         let [x, y, z, w] = q.map(|x| x / norm);
         let twice = |a: Wide, b: Wide| a * b * 2.0;
@@ -180,15 +220,15 @@ impl<'a> Scene<'a> {
         ]);
     }
 
-    fn turn_about(&mut self, angle: f64, rate: f64) {
+    fn turn_about(&mut self, angle: Wide, rate: Wide) {
         let axis = self
             .constants
             .direction
             .map(|x| Number::made(x, 0.0, false));
-        let matrix = turn(axis, Number::given(angle));
-        self.angle = Number::given(angle);
+        self.angle = Number::exactly(angle);
+        let matrix = turn(axis, self.angle);
         self.frame = Frame::Turned(matrix.map(|row| row.map(|entry| entry.value)));
-        self.angular_velocity = Vector::new(axis).scaled(Number::given(rate));
+        self.angular_velocity = Vector::new(axis).scaled(Number::exactly(rate));
     }
 
     /// Position and velocity of G by the point that is held.

@@ -28,7 +28,11 @@ impl Vector {
     }
 
     pub fn given(components: [f64; 3]) -> Self {
-        Self::new(components.map(Number::given))
+        Self::exactly(components.map(Wide::from))
+    }
+
+    pub fn exactly(components: [Wide; 3]) -> Self {
+        Self::new(components.map(Number::exactly))
     }
 
     /// Along the normal of the plane, or the only component of a scalar answer.

@@ -31,6 +31,9 @@ impl Writer<'_> {
             Scalar::Local(i) => format!("local_{i}"),
             Scalar::Time => "t".to_owned(),
             Scalar::Mass => "mass".to_owned(),
+            Scalar::Reaction(load, axis) => {
+                format!("load_{load}.in_world().{}", ["x", "y", "z"][*axis])
+            }
             Scalar::Angle => "attitude".to_owned(),
             Scalar::AngularRate => "angular_velocity".to_owned(),
             Scalar::Attitude(i) => format!("attitude.{}", ["w", "i", "j", "k"][*i]),

@@ -1,0 +1,56 @@
+//! A description as the compiler understands it.
+
+use fuzz::errors::Errors;
+use fuzz::mechanics::{Equations, derive_equations};
+use fuzz::model::{Meaning, Model, lower_description, outline};
+use fuzz::symbolic::{Id, Node};
+use fuzz::syntax::parse_description;
+use proc_macro2::TokenStream;
+
+use crate::description::body::Body;
+use crate::given::Given;
+use crate::layout::Layout;
+
+pub struct Compiled {
+    pub model: Model,
+    pub equations: Equations,
+}
+
+impl Compiled {
+    /// Its equations, or what is wrong with it.
+    pub fn new(description: &str) -> Result<Self, String> {
+        let tokens: TokenStream = format!("(::newton_euler) {description}")
+            .parse()
+            .expect("descriptions are made of tokens");
+        let mut errors = Errors::default();
+        let described = parse_description(tokens, &mut errors);
+        let solved = described.and_then(|description| {
+            let mut outline = outline(&description, &mut errors);
+            let mut model = lower_description(&description, &mut outline, &mut errors)?;
+            let equations = derive_equations(&mut model, &mut errors)?;
+            Some(Self { model, equations })
+        });
+        match (errors.finish(), solved) {
+            (None, Some(compiled)) => Ok(compiled),
+            (mistakes, _) => Err(mistakes.map_or_else(String::new, |mistakes| mistakes.to_string())),
+        }
+    }
+
+    /// The values of expressions, in doubles.
+    pub fn values(&self, body: &Body, roots: &[Id], given: &Given) -> Vec<f64> {
+        let graph = &self.model.frames.graph;
+        let layout = Layout::of(&body.motion);
+        let (params, inputs) = (body.param_offsets().0, body.input_offsets().0);
+        graph.evaluate(roots, |id| {
+            let Node::Symbol(symbol) = graph.node(id) else {
+                return f64::NAN;
+            };
+            match self.model.meanings.of(*symbol) {
+                Meaning::Time => given.time,
+                Meaning::Param(i, part) => given.params[params[i] + part.unwrap_or(0)],
+                Meaning::Input(i, part) => given.inputs[inputs[i] + part.unwrap_or(0)],
+                other => layout.place(other).map_or(f64::NAN, |place| given.state[place]),
+            }
+        })
+    }
+}

@@ -1,0 +1,399 @@
+//! Motion under constraints: the reactions for which their second derivatives vanish, by differences along the motion.
+//!
+//! ```text
+//! a(u) = a_0 + sum of u_j D_j        u_j: the unknown reactions
+//! g'' = A a + b = 0                   A D_j and b: differences in 106 bits
+//! ```
+
+use crate::description::body::{Constraint, Motion, What};
+use crate::description::expression::Scalar;
+use crate::given::Given;
+use crate::wide::Wide;
+
+use super::arithmetic::Values;
+use super::constants::Constants;
+use super::law::{Motions, acceleration};
+use super::loads::{Wrench, acting};
+use super::number::Number;
+use super::scene::{Instant, Scene};
+use super::vector::Vector;
+
+/// Accelerations, and the reactions by the place of their load.
+pub struct Solved {
+    pub motions: Motions,
+    pub reactions: Vec<Vector>,
+    /// How far linear and angular acceleration may be off by the differences.
+    pub errors: [f64; 2],
+    /// The norm of the matrix times that of its inverse.
+    pub condition: f64,
+    pub is_near_switch: bool,
+}
+
+/// One unknown: the load that it is of, and its direction.
+struct Unknown {
+    load: usize,
+    direction: Vector,
+}
+
+/// A step along the motion.
+#[derive(Clone, Copy, Default)]
+struct Step {
+    time: Wide,
+    position: [Wide; 3],
+    /// Body axes; in the plane about its normal, in the third place; of a rod of its axis.
+    attitude: [Wide; 3],
+    velocity: [Wide; 3],
+    turning: [Wide; 3],
+}
+
+struct Problem<'a> {
+    constants: &'a Constants<'a>,
+    given: &'a Given,
+    instant: &'a Instant,
+    unknowns: Vec<Unknown>,
+    is_near_switch: bool,
+}
+
+/// Nothing if there are not as many unknowns as constraints.
+pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) -> Option<Solved> {
+    let mut problem = Problem::new(constants, given, instant);
+    let n = problem.unknowns.len();
+    let at = |problem: &mut Problem<'_>, values: &[Wide]| problem.accelerations(values);
+    let free = at(&mut problem, &vec![Wide::ZERO; n]);
+    let units: Vec<Motions> = (0..n)
+        .map(|j| {
+            let mut values = vec![Wide::ZERO; n];
+            values[j] = Wide::ONE;
+            let with = at(&mut problem, &values);
+            Motions {
+                linear: with.linear - free.linear,
+                angular: with.angular - free.angular,
+            }
+        })
+        .collect();
+    let (mut rows, mut doubts) = (Vec::new(), Vec::new());
+    let (mut right, mut errors) = (Vec::new(), Vec::new());
+    let constraints = &constants.body.constraints;
+    for (constraint, axis) in constraints.iter().flat_map(|one| (0..one.count(constants.body)).map(move |axis| (one, axis))) {
+        let slopes: Vec<(Wide, f64)> = units.iter().map(|unit| problem.slope(constraint, axis, unit)).collect();
+        doubts.push(slopes.iter().map(|slope| slope.1).collect::<Vec<f64>>());
+        rows.push(slopes.iter().map(|slope| slope.0).collect::<Vec<Wide>>());
+        let (rest, error) = problem.rest(constraint, axis, &free);
+        right.push(-rest);
+        errors.push(error);
+    }
+    if rows.len() != n || n == 0 {
+        return None;
+    }
+    let matrix = rows.clone();
+    let inverse = inverted_by_pivots(rows)?;
+    let norm = |matrix: &[Vec<Wide>]| matrix.iter().flatten().map(|x| x.high * x.high).sum::<f64>().sqrt();
+    let condition = norm(&matrix) * norm(&inverse);
+    let mut values = Vec::new();
+    let mut accelerations = [0.0; 2];
+    for row in &inverse {
+        values.push(row.iter().zip(&right).map(|(x, y)| *x * *y).sum::<Wide>());
+    }
+    for (error, doubts) in errors.iter_mut().zip(&doubts) {
+        *error += doubts.iter().zip(&values).map(|(doubt, value)| doubt * value.high.abs()).sum::<f64>();
+    }
+    for (j, row) in inverse.iter().enumerate() {
+        let of_value: f64 = row.iter().zip(&errors).map(|(x, y)| x.high.abs() * y).sum();
+        let lengths = [units[j].linear, units[j].angular].map(|unit| unit.length().high);
+        for (error, length) in accelerations.iter_mut().zip(lengths) {
+            *error += of_value * length;
+        }
+    }
+    let motions = units.iter().zip(&values).fold(free, |sum, (unit, value)| Motions {
+        linear: sum.linear + scaled(unit.linear, *value),
+        angular: sum.angular + scaled(unit.angular, *value),
+    });
+    let reactions = problem.reactions(&values);
+    Some(Solved { motions, reactions, errors: accelerations, condition, is_near_switch: problem.is_near_switch })
+}
+
+fn scaled(vector: Vector, factor: Wide) -> Vector {
+    vector.scaled(Number::exactly(factor))
+}
+
+impl Constraint {
+    fn count(&self, body: &crate::description::body::Body) -> usize {
+        match self {
+            Self::Scalar(..) => 1,
+            Self::Vector(..) => body.axes(),
+        }
+    }
+
+    fn is_of_rates(&self) -> bool {
+        match self {
+            Self::Scalar(_, is_of_rates) | Self::Vector(_, is_of_rates) => *is_of_rates,
+        }
+    }
+}
+
+impl<'a> Problem<'a> {
+    fn new(constants: &'a Constants<'a>, given: &'a Given, instant: &'a Instant) -> Self {
+        let scene = Scene::at(constants, given, instant);
+        let planar = constants.body.motion.is_planar();
+        let mut unknowns = Vec::new();
+        for (load, what) in constants.body.loads.iter().map(|load| &load.what).enumerate() {
+            let (axes, parts, only) = match what {
+                What::OpenForce(axes, parts, _) => (axes, parts, if planar { 0..2 } else { 0..3 }),
+                What::OpenMoment(axes, parts) => (axes, parts, if planar { 2..3 } else { 0..3 }),
+                What::OpenAlong(direction, _) => {
+                    unknowns.push(Unknown { load, direction: scene.vector(direction) });
+                    continue;
+                }
+                _ => continue,
+            };
+            for axis in only.filter(|axis| parts[*axis].is_none()) {
+                let unit = [0, 1, 2].map(|i| if i == axis { Number::ONE } else { Number::ZERO });
+                unknowns.push(Unknown { load, direction: scene.written_in(*axes, Vector::new(unit)) });
+            }
+        }
+        Self { constants, given, instant, unknowns, is_near_switch: scene.is_near_switch() }
+    }
+
+    /// All loads that are known in part or not at all, world axes; zero in the place of others.
+    fn reactions(&mut self, values: &[Wide]) -> Vec<Vector> {
+        let scene = Scene::at(self.constants, self.given, self.instant);
+        let planar = self.constants.body.motion.is_planar();
+        let known = |part: &Option<Scalar>| part.as_ref().map_or(Number::ZERO, |part| scene.scalar(part));
+        let loads = self.constants.body.loads.iter();
+        let mut all: Vec<Vector> = loads
+            .map(|load| match &load.what {
+                What::OpenForce(axes, parts, _) => scene.written_in(*axes, Vector::new([0, 1, 2].map(|i| known(&parts[i])))),
+                What::OpenMoment(axes, parts) if !planar => scene.written_in(*axes, Vector::new([0, 1, 2].map(|i| known(&parts[i])))),
+                _ => Vector::ZERO,
+            })
+            .collect();
+        for (unknown, value) in self.unknowns.iter().zip(values) {
+            all[unknown.load] = all[unknown.load] + scaled(unknown.direction, *value);
+        }
+        all
+    }
+
+    /// With these values of the unknowns.
+    fn accelerations(&mut self, values: &[Wide]) -> Motions {
+        let reactions = self.reactions(values);
+        let scene = Scene::at(self.constants, self.given, self.instant).with_reactions(reactions.clone());
+        let mut total = Wrench::ZERO;
+        for (load, reaction) in self.constants.body.loads.iter().zip(&reactions) {
+            let wrench = match &load.what {
+                What::OpenForce(_, _, place) | What::OpenAlong(_, place) => Wrench::of_force(&scene, *reaction, place),
+                What::OpenMoment(..) => Wrench::couple(*reaction),
+                _ => acting(&scene, load).map_or(Wrench::ZERO, |acting| acting.wrench),
+            };
+            total = total.and(wrench);
+        }
+        self.is_near_switch |= scene.is_near_switch();
+        acceleration(&scene, &total)
+    }
+
+    /// The value of a constraint a step away.
+    fn value(&mut self, constraint: &Constraint, axis: usize, step: &Step) -> Number {
+        let instant = self.moved(step);
+        let scene = Scene::at(self.constants, self.given, &instant);
+        let value = match constraint {
+            Constraint::Scalar(scalar, _) => scene.scalar(scalar),
+            Constraint::Vector(vector, _) => scene.vector(vector).component(axis),
+        };
+        self.is_near_switch |= scene.is_near_switch();
+        value
+    }
+
+    /// `A D`: along an acceleration, positions and velocities change alike.
+    fn slope(&mut self, constraint: &Constraint, axis: usize, along: &Motions) -> (Wide, f64) {
+        let (linear, angular) = self.coordinates(along);
+        let largest = linear.iter().chain(&angular).map(|x| x.high.abs()).fold(0.0, f64::max);
+        if largest == 0.0 {
+            return (Wide::ZERO, 0.0);
+        }
+        settled(1.0 / largest, |length| {
+            let part = |vector: [Wide; 3]| vector.map(|x| x * length);
+            let (linear, angular) = (part(linear), part(angular));
+            let step = if constraint.is_of_rates() {
+                Step { velocity: linear, turning: angular, ..Step::default() }
+            } else {
+                Step { position: linear, attitude: angular, ..Step::default() }
+            };
+            self.value(constraint, axis, &step).value
+        }, 1)
+    }
+
+    /// `A a + b` with this acceleration, and how far it may be off.
+    fn rest(&mut self, constraint: &Constraint, axis: usize, motions: &Motions) -> (Wide, f64) {
+        let order = if constraint.is_of_rates() { 1 } else { 2 };
+        let length = 1.0 / self.speed(motions);
+        settled(length, |length| {
+            let step = self.along(motions, length);
+            self.value(constraint, axis, &step).value
+        }, order)
+    }
+
+    fn speed(&self, motions: &Motions) -> f64 {
+        let scene = Scene::at(self.constants, self.given, self.instant);
+        let rates = [scene.velocity, scene.angular_velocity, scene.axis_rate];
+        let rates = rates.map(|rate| rate.length().high);
+        let roots = [motions.linear, motions.angular].map(|vector| vector.length().high.sqrt());
+        rates.iter().chain(&roots).fold(1.0, |most, x| x.max(most))
+    }
+
+    /// Accelerations as changes of the coordinates.
+    fn coordinates(&self, motions: &Motions) -> ([Wide; 3], [Wide; 3]) {
+        let angular = motions.angular.value;
+        let angular = if matches!(self.constants.body.motion, Motion::Planar) {
+            [Wide::ZERO, Wide::ZERO, angular[0]]
+        } else {
+            angular
+        };
+        (motions.linear.value, angular)
+    }
+
+    /// So much later.
+    fn along(&self, motions: &Motions, length: f64) -> Step {
+        let scene = Scene::at(self.constants, self.given, self.instant);
+        let (linear, angular) = self.coordinates(motions);
+        let rate = match self.constants.body.motion {
+            Motion::Rod(_) => scene.axis_rate.value,
+            _ => scene.in_body(scene.angular_velocity).value,
+        };
+        let length = Wide::from(length);
+        let half = length * length * 0.5;
+        let moved = |first: [Wide; 3], second: [Wide; 3]| [0, 1, 2].map(|i| first[i] * length + second[i] * half);
+        Step {
+            time: length,
+            position: moved(scene.velocity.value, linear),
+            attitude: moved(rate, angular),
+            velocity: linear.map(|x| x * length),
+            turning: angular.map(|x| x * length),
+        }
+    }
+
+    fn moved(&self, step: &Step) -> Instant {
+        let mut instant = self.instant.clone();
+        instant.time = instant.time + step.time;
+        let state = &mut instant.state;
+        let mut add = |from: usize, parts: &[Wide]| {
+            for (i, part) in parts.iter().enumerate() {
+                state[from + i] = state[from + i] + *part;
+            }
+        };
+        match self.constants.body.motion {
+            Motion::Translation => {
+                add(0, &step.position);
+                add(3, &step.velocity);
+            }
+            Motion::PlanarTranslation => {
+                add(0, &step.position[..2]);
+                add(2, &step.velocity[..2]);
+            }
+            Motion::Planar => {
+                add(0, &step.position[..2]);
+                add(2, &step.attitude[2..]);
+                add(3, &step.velocity[..2]);
+                add(5, &step.turning[2..]);
+            }
+            Motion::Rod(_) => {
+                add(0, &step.position);
+                add(3, &step.attitude);
+                add(6, &step.velocity);
+                add(9, &step.turning);
+            }
+            Motion::Spatial => {
+                add(0, &step.position);
+                add(7, &step.velocity);
+                add(10, &step.turning);
+                turn(&mut state[3..7], step.attitude);
+            }
+            _ => unreachable!("constraints beside a support"),
+        }
+        instant
+    }
+}
+
+/// The first or second derivative at zero by differences over lengths that become shorter, until two agree; and by how much they do not.
+fn settled(length: f64, mut value: impl FnMut(f64) -> Wide, order: i32) -> (Wide, f64) {
+    let here = value(0.0);
+    let mut best = (Wide::ZERO, f64::INFINITY);
+    let mut before: Option<Wide> = None;
+    for part in [1e-1, 1e-3, 1e-5, 1e-7] {
+        let length = part * length;
+        let mut is_bent = false;
+        let [near, far] = [length, 2.0 * length].map(|length| {
+            let (after, before) = (value(length), value(-length));
+            let (even, odd) = (after - here * 2.0 + before, after - before);
+            is_bent |= even.high.abs() > 0.1 * odd.high.abs();
+            match order {
+                1 => odd / Wide::from(2.0 * length),
+                _ => even / Wide::from(length) / Wide::from(length),
+            }
+        });
+        let now = extrapolated(near, far, 4.0);
+        if let Some(before) = before {
+            let rounding = 1e-30 * here.high.abs() / length.powi(order);
+            let apart = (now - before).high.abs() + rounding;
+            // a kink looks the same at all lengths
+            let is_smooth = order == 2 || !is_bent || now.high == 0.0;
+            if is_smooth && apart < best.1 {
+                best = (now, apart);
+            }
+            if is_smooth && apart <= 1e-14 * now.high.abs() {
+                break;
+            }
+        }
+        before = Some(now);
+    }
+    best
+}
+
+/// Without the term that grows by this factor from the near to the far one.
+fn extrapolated(near: Wide, far: Wide, factor: f64) -> Wide {
+    near + (near - far) / Wide::from(factor - 1.0)
+}
+
+/// `q exp(s / 2)` of a short vector s in body axes, the scalar of q last.
+fn turn(q: &mut [Wide], s: [Wide; 3]) {
+    let length = s.iter().map(|x| *x * *x).sum::<Wide>().sqrt();
+    if length == Wide::ZERO {
+        return;
+    }
+    let (sine, cosine) = (length * 0.5).sin_cos();
+    let share = sine / length;
+    let [x, y, z] = s.map(|part| part * share);
+    let [a, b, c, w] = [q[0], q[1], q[2], q[3]];
+    q[0] = w * x + a * cosine + b * z - c * y;
+    q[1] = w * y - a * z + b * cosine + c * x;
+    q[2] = w * z + a * y - b * x + c * cosine;
+    q[3] = w * cosine - a * x - b * y - c * z;
+}
+
+/// By Gauss and Jordan, the largest pivots first; nothing of a singular matrix.
+fn inverted_by_pivots(mut rows: Vec<Vec<Wide>>) -> Option<Vec<Vec<Wide>>> {
+    let n = rows.len();
+    for (i, row) in rows.iter_mut().enumerate() {
+        row.extend((0..n).map(|j| if i == j { Wide::ONE } else { Wide::ZERO }));
+    }
+    for column in 0..n {
+        let size = |row: &Vec<Wide>| row[column].high.abs();
+        let pivot = (column..n).max_by(|a, b| size(&rows[*a]).total_cmp(&size(&rows[*b])))?;
+        rows.swap(column, pivot);
+        let divisor = rows[column][column];
+        if divisor.high == 0.0 || !divisor.high.is_finite() {
+            return None;
+        }
+        for entry in &mut rows[column] {
+            *entry = *entry / divisor;
+        }
+        let line = rows[column].clone();
+        for (other, row) in rows.iter_mut().enumerate() {
+            let factor = row[column];
+            if other != column {
+                for (entry, of_line) in row.iter_mut().zip(&line) {
+                    *entry = *entry - factor * *of_line;
+                }
+            }
+        }
+    }
+    Some(rows.into_iter().map(|mut row| row.split_off(n)).collect())
+}

@@ -8,6 +8,7 @@ mod bodies;
 mod claims;
 #[path = "../coordinates/mod.rs"]
 mod coordinates;
+mod jumps;
 
 #[allow(clippy::wildcard_imports, reason = "all of them")]
 use bodies::*;

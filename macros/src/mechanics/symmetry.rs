@@ -173,8 +173,9 @@ fn axis_of_tensor(model: &mut Model) -> Option<[Number; 3]> {
     }
 }
 
-/// What decides between branches, and the arguments of functions that are made of pieces: where these
-/// stay as they are, so does the branch.
+/// What decides between branches, the arguments of functions that are made of pieces, and what is divided
+/// by, of a tangent too: where these stay as they are, nothing jumps. Without them what has no slope would
+/// be taken for what does not change: `atan(tan x) - x`, `x / |x|`.
 fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     let mut guards = Vec::new();
     for id in graph.reachable(roots, |_| true) {
@@ -182,9 +183,15 @@ fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
             Node::Compare(_, a, b) => guards.push(graph.subtract(a, b)),
             Node::Unary(function, a) if function.is_piecewise() => guards.push(a),
             Node::Binary(function, a, b) if function.is_piecewise() => guards.extend([a, b]),
+            Node::Unary(Function::Tan | Function::Ln, a) => guards.push(a),
+            Node::Binary(Function::Atan2, a, b) => guards.extend([a, b]),
+            Node::Divide(_, b) | Node::Pivot(b, _) => guards.push(b),
             _ => {}
         }
     }
+    guards.retain(|guard| !graph.is_early(*guard));
+    guards.sort_unstable();
+    guards.dedup();
     guards
 }
 

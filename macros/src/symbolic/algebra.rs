@@ -5,7 +5,7 @@
 use super::function::Function;
 use super::graph::{Comparison, Id, Node};
 use super::number::Number;
-use super::slopes::{slope, slopes};
+use super::slopes::{slope, slopes, takes_first};
 
 /// The operations of nodes.
 pub trait Algebra {
@@ -137,6 +137,13 @@ pub(super) fn change<A: Algebra>(
         Node::Unary(function, a) => {
             let slope = slope(of, function, &known(a), itself);
             product(of, d(a), &slope)
+        }
+        // not as a weight of zero, which would be lost where the other side has no slope
+        Node::Binary(function @ (Function::Min | Function::Max), a, b) => {
+            let first = takes_first(of, function, &known(a), &known(b));
+            let zero = of.zero();
+            let (a, b) = (d(a).unwrap_or_else(|| zero.clone()), d(b).unwrap_or(zero));
+            Some(of.select(&first, &a, &b))
         }
         Node::Binary(function, a, b) => {
             let (by_a, by_b) = slopes(of, function, &known(a), &known(b), itself);

@@ -56,7 +56,11 @@ fn known(scene: &Scene<'_>, motions: &Motions) -> Option<Answer> {
 fn held(constants: &Constants<'_>, given: &Given, instant: &Instant) -> Option<Answer> {
     let solved = constrained(constants, given, instant)?;
     let sizes = [solved.motions.linear.size, solved.motions.angular.size];
-    let are_known = solved.errors.iter().zip(sizes).all(|(error, size)| *error <= 1e-11 * size);
+    let are_known = solved
+        .errors
+        .iter()
+        .zip(sizes)
+        .all(|(error, size)| *error <= 1e-11 * size);
     if solved.is_near_switch || solved.condition > CONDITION || !are_known {
         return None;
     }
@@ -88,7 +92,9 @@ pub fn is_finite(vector: &Vector) -> bool {
 /// All that acts, but for unknown components.
 fn driving(scene: &Scene<'_>) -> Wrench {
     let loads = scene.constants.body.loads.iter();
-    let given = loads.filter_map(|load| acting(scene, load)).map(|load: Acting| load.wrench);
+    let given = loads
+        .filter_map(|load| acting(scene, load))
+        .map(|load: Acting| load.wrench);
     let open = open_loads(scene, true).into_iter().map(|open| open.given);
     given.chain(open).fold(Wrench::ZERO, Wrench::and)
 }
@@ -114,7 +120,9 @@ fn moment(scene: &Scene<'_>, motions: &Motions) -> Vector {
 pub fn differs(a: Vector, b: Vector, tolerance: f64) -> bool {
     let size = a.size.max(b.size);
     let pairs = a.value.iter().zip(&b.value);
-    pairs.map(|(x, y)| (*x - *y).high.abs()).any(|difference| difference > tolerance * size)
+    pairs
+        .map(|(x, y)| (*x - *y).high.abs())
+        .any(|difference| difference > tolerance * size)
 }
 
 pub fn shown(vector: Vector) -> String {

@@ -24,7 +24,12 @@ pub fn flow(case: &Case<'_>, sample: &Sample, known: &Answer, refuted: &mut Refu
         Vector::given([values[0], values[1], values[2]])
     };
     if translates(case.body) {
-        same("flow: acceleration of G", vector(&flow.linear), known.linear, refuted);
+        same(
+            "flow: acceleration of G",
+            vector(&flow.linear),
+            known.linear,
+            refuted,
+        );
     }
     let scene = Scene::at(case.constants, &sample.given, &sample.instant);
     let layout = Layout::of(&case.body.motion);
@@ -38,13 +43,23 @@ pub fn flow(case: &Case<'_>, sample: &Sample, known: &Answer, refuted: &mut Refu
         Turning::Top(top) => {
             let couple = scene.in_body(vector(&top.couple));
             let axis = vector(&top.axis);
-            same("flow: couple of a top", couple.cross(axis), known.moment, refuted);
+            same(
+                "flow: couple of a top",
+                couple.cross(axis),
+                known.moment,
+                refuted,
+            );
             symmetric(case, &read(&top.moments), axis, refuted);
         }
         Turning::Axial(axial) => {
             let axis = vector(&axial.axis);
             let torque = Number::given(read(&[axial.torque])[0]);
-            same("flow: axial torque", axis.scaled(torque), known.moment, refuted);
+            same(
+                "flow: axial torque",
+                axis.scaled(torque),
+                known.moment,
+                refuted,
+            );
             symmetric(case, &read(&axial.moments), axis, refuted);
         }
         Turning::Uniform(acceleration) => {
@@ -59,14 +74,20 @@ pub fn flow(case: &Case<'_>, sample: &Sample, known: &Answer, refuted: &mut Refu
                 value: [value, Wide::ZERO, Wide::ZERO],
                 size: values[0] * values[0],
             };
-            let known = Vector { size: known.angular.size.max(value.size), ..known.angular };
+            let known = Vector {
+                size: known.angular.size.max(value.size),
+                ..known.angular
+            };
             same("flow: pendulum", value, known, refuted);
         }
     }
 }
 
 fn same(name: &str, computed: Vector, known: Vector, refuted: &mut Refuted) {
-    let computed = Vector { size: known.size, ..computed };
+    let computed = Vector {
+        size: known.size,
+        ..computed
+    };
     if differs(computed, known, ROUNDED) {
         refuted.tell(name, format!("{} for {}", shown(computed), shown(known)));
     }
@@ -78,16 +99,30 @@ type Rows = [[f64; 3]; 3];
 fn inertia(case: &Case<'_>, free: &Free, read: &impl Fn(&[Id]) -> Vec<f64>, refuted: &mut Refuted) {
     let rows: Rows = match free {
         Free::Steady => {
-            let mean = (0..3).map(|i| case.constants.inertia.value[i][i].high).sum::<f64>() / 3.0;
-            dyads(&[mean; 3], &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+            let mean = (0..3)
+                .map(|i| case.constants.inertia.value[i][i].high)
+                .sum::<f64>()
+                / 3.0;
+            dyads(
+                &[mean; 3],
+                &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            )
         }
         Free::Symmetric(moments, axis) => {
             let axis = read(axis);
-            return symmetric(case, &read(moments), Vector::given([axis[0], axis[1], axis[2]]), refuted);
+            return symmetric(
+                case,
+                &read(moments),
+                Vector::given([axis[0], axis[1], axis[2]]),
+                refuted,
+            );
         }
         Free::Along(moments) => {
             let m = read(moments);
-            dyads(&[m[0], m[1], m[2]], &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+            dyads(
+                &[m[0], m[1], m[2]],
+                &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            )
         }
         Free::Principal(moments, axes) => {
             let m = read(moments);
@@ -128,6 +163,9 @@ fn tensor(case: &Case<'_>, rows: &Rows, refuted: &mut Refuted) {
         !((rows[i][j] - known[i][j].high).abs() <= ROUNDED * size)
     });
     if differs {
-        refuted.tell("flow: inertia", format!("{rows:?} for {:?}", known.map(|row| row.map(|x| x.high))));
+        refuted.tell(
+            "flow: inertia",
+            format!("{rows:?} for {:?}", known.map(|row| row.map(|x| x.high))),
+        );
     }
 }

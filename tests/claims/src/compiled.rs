@@ -32,7 +32,9 @@ impl Compiled {
         });
         match (errors.finish(), solved) {
             (None, Some(compiled)) => Ok(compiled),
-            (mistakes, _) => Err(mistakes.map_or_else(String::new, |mistakes| mistakes.to_string())),
+            (mistakes, _) => {
+                Err(mistakes.map_or_else(String::new, |mistakes| mistakes.to_string()))
+            }
         }
     }
 
@@ -49,7 +51,9 @@ impl Compiled {
                 Meaning::Time => given.time,
                 Meaning::Param(i, part) => given.params[params[i] + part.unwrap_or(0)],
                 Meaning::Input(i, part) => given.inputs[inputs[i] + part.unwrap_or(0)],
-                other => layout.place(other).map_or(f64::NAN, |place| given.state[place]),
+                other => layout
+                    .place(other)
+                    .map_or(f64::NAN, |place| given.state[place]),
             }
         })
     }

@@ -30,8 +30,8 @@ mod compiled;
 mod layout;
 mod run;
 mod samples;
-mod smaller;
 mod skipped;
+mod smaller;
 mod structure;
 mod turns;
 

@@ -92,7 +92,10 @@ pub fn shown(plan: &Plan) -> String {
 
 /// The claim without numbers.
 fn kind(claim: &str) -> String {
-    claim.chars().filter(|c| !c.is_ascii_digit() && *c != '.' && *c != '-').collect()
+    claim
+        .chars()
+        .filter(|c| !c.is_ascii_digit() && *c != '.' && *c != '-')
+        .collect()
 }
 
 fn show(body: &Body, seed: u64, index: usize, has_flow: bool, failure: &Failure) {
@@ -105,7 +108,11 @@ fn show(body: &Body, seed: u64, index: usize, has_flow: bool, failure: &Failure)
     }
     let failure = failure_of_least.as_ref().unwrap_or(failure);
     let given = &failure.sample.given;
-    println!("description {index} of seed {seed}: \"{}\"\n{}", failure.claim, described(&least, &[]));
+    println!(
+        "description {index} of seed {seed}: \"{}\"\n{}",
+        failure.claim,
+        described(&least, &[])
+    );
     println!("  {}", failure.what);
     println!(
         "  at time {:e}, state {:?}, params {:?}, inputs {:?}\n",
@@ -114,12 +121,22 @@ fn show(body: &Body, seed: u64, index: usize, has_flow: bool, failure: &Failure)
 }
 
 /// Expands a description and tries what is claimed of it.
-fn tried(body: &Body, seed: u64, index: usize, has_flow: bool, mut report: Option<&mut Report>) -> Option<Failure> {
+fn tried(
+    body: &Body,
+    seed: u64,
+    index: usize,
+    has_flow: bool,
+    mut report: Option<&mut Report>,
+) -> Option<Failure> {
     let mut outputs = Vec::new();
     if has_flow {
         outputs.push("flow");
     }
-    if body.loads.iter().any(|load| load.is_open() && load.key != Key::Reactions) {
+    if body
+        .loads
+        .iter()
+        .any(|load| load.is_open() && load.key != Key::Reactions)
+    {
         outputs.push("inverse");
     }
     let text = described(body, &outputs);
@@ -149,9 +166,17 @@ fn tried(body: &Body, seed: u64, index: usize, has_flow: bool, mut report: Optio
         if !is_possible(body, &constants) {
             continue;
         }
-        let case = Case { body, compiled: &compiled, constants: &constants };
+        let case = Case {
+            body,
+            compiled: &compiled,
+            constants: &constants,
+        };
         // differences take their time
-        let states = if body.constraints.is_empty() { STATES * SETS } else { STATES };
+        let states = if body.constraints.is_empty() {
+            STATES * SETS
+        } else {
+            STATES
+        };
         for _ in 0..states.div_ceil(sets) {
             let sample = source.sample(body, &params);
             let Some(known) = answer(&constants, &sample.given, &sample.instant) else {
@@ -172,7 +197,11 @@ fn tried(body: &Body, seed: u64, index: usize, has_flow: bool, mut report: Optio
             closed::flow(&case, &sample, &known, &mut refuted);
             skipped::skipped(&case, &sample, &known, &mut source, &mut refuted);
             if let Some((claim, what)) = refuted.list.into_iter().next() {
-                return Some(Failure { claim, what, sample });
+                return Some(Failure {
+                    claim,
+                    what,
+                    sample,
+                });
             }
         }
     }
@@ -189,7 +218,9 @@ const UNDETERMINED: [&str; 4] = [
 
 /// A refusal that a state refutes.
 fn refusal(body: &Body, seed: u64, index: usize, text: &str, mistakes: &str) -> Option<Failure> {
-    let claim = UNDETERMINED.iter().find(|words| mistakes.contains(**words))?;
+    let claim = UNDETERMINED
+        .iter()
+        .find(|words| mistakes.contains(**words))?;
     let mut source = Source::new(random(seed, index), text);
     for _ in 0..STATES * SETS {
         let params = source.params(body);
@@ -200,7 +231,11 @@ fn refusal(body: &Body, seed: u64, index: usize, text: &str, mistakes: &str) -> 
         let sample = source.sample(body, &params);
         if is_determined(&constants, &sample.given, &sample.instant) {
             let claim = format!("refused: {claim}");
-            return Some(Failure { claim, what: mistakes.to_owned(), sample });
+            return Some(Failure {
+                claim,
+                what: mistakes.to_owned(),
+                sample,
+            });
         }
     }
     None
@@ -218,7 +253,11 @@ fn order(body: &Body, outputs: &[&str], seed: u64, index: usize) -> Option<Failu
     let mut source = Source::new(random(seed, index), &text);
     let params = body.defaults();
     let sample = source.sample(body, &params);
-    Some(Failure { claim: "refused in another order".to_owned(), what: mistakes, sample })
+    Some(Failure {
+        claim: "refused in another order".to_owned(),
+        what: mistakes,
+        sample,
+    })
 }
 
 fn random(seed: u64, index: usize) -> Rng {
@@ -231,7 +270,10 @@ fn is_possible(body: &Body, constants: &Constants<'_>) -> bool {
     let has_mass = body.mass.is_none() || mass > 0.0 && mass.is_finite();
     let turns = body.motion.turns() && !body.motion.is_planar();
     let condition = constants.inertia.condition();
-    has_mass && (!turns || matches!(body.motion, crate::description::body::Motion::Rod(_)) || condition.is_finite() && condition < 1e6)
+    has_mass
+        && (!turns
+            || matches!(body.motion, crate::description::body::Motion::Rod(_))
+            || condition.is_finite() && condition < 1e6)
 }
 
 impl Report {
@@ -250,7 +292,10 @@ impl Report {
         if structure.planes.contains(&true) {
             claims.push("planes".to_owned());
         }
-        for (part, dependence) in [("linear", &structure.linear), ("angular", &structure.angular)] {
+        for (part, dependence) in [
+            ("linear", &structure.linear),
+            ("angular", &structure.angular),
+        ] {
             for (whose, symmetry) in [("world", dependence.world), ("body", dependence.body)] {
                 let word = format!("{symmetry:?}");
                 if word != "None" {
@@ -259,7 +304,11 @@ impl Report {
             }
         }
         if let Some(flow) = &compiled.equations.flow {
-            claims.extend(flow.describe(compiled.model.motion).into_iter().map(|line| format!("flow: {line}")));
+            claims.extend(
+                flow.describe(compiled.model.motion)
+                    .into_iter()
+                    .map(|line| format!("flow: {line}")),
+            );
         }
         for line in &compiled.equations.skipped {
             if skipped::is_tried(line, body) {
@@ -288,7 +337,11 @@ impl fmt::Display for Report {
         for (words, count) in &self.refusals {
             writeln!(f, "{count:>9}  refused: {words}")?;
         }
-        writeln!(f, "\n{} descriptions with a claim that a state refutes", self.failures)?;
+        writeln!(
+            f,
+            "\n{} descriptions with a claim that a state refutes",
+            self.failures
+        )?;
         for (kind, count) in &self.kinds {
             writeln!(f, "{count:>9}  {kind}")?;
         }

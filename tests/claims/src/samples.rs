@@ -30,7 +30,10 @@ impl Sample {
         if part.len() < 3 {
             return true;
         }
-        let square: Wide = self.instant.state[part.clone()].iter().map(|x| *x * *x).sum();
+        let square: Wide = self.instant.state[part.clone()]
+            .iter()
+            .map(|x| *x * *x)
+            .sum();
         if square.high < 1e-30 {
             return false;
         }
@@ -122,7 +125,12 @@ impl Source {
     /// From zero on as often as not.
     pub fn time(&mut self, sample: &mut Sample) {
         let time = self.number();
-        sample.instant.time = if self.random.u32(..8) > 0 { time.abs() } else { time }.into();
+        sample.instant.time = if self.random.u32(..8) > 0 {
+            time.abs()
+        } else {
+            time
+        }
+        .into();
     }
 
     pub fn inputs(&mut self, body: &Body, sample: &mut Sample) {
@@ -141,13 +149,20 @@ impl Source {
     pub fn attitude(&mut self, body: &Body, sample: &mut Sample) {
         let part = Layout::of(&body.motion).attitude;
         if part.len() == 1 {
-            let angle = if self.random.bool() { self.number() } else { 7.0 * (self.random.f64() - 0.5) };
+            let angle = if self.random.bool() {
+                self.number()
+            } else {
+                7.0 * (self.random.f64() - 0.5)
+            };
             sample.instant.state[part.start] = angle.into();
             return;
         }
         let mut unit: Vec<Wide> = part.clone().map(|_| self.direction().into()).collect();
         if unit.iter().all(|x| x.high == 0.0) {
-            unit.iter_mut().last().into_iter().for_each(|last| *last = Wide::ONE);
+            unit.iter_mut()
+                .last()
+                .into_iter()
+                .for_each(|last| *last = Wide::ONE);
         }
         let length = unit.iter().map(|x| *x * *x).sum::<Wide>().sqrt();
         for (place, x) in part.zip(unit) {
@@ -182,7 +197,9 @@ impl Source {
 
 /// Takes what is along the axis of a rod off the rate of it.
 pub fn across(body: &Body, sample: &mut Sample) {
-    let Layout { attitude, turning, .. } = Layout::of(&body.motion);
+    let Layout {
+        attitude, turning, ..
+    } = Layout::of(&body.motion);
     let state = &mut sample.instant.state;
     let three = |state: &[Wide], from: usize| [state[from], state[from + 1], state[from + 2]];
     let axis = three(state, attitude.start);

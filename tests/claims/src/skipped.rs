@@ -22,7 +22,13 @@ const PARTS: [(&str, usize); 6] = [
     ("axis rate", 4),
 ];
 
-pub fn skipped(case: &Case<'_>, sample: &Sample, known: &Answer, source: &mut Source, refuted: &mut Refuted) {
+pub fn skipped(
+    case: &Case<'_>,
+    sample: &Sample,
+    known: &Answer,
+    source: &mut Source,
+    refuted: &mut Refuted,
+) {
     for line in &case.compiled.equations.skipped {
         if let Some((parts, _)) = line.split_once(": the accelerations do not depend on") {
             for part in parts.split(", ") {
@@ -51,8 +57,18 @@ fn load_of<'a>(line: &'a str, before: &str) -> Option<(usize, &'a str)> {
     Some((number.parse().ok()?, why))
 }
 
-fn unread(case: &Case<'_>, sample: &Sample, known: &Answer, part: &str, source: &mut Source, refuted: &mut Refuted) {
-    let (_, quantity) = PARTS.iter().find(|(name, _)| *name == part).expect("a part of the state");
+fn unread(
+    case: &Case<'_>,
+    sample: &Sample,
+    known: &Answer,
+    part: &str,
+    source: &mut Source,
+    refuted: &mut Refuted,
+) {
+    let (_, quantity) = PARTS
+        .iter()
+        .find(|(name, _)| *name == part)
+        .expect("a part of the state");
     let Some(changed) = changed(case, sample, *quantity, source) else {
         return;
     };
@@ -70,14 +86,25 @@ fn unread(case: &Case<'_>, sample: &Sample, known: &Answer, part: &str, source: 
     }
 }
 
-fn moment(case: &Case<'_>, sample: &Sample, line: &str, load: usize, why: &str, refuted: &mut Refuted) {
+fn moment(
+    case: &Case<'_>,
+    sample: &Sample,
+    line: &str,
+    load: usize,
+    why: &str,
+    refuted: &mut Refuted,
+) {
     let scene = Scene::at(case.constants, &sample.given, &sample.instant);
     let Some(acting) = acting(&scene, &case.body.loads[load]) else {
         return;
     };
     let is_held = case.body.motion.support().is_some();
     let of_charges = why.starts_with("its potential");
-    let moment = if is_held { acting.wrench.about_held } else { acting.wrench.about_center };
+    let moment = if is_held {
+        acting.wrench.about_held
+    } else {
+        acting.wrench.about_center
+    };
     // about a hinge, only what is along it
     let moment = if of_charges && case.body.motion.is_planar() {
         Vector::normal(moment.component(2))
@@ -93,7 +120,14 @@ fn moment(case: &Case<'_>, sample: &Sample, line: &str, load: usize, why: &str, 
 }
 
 /// The parameters that it is made of, changed.
-fn mass(case: &Case<'_>, sample: &Sample, known: &Answer, line: &str, source: &mut Source, refuted: &mut Refuted) {
+fn mass(
+    case: &Case<'_>,
+    sample: &Sample,
+    known: &Answer,
+    line: &str,
+    source: &mut Source,
+    refuted: &mut Refuted,
+) {
     let Some(mass) = &case.body.mass else {
         return;
     };
@@ -110,7 +144,10 @@ fn mass(case: &Case<'_>, sample: &Sample, known: &Answer, line: &str, source: &m
     };
     let linear = translates(case.body) && differs(known.linear, other.linear, EXACT);
     if linear || differs(known.angular, other.angular, EXACT) {
-        refuted.tell(line, format!("{} and {}", shown(known.linear), shown(other.linear)));
+        refuted.tell(
+            line,
+            format!("{} and {}", shown(known.linear), shown(other.linear)),
+        );
     }
 }
 
@@ -129,7 +166,9 @@ fn tensor(case: &Case<'_>, line: &str, refuted: &mut Refuted) {
         "terms of J_xy: it is zero" => is_zero(0, 1),
         "terms of J_yz: it is zero" => is_zero(1, 2),
         "terms of J_zx: it is zero" => is_zero(2, 0),
-        "w x J w: all moments of inertia are equal" => is_diagonal && is_equal(0, 1) && is_equal(1, 2),
+        "w x J w: all moments of inertia are equal" => {
+            is_diagonal && is_equal(0, 1) && is_equal(1, 2)
+        }
         "products of inertia: the axes are principal" => is_diagonal,
         "(w x J w)_x: the other two moments of inertia are equal" => is_equal(1, 2),
         "(w x J w)_y: the other two moments of inertia are equal" => is_equal(2, 0),
@@ -143,18 +182,42 @@ fn tensor(case: &Case<'_>, line: &str, refuted: &mut Refuted) {
 
 /// Whether a line says how something is computed, or what was not asked for: nothing that a state could refute.
 pub fn is_manner(line: &str) -> bool {
-    let ends = ["not in `outputs`", "over the inertia they are constants", "they are one force", "one force and one moment"];
-    let middles = [" of the rotation: ", " one by one: ", "the motion is planar", "the body does not turn", "is not modelled",
-        "turns about a point of it", "no moment about", "no inertia about it", "in the principal axes there are none",
-        "it is along w, and not in", "in the potential energy"];
+    let ends = [
+        "not in `outputs`",
+        "over the inertia they are constants",
+        "they are one force",
+        "one force and one moment",
+    ];
+    let middles = [
+        " of the rotation: ",
+        " one by one: ",
+        "the motion is planar",
+        "the body does not turn",
+        "is not modelled",
+        "turns about a point of it",
+        "no moment about",
+        "no inertia about it",
+        "in the principal axes there are none",
+        "it is along w, and not in",
+        "in the potential energy",
+    ];
     ends.iter().any(|end| line.ends_with(end)) || middles.iter().any(|middle| line.contains(middle))
 }
 
 /// Whether a line is tried.
 pub fn is_tried(line: &str, _: &Body) -> bool {
-    ["the moment of `", "the force of `", "the acceleration of G: ", "the mass: ", "terms of J_", "w x J w", "(w x J w)_", "products of inertia: the axes",
-        "the angular acceleration about "]
-        .iter()
-        .any(|start| line.starts_with(start))
+    [
+        "the moment of `",
+        "the force of `",
+        "the acceleration of G: ",
+        "the mass: ",
+        "terms of J_",
+        "w x J w",
+        "(w x J w)_",
+        "products of inertia: the axes",
+        "the angular acceleration about ",
+    ]
+    .iter()
+    .any(|start| line.starts_with(start))
         || line.contains(": the accelerations do not depend on")
 }

@@ -9,7 +9,11 @@ pub fn smaller(body: &Body) -> Vec<Body> {
     for index in 0..body.loads.len() {
         // what is refuted may be said of a load by its number
         let mut less = body.clone();
-        if matches!(less.loads[index].what, What::OpenForce(..) | What::OpenMoment(..)) || index + 1 == body.loads.len() {
+        if matches!(
+            less.loads[index].what,
+            What::OpenForce(..) | What::OpenMoment(..)
+        ) || index + 1 == body.loads.len()
+        {
             less.loads.remove(index);
             all.push(less);
             continue;

@@ -17,22 +17,39 @@ pub const EXACT: f64 = 1e-20;
 pub const ROUNDED: f64 = 1e-9;
 
 /// The accelerations as they are compiled.
-pub fn accelerations(case: &Case<'_>, sample: &Sample, known: &Answer, source: &mut Source, refuted: &mut Refuted) {
+pub fn accelerations(
+    case: &Case<'_>,
+    sample: &Sample,
+    known: &Answer,
+    source: &mut Source,
+    refuted: &mut Refuted,
+) {
     let layout = Layout::of(&case.body.motion);
     let given = &sample.given;
     let is_constrained = !case.body.constraints.is_empty();
-    let speed = given.state.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
+    let speed = given
+        .state
+        .iter()
+        .fold(1.0, |most: f64, x| most.max(x.abs()));
     // where a length is zero, so may be a divisor
     let is_at_edge = given.time == 0.0 || given.state.contains(&0.0);
     let parts = [
         (translates(case.body), "the acceleration of G", known.linear),
-        (!layout.turning.is_empty(), "the angular acceleration", known.angular),
+        (
+            !layout.turning.is_empty(),
+            "the angular acceleration",
+            known.angular,
+        ),
     ];
     let computed = compiled(case, given);
     for (index, (exists, name, vector)) in parts.into_iter().enumerate() {
         let (size, found) = (known.sizes[index], computed[index]);
         // of what differences sum up
-        let size = if is_constrained { size.max(1e-6 * speed * speed) } else { size };
+        let size = if is_constrained {
+            size.max(1e-6 * speed * speed)
+        } else {
+            size
+        };
         let known = Vector { size, ..vector };
         let is_number = found.value.iter().all(|x| x.high.is_finite());
         // what doubles do not hold is not compared
@@ -43,7 +60,12 @@ pub fn accelerations(case: &Case<'_>, sample: &Sample, known: &Answer, source: &
         };
         let tolerance = if is_constrained { 1e-6 } else { ROUNDED };
         let found = Vector { size, ..found };
-        if exists && is_held && (!is_number || differs(found, known, tolerance) && !is_noise(case, given, index, found, known, source)) {
+        if exists
+            && is_held
+            && (!is_number
+                || differs(found, known, tolerance)
+                    && !is_noise(case, given, index, found, known, source))
+        {
             refuted.tell(name, format!("{} for {}", shown(found), shown(known)));
         }
     }
@@ -52,7 +74,11 @@ pub fn accelerations(case: &Case<'_>, sample: &Sample, known: &Answer, source: &
 /// Linear and angular acceleration in doubles.
 fn compiled(case: &Case<'_>, given: &Given) -> [Vector; 2] {
     let equations = &case.compiled.equations;
-    let roots: Vec<_> = equations.linear.into_iter().chain(equations.angular).collect();
+    let roots: Vec<_> = equations
+        .linear
+        .into_iter()
+        .chain(equations.angular)
+        .collect();
     let values = case.compiled.values(case.body, &roots, given);
     let vector = |from: usize| Vector::given([values[from], values[from + 1], values[from + 2]]);
     let angular = if Layout::of(&case.body.motion).turning.len() == 1 {
@@ -64,7 +90,14 @@ fn compiled(case: &Case<'_>, given: &Given) -> [Vector; 2] {
 }
 
 /// Whether the last digits of the state make as much of a difference: what cancels in doubles.
-fn is_noise(case: &Case<'_>, given: &Given, index: usize, found: Vector, known: Vector, source: &mut Source) -> bool {
+fn is_noise(
+    case: &Case<'_>,
+    given: &Given,
+    index: usize,
+    found: Vector,
+    known: Vector,
+    source: &mut Source,
+) -> bool {
     let apart = |a: Vector, b: Vector| (a - b).length().high;
     let mismatch = apart(found, known);
     (0..12).any(|n| {
@@ -106,7 +139,10 @@ pub fn zeros(case: &Case<'_>, known: &Answer, refuted: &mut Refuted) {
                 let (axis, tolerance) = unit(axis);
                 let along = Vector::scalar(axis.dot(known.angular));
                 if differs(along, Vector::ZERO, tolerance) {
-                    refuted.tell("keeps_spin", format!("about the axis it is {}", shown(along)));
+                    refuted.tell(
+                        "keeps_spin",
+                        format!("about the axis it is {}", shown(along)),
+                    );
                 }
             }
             Symmetry::None => refuted.tell("keeps_spin", "there is no axis".to_owned()),
@@ -123,7 +159,10 @@ pub fn zeros(case: &Case<'_>, known: &Answer, refuted: &mut Refuted) {
             || !is_symmetric(structure.angular.body)
             || !is_symmetric(structure.linear.body)
         {
-            refuted.tell("spin_axis", format!("{axis:?} without the claims that it is made of"));
+            refuted.tell(
+                "spin_axis",
+                format!("{axis:?} without the claims that it is made of"),
+            );
         }
     }
 }
@@ -136,9 +175,16 @@ fn unit(axis: [f64; 3]) -> (Vector, f64) {
 }
 
 /// Each quantity that is not read, changed.
-pub fn reads(case: &Case<'_>, sample: &Sample, known: &Answer, source: &mut Source, refuted: &mut Refuted) {
+pub fn reads(
+    case: &Case<'_>,
+    sample: &Sample,
+    known: &Answer,
+    source: &mut Source,
+    refuted: &mut Refuted,
+) {
     let structure = &case.compiled.equations.structure;
-    let all = |which: &dyn Fn(&Dependence) -> bool| which(&structure.linear) && which(&structure.angular);
+    let all =
+        |which: &dyn Fn(&Dependence) -> bool| which(&structure.linear) && which(&structure.angular);
     for (index, name) in QUANTITIES.iter().enumerate() {
         let is_free = |dependence: &Dependence| !dependence.reads[index];
         if !all(&is_free) && !is_free(&structure.linear) && !is_free(&structure.angular) {
@@ -151,12 +197,27 @@ pub fn reads(case: &Case<'_>, sample: &Sample, known: &Answer, source: &mut Sour
             continue;
         };
         let parts = [
-            ("linear", is_free(&structure.linear) && translates(case.body), known.linear, other.linear),
-            ("angular", is_free(&structure.angular), known.angular, other.angular),
+            (
+                "linear",
+                is_free(&structure.linear) && translates(case.body),
+                known.linear,
+                other.linear,
+            ),
+            (
+                "angular",
+                is_free(&structure.angular),
+                known.angular,
+                other.angular,
+            ),
         ];
         for (part, is_claimed, before, after) in parts {
             if is_claimed && differs(before, after, EXACT) {
-                let what = format!("{} and {} with {:?}", shown(before), shown(after), changed.instant.high());
+                let what = format!(
+                    "{} and {} with {:?}",
+                    shown(before),
+                    shown(after),
+                    changed.instant.high()
+                );
                 refuted.tell(&format!("{part} does not read {name}"), what);
             }
         }
@@ -164,7 +225,12 @@ pub fn reads(case: &Case<'_>, sample: &Sample, known: &Answer, source: &mut Sour
 }
 
 /// The same with another value of this quantity; nothing where the motion has it not.
-pub fn changed(case: &Case<'_>, sample: &Sample, quantity: usize, source: &mut Source) -> Option<Sample> {
+pub fn changed(
+    case: &Case<'_>,
+    sample: &Sample,
+    quantity: usize,
+    source: &mut Source,
+) -> Option<Sample> {
     let layout = Layout::of(&case.body.motion);
     let mut changed = sample.clone();
     match quantity {
@@ -180,7 +246,10 @@ pub fn changed(case: &Case<'_>, sample: &Sample, quantity: usize, source: &mut S
                 return Some(changed.rounded());
             }
             // by the exact rate, not that of doubles
-            let turn = Turn::exactly(std::array::from_fn(|i| sample.instant.state[layout.turning.start + i]), source.random.f64() * 6.0);
+            let turn = Turn::exactly(
+                std::array::from_fn(|i| sample.instant.state[layout.turning.start + i]),
+                source.random.f64() * 6.0,
+            );
             turn.part(&mut changed.instant.state, layout.attitude.start);
         }
         3 if !layout.attitude.is_empty() => source.attitude(case.body, &mut changed),
@@ -197,12 +266,21 @@ pub fn changed(case: &Case<'_>, sample: &Sample, quantity: usize, source: &mut S
 }
 
 /// The world turned, and the axes of the body.
-pub fn symmetries(case: &Case<'_>, sample: &Sample, known: &Answer, source: &mut Source, refuted: &mut Refuted) {
+pub fn symmetries(
+    case: &Case<'_>,
+    sample: &Sample,
+    known: &Answer,
+    source: &mut Source,
+    refuted: &mut Refuted,
+) {
     if is_hinged(case.body) {
         return;
     }
     let structure = &case.compiled.equations.structure;
-    let parts = [("linear", &structure.linear), ("angular", &structure.angular)];
+    let parts = [
+        ("linear", &structure.linear),
+        ("angular", &structure.angular),
+    ];
     for (index, (part, dependence)) in parts.into_iter().enumerate() {
         let exists = [translates(case.body), case.body.motion.turns()][index];
         for (is_world, symmetry) in [(true, dependence.world), (false, dependence.body)] {
@@ -274,7 +352,13 @@ pub fn planes(case: &Case<'_>, sample: &Sample, refuted: &mut Refuted) {
             continue;
         };
         let mut out = vec![(known.linear, axis, translates(case.body))];
-        out.extend((0..3).map(|i| (known.angular, i, case.body.motion.turns() && (i == axis) == is_rod)));
+        out.extend((0..3).map(|i| {
+            (
+                known.angular,
+                i,
+                case.body.motion.turns() && (i == axis) == is_rod,
+            )
+        }));
         for (vector, i, exists) in out {
             if exists && vector.value[i].high.abs() > EXACT * vector.size {
                 refuted.tell(

@@ -53,7 +53,13 @@ impl Turn {
     }
 
     fn turn(&self, state: &mut [Wide], from: usize, count: usize) {
-        let part = |i: usize| if i < count { state[from + i] } else { Wide::ZERO };
+        let part = |i: usize| {
+            if i < count {
+                state[from + i]
+            } else {
+                Wide::ZERO
+            }
+        };
         let turned = self.of([part(0), part(1), part(2)]);
         state[from..from + count].copy_from_slice(&turned[..count]);
     }
@@ -102,18 +108,38 @@ impl Turn {
 
     /// About z, as angles are counted.
     fn signed_angle(&self) -> Wide {
-        if self.axis[2].high < 0.0 { -self.angle } else { self.angle }
+        if self.axis[2].high < 0.0 {
+            -self.angle
+        } else {
+            self.angle
+        }
     }
 }
 
 /// The accelerations that go with it.
-pub fn turned(body: &Body, turn: Turn, is_world: bool, [linear, angular]: [Vector; 2]) -> [Vector; 2] {
+pub fn turned(
+    body: &Body,
+    turn: Turn,
+    is_world: bool,
+    [linear, angular]: [Vector; 2],
+) -> [Vector; 2] {
     if is_world {
-        let angular = if is_rod(body) { turn.vector(angular) } else { angular };
+        let angular = if is_rod(body) {
+            turn.vector(angular)
+        } else {
+            angular
+        };
         [turn.vector(linear), angular]
     } else {
         let is_scalar = body.motion.is_planar();
-        [linear, if is_scalar { angular } else { turn.vector(angular) }]
+        [
+            linear,
+            if is_scalar {
+                angular
+            } else {
+                turn.vector(angular)
+            },
+        ]
     }
 }
 

@@ -32,7 +32,10 @@ impl Draw {
     }
 
     fn open(&mut self, what: What) {
-        self.body.loads.push(Load { key: Key::Reactions, what });
+        self.body.loads.push(Load {
+            key: Key::Reactions,
+            what,
+        });
     }
 
     /// A number that is one thing here and another beyond: of the time, or of a coordinate.
@@ -43,7 +46,11 @@ impl Draw {
             1 => Scalar::literal(0, 0),
             _ => {
                 let q = self.slow_quantity(other);
-                let gate = if self.random.bool() { self.branch(q) } else { self.gate_of(q) };
+                let gate = if self.random.bool() {
+                    self.branch(q)
+                } else {
+                    self.gate_of(q)
+                };
                 number * gate
             }
         }
@@ -51,11 +58,17 @@ impl Draw {
 
     fn slow_quantity(&mut self, other: Option<usize>) -> Scalar {
         let number = Scalar::Literal(self.signed(0));
-        let params = self.body.params.iter().any(|param| matches!(param, Param::Scalar(_)));
+        let params = self
+            .body
+            .params
+            .iter()
+            .any(|param| matches!(param, Param::Scalar(_)));
         match (self.random.u32(..6), other) {
             (0 | 1, _) => number * Scalar::Time,
             (2, _) if params => number * self.scalar_param().expect("there is one"),
-            (_, Some(axis)) => number * Scalar::Component(Box::new(Vector::Position), Axes::World, axis),
+            (_, Some(axis)) => {
+                number * Scalar::Component(Box::new(Vector::Position), Axes::World, axis)
+            }
             _ => number * Scalar::Time,
         }
     }
@@ -70,7 +83,11 @@ impl Draw {
             1 => number * (q - c),
             _ => number * Scalar::Power(Box::new(q - c), 2),
         };
-        let here = if self.chance(0.7) { Scalar::zero() } else { Scalar::Literal(self.signed(0)) };
+        let here = if self.chance(0.7) {
+            Scalar::zero()
+        } else {
+            Scalar::Literal(self.signed(0))
+        };
         Scalar::If(Box::new(beyond), Box::new(there), Box::new(here))
     }
 
@@ -90,16 +107,22 @@ impl Draw {
             Place::Center => Vector::Velocity,
             other => Vector::PointVelocity(other.clone()),
         };
-        let of = |vector: Vector, axis: usize| Scalar::Component(Box::new(vector), Axes::World, axis);
+        let of =
+            |vector: Vector, axis: usize| Scalar::Component(Box::new(vector), Axes::World, axis);
         let (value, is_of_rates) = match self.random.u32(..4) {
             0 | 1 => (of(position, axis) - self.level(Some(other)), false),
             2 => (of(velocity, axis) - self.level(Some(other)), true),
             _ => {
                 let slope = self.level(None);
-                (of(velocity.clone(), axis) - slope * of(velocity, other), true)
+                (
+                    of(velocity.clone(), axis) - slope * of(velocity, other),
+                    true,
+                )
             }
         };
-        self.body.constraints.push(Constraint::Scalar(value, is_of_rates));
+        self.body
+            .constraints
+            .push(Constraint::Scalar(value, is_of_rates));
         let mut parts = [(); 3].map(|()| Some(Scalar::zero()));
         parts[axis] = None;
         let what = if self.chance(0.2) {
@@ -132,14 +155,18 @@ impl Draw {
         }
         let length = Scalar::Literal(self.length());
         let longer = Scalar::Norm(Box::new(stretch.clone())) - length;
-        self.body.constraints.push(Constraint::Scalar(longer, false));
+        self.body
+            .constraints
+            .push(Constraint::Scalar(longer, false));
         let direction = Vector::Normalized(Box::new(stretch));
         self.open(What::OpenAlong(direction, Place::Center));
     }
 
     /// Along an axis that is free or not, with a coefficient that may depend on a branch.
     fn friction(&mut self, first: usize, axes: &[usize]) {
-        let open = self.body.loads[first..].iter().position(|load| matches!(load.what, What::OpenForce(..)));
+        let open = self.body.loads[first..]
+            .iter()
+            .position(|load| matches!(load.what, What::OpenForce(..)));
         let Some(open) = open.map(|place| first + place) else {
             return;
         };
@@ -151,7 +178,8 @@ impl Draw {
         let mu = match self.random.u32(..3) {
             0 => Scalar::Literal(self.signed(-1)),
             1 => {
-                let q = Scalar::literal(1, 0) * Scalar::Component(Box::new(Vector::Velocity), Axes::World, along);
+                let q = Scalar::literal(1, 0)
+                    * Scalar::Component(Box::new(Vector::Velocity), Axes::World, along);
                 if self.random.bool() {
                     Scalar::Unary(Unary::Signum, Box::new(q)) * Scalar::Literal(self.signed(-1))
                 } else {
@@ -166,7 +194,11 @@ impl Draw {
         let force = mu * Scalar::Reaction(open, normal);
         let mut components = [(); 3].map(|()| Scalar::zero());
         components[along] = force;
-        let place = if self.random.bool() { place } else { Place::Center };
+        let place = if self.random.bool() {
+            place
+        } else {
+            Place::Center
+        };
         let what = What::Force(Vector::Written(Axes::World, components), place);
         self.open(what);
     }
@@ -175,7 +207,11 @@ impl Draw {
     pub fn takes_constraints(&self) -> bool {
         matches!(
             self.body.motion,
-            Motion::Spatial | Motion::Planar | Motion::Translation | Motion::PlanarTranslation | Motion::Rod(_)
+            Motion::Spatial
+                | Motion::Planar
+                | Motion::Translation
+                | Motion::PlanarTranslation
+                | Motion::Rod(_)
         )
     }
 }

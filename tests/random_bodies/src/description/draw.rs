@@ -45,26 +45,26 @@ pub fn sparse_body(seed: u64, index: usize) -> Body {
 
 impl Draw {
     fn new(seed: u64, index: usize) -> Self {
-    let index_seed = seed.wrapping_mul(1_000_003).wrapping_add(index as u64);
-    Draw {
-        random: Rng::with_seed(index_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)),
-        body: Body {
-            name: format!("Body{index}"),
-            motion: Motion::Spatial,
-            params: Vec::new(),
-            inputs: Vec::new(),
-            mass: None,
-            inertia: None,
-            points: Vec::new(),
-            pole: Place::Center,
-            locals: Vec::new(),
-            constraints: Vec::new(),
-            loads: Vec::new(),
-        },
-        strength: 0,
-        length: 0,
-        is_slow: false,
-    }
+        let index_seed = seed.wrapping_mul(1_000_003).wrapping_add(index as u64);
+        Draw {
+            random: Rng::with_seed(index_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)),
+            body: Body {
+                name: format!("Body{index}"),
+                motion: Motion::Spatial,
+                params: Vec::new(),
+                inputs: Vec::new(),
+                mass: None,
+                inertia: None,
+                points: Vec::new(),
+                pole: Place::Center,
+                locals: Vec::new(),
+                constraints: Vec::new(),
+                loads: Vec::new(),
+            },
+            strength: 0,
+            length: 0,
+            is_slow: false,
+        }
     }
 
     pub fn chance(&mut self, probability: f64) -> bool {

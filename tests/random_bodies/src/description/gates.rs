@@ -93,8 +93,16 @@ impl Draw {
 
     #[allow(clippy::too_many_lines, reason = "a list")]
     pub fn gate_of(&mut self, q: Scalar) -> Scalar {
-        let c = if self.chance(0.1) { Scalar::zero() } else { self.large() };
-        let x = if self.random.bool() { q.clone() - c.clone() } else { c.clone() - q.clone() };
+        let c = if self.chance(0.1) {
+            Scalar::zero()
+        } else {
+            self.large()
+        };
+        let x = if self.random.bool() {
+            q.clone() - c.clone()
+        } else {
+            c.clone() - q.clone()
+        };
         let wide = self.large();
         let scaled = over(x.clone(), wide.clone());
         let (zero, one) = (whole(0), whole(1));
@@ -142,14 +150,14 @@ impl Draw {
                 );
                 side - apply(Unary::Abs, x)
             }
-            28 => both(Binary::Atan2, x.clone(), apply(Unary::Abs, x.clone())) * whole(4)
-                - Scalar::literal(314_159_265_359, -11),
+            28 => {
+                both(Binary::Atan2, x.clone(), apply(Unary::Abs, x.clone())) * whole(4)
+                    - Scalar::literal(314_159_265_359, -11)
+            }
             29 => x.clone() * apply(Unary::Signum, x.clone()) - x,
             // zero for a reason
             30 => apply(Unary::Cbrt, Scalar::Power(Box::new(x.clone()), 3)) - x,
-            31 => {
-                square(apply(Unary::Sin, x.clone())) + square(apply(Unary::Cos, x)) - whole(1)
-            }
+            31 => square(apply(Unary::Sin, x.clone())) + square(apply(Unary::Cos, x)) - whole(1),
             32 => {
                 let (a, b) = (x, self.quantity());
                 let least = both(Binary::Min, a.clone(), b.clone());
@@ -204,13 +212,19 @@ impl Draw {
                 What::PlaneMoment(factor)
             } else {
                 let vector = self.direction();
-                What::Moment(factor * if self.is_rod() {
-                    Vector::Cross(Box::new(Vector::Axis), Box::new(vector))
-                } else {
-                    vector
-                })
+                What::Moment(
+                    factor
+                        * if self.is_rod() {
+                            Vector::Cross(Box::new(Vector::Axis), Box::new(vector))
+                        } else {
+                            vector
+                        },
+                )
             };
-            return Load { key: Key::Moments, what };
+            return Load {
+                key: Key::Moments,
+                what,
+            };
         }
         let place = if takes_moments && self.random.bool() {
             self.point_of_action()
@@ -218,7 +232,10 @@ impl Draw {
             Place::Center
         };
         let vector = self.direction();
-        Load { key: Key::Forces, what: What::Force(factor * vector, place) }
+        Load {
+            key: Key::Forces,
+            what: What::Force(factor * vector, place),
+        }
     }
 
     /// Along an axis as often as not, or along a vector of the state.
@@ -230,7 +247,11 @@ impl Draw {
             1 if turns && !self.is_rod() => Vector::AngularVelocity,
             2 | 3 => self.written(),
             _ => {
-                let axes = if self.is_rod() { Axes::World } else { self.pick(&[Axes::Body, Axes::World]) };
+                let axes = if self.is_rod() {
+                    Axes::World
+                } else {
+                    self.pick(&[Axes::Body, Axes::World])
+                };
                 let axis = self.random.usize(..self.body.axes());
                 Vector::Written(axes, [0, 1, 2].map(|i| whole(i64::from(i == axis))))
             }

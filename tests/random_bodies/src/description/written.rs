@@ -3,7 +3,8 @@
 mod expressions;
 
 use super::body::{
-    Body, Constraint, Inertia, Input, Key, Load, Local, Motion, Param, Part, Potential, Support, What,
+    Body, Constraint, Inertia, Input, Key, Load, Local, Motion, Param, Part, Potential, Support,
+    What,
 };
 use super::expression::{Axes, Place, Scalar};
 

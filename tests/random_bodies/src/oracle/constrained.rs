@@ -74,8 +74,14 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
     let (mut rows, mut doubts) = (Vec::new(), Vec::new());
     let (mut right, mut errors) = (Vec::new(), Vec::new());
     let constraints = &constants.body.constraints;
-    for (constraint, axis) in constraints.iter().flat_map(|one| (0..one.count(constants.body)).map(move |axis| (one, axis))) {
-        let slopes: Vec<(Wide, f64)> = units.iter().map(|unit| problem.slope(constraint, axis, unit)).collect();
+    for (constraint, axis) in constraints
+        .iter()
+        .flat_map(|one| (0..one.count(constants.body)).map(move |axis| (one, axis)))
+    {
+        let slopes: Vec<(Wide, f64)> = units
+            .iter()
+            .map(|unit| problem.slope(constraint, axis, unit))
+            .collect();
         doubts.push(slopes.iter().map(|slope| slope.1).collect::<Vec<f64>>());
         rows.push(slopes.iter().map(|slope| slope.0).collect::<Vec<Wide>>());
         let (rest, error) = problem.rest(constraint, axis, &free);
@@ -87,7 +93,14 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
     }
     let matrix = rows.clone();
     let inverse = inverted_by_pivots(rows)?;
-    let norm = |matrix: &[Vec<Wide>]| matrix.iter().flatten().map(|x| x.high * x.high).sum::<f64>().sqrt();
+    let norm = |matrix: &[Vec<Wide>]| {
+        matrix
+            .iter()
+            .flatten()
+            .map(|x| x.high * x.high)
+            .sum::<f64>()
+            .sqrt()
+    };
     let condition = norm(&matrix) * norm(&inverse);
     let mut values = Vec::new();
     let mut accelerations = [0.0; 2];
@@ -95,7 +108,11 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
         values.push(row.iter().zip(&right).map(|(x, y)| *x * *y).sum::<Wide>());
     }
     for (error, doubts) in errors.iter_mut().zip(&doubts) {
-        *error += doubts.iter().zip(&values).map(|(doubt, value)| doubt * value.high.abs()).sum::<f64>();
+        *error += doubts
+            .iter()
+            .zip(&values)
+            .map(|(doubt, value)| doubt * value.high.abs())
+            .sum::<f64>();
     }
     for (j, row) in inverse.iter().enumerate() {
         let of_value: f64 = row.iter().zip(&errors).map(|(x, y)| x.high.abs() * y).sum();
@@ -104,12 +121,21 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
             *error += of_value * length;
         }
     }
-    let motions = units.iter().zip(&values).fold(free, |sum, (unit, value)| Motions {
-        linear: sum.linear + scaled(unit.linear, *value),
-        angular: sum.angular + scaled(unit.angular, *value),
-    });
+    let motions = units
+        .iter()
+        .zip(&values)
+        .fold(free, |sum, (unit, value)| Motions {
+            linear: sum.linear + scaled(unit.linear, *value),
+            angular: sum.angular + scaled(unit.angular, *value),
+        });
     let reactions = problem.reactions(&values);
-    Some(Solved { motions, reactions, errors: accelerations, condition, is_near_switch: problem.is_near_switch })
+    Some(Solved {
+        motions,
+        reactions,
+        errors: accelerations,
+        condition,
+        is_near_switch: problem.is_near_switch,
+    })
 }
 
 fn scaled(vector: Vector, factor: Wide) -> Vector {
@@ -136,34 +162,59 @@ impl<'a> Problem<'a> {
         let scene = Scene::at(constants, given, instant);
         let planar = constants.body.motion.is_planar();
         let mut unknowns = Vec::new();
-        for (load, what) in constants.body.loads.iter().map(|load| &load.what).enumerate() {
+        for (load, what) in constants
+            .body
+            .loads
+            .iter()
+            .map(|load| &load.what)
+            .enumerate()
+        {
             let (axes, parts, only) = match what {
                 What::OpenForce(axes, parts, _) => (axes, parts, if planar { 0..2 } else { 0..3 }),
                 What::OpenMoment(axes, parts) => (axes, parts, if planar { 2..3 } else { 0..3 }),
                 What::OpenAlong(direction, _) => {
-                    unknowns.push(Unknown { load, direction: scene.vector(direction) });
+                    unknowns.push(Unknown {
+                        load,
+                        direction: scene.vector(direction),
+                    });
                     continue;
                 }
                 _ => continue,
             };
             for axis in only.filter(|axis| parts[*axis].is_none()) {
                 let unit = [0, 1, 2].map(|i| if i == axis { Number::ONE } else { Number::ZERO });
-                unknowns.push(Unknown { load, direction: scene.written_in(*axes, Vector::new(unit)) });
+                unknowns.push(Unknown {
+                    load,
+                    direction: scene.written_in(*axes, Vector::new(unit)),
+                });
             }
         }
-        Self { constants, given, instant, unknowns, is_near_switch: scene.is_near_switch() }
+        Self {
+            constants,
+            given,
+            instant,
+            unknowns,
+            is_near_switch: scene.is_near_switch(),
+        }
     }
 
     /// All loads that are known in part or not at all, world axes; zero in the place of others.
     fn reactions(&mut self, values: &[Wide]) -> Vec<Vector> {
         let scene = Scene::at(self.constants, self.given, self.instant);
         let planar = self.constants.body.motion.is_planar();
-        let known = |part: &Option<Scalar>| part.as_ref().map_or(Number::ZERO, |part| scene.scalar(part));
+        let known = |part: &Option<Scalar>| {
+            part.as_ref()
+                .map_or(Number::ZERO, |part| scene.scalar(part))
+        };
         let loads = self.constants.body.loads.iter();
         let mut all: Vec<Vector> = loads
             .map(|load| match &load.what {
-                What::OpenForce(axes, parts, _) => scene.written_in(*axes, Vector::new([0, 1, 2].map(|i| known(&parts[i])))),
-                What::OpenMoment(axes, parts) if !planar => scene.written_in(*axes, Vector::new([0, 1, 2].map(|i| known(&parts[i])))),
+                What::OpenForce(axes, parts, _) => {
+                    scene.written_in(*axes, Vector::new([0, 1, 2].map(|i| known(&parts[i]))))
+                }
+                What::OpenMoment(axes, parts) if !planar => {
+                    scene.written_in(*axes, Vector::new([0, 1, 2].map(|i| known(&parts[i]))))
+                }
                 _ => Vector::ZERO,
             })
             .collect();
@@ -176,11 +227,14 @@ impl<'a> Problem<'a> {
     /// With these values of the unknowns.
     fn accelerations(&mut self, values: &[Wide]) -> Motions {
         let reactions = self.reactions(values);
-        let scene = Scene::at(self.constants, self.given, self.instant).with_reactions(reactions.clone());
+        let scene =
+            Scene::at(self.constants, self.given, self.instant).with_reactions(reactions.clone());
         let mut total = Wrench::ZERO;
         for (load, reaction) in self.constants.body.loads.iter().zip(&reactions) {
             let wrench = match &load.what {
-                What::OpenForce(_, _, place) | What::OpenAlong(_, place) => Wrench::of_force(&scene, *reaction, place),
+                What::OpenForce(_, _, place) | What::OpenAlong(_, place) => {
+                    Wrench::of_force(&scene, *reaction, place)
+                }
                 What::OpenMoment(..) => Wrench::couple(*reaction),
                 _ => acting(&scene, load).map_or(Wrench::ZERO, |acting| acting.wrench),
             };
@@ -205,30 +259,50 @@ impl<'a> Problem<'a> {
     /// `A D`: along an acceleration, positions and velocities change alike.
     fn slope(&mut self, constraint: &Constraint, axis: usize, along: &Motions) -> (Wide, f64) {
         let (linear, angular) = self.coordinates(along);
-        let largest = linear.iter().chain(&angular).map(|x| x.high.abs()).fold(0.0, f64::max);
+        let largest = linear
+            .iter()
+            .chain(&angular)
+            .map(|x| x.high.abs())
+            .fold(0.0, f64::max);
         if largest == 0.0 {
             return (Wide::ZERO, 0.0);
         }
-        settled(1.0 / largest, |length| {
-            let part = |vector: [Wide; 3]| vector.map(|x| x * length);
-            let (linear, angular) = (part(linear), part(angular));
-            let step = if constraint.is_of_rates() {
-                Step { velocity: linear, turning: angular, ..Step::default() }
-            } else {
-                Step { position: linear, attitude: angular, ..Step::default() }
-            };
-            self.value(constraint, axis, &step).value
-        }, 1)
+        settled(
+            1.0 / largest,
+            |length| {
+                let part = |vector: [Wide; 3]| vector.map(|x| x * length);
+                let (linear, angular) = (part(linear), part(angular));
+                let step = if constraint.is_of_rates() {
+                    Step {
+                        velocity: linear,
+                        turning: angular,
+                        ..Step::default()
+                    }
+                } else {
+                    Step {
+                        position: linear,
+                        attitude: angular,
+                        ..Step::default()
+                    }
+                };
+                self.value(constraint, axis, &step).value
+            },
+            1,
+        )
     }
 
     /// `A a + b` with this acceleration, and how far it may be off.
     fn rest(&mut self, constraint: &Constraint, axis: usize, motions: &Motions) -> (Wide, f64) {
         let order = if constraint.is_of_rates() { 1 } else { 2 };
         let length = 1.0 / self.speed(motions);
-        settled(length, |length| {
-            let step = self.along(motions, length);
-            self.value(constraint, axis, &step).value
-        }, order)
+        settled(
+            length,
+            |length| {
+                let step = self.along(motions, length);
+                self.value(constraint, axis, &step).value
+            },
+            order,
+        )
     }
 
     fn speed(&self, motions: &Motions) -> f64 {
@@ -260,7 +334,9 @@ impl<'a> Problem<'a> {
         };
         let length = Wide::from(length);
         let half = length * length * 0.5;
-        let moved = |first: [Wide; 3], second: [Wide; 3]| [0, 1, 2].map(|i| first[i] * length + second[i] * half);
+        let moved = |first: [Wide; 3], second: [Wide; 3]| {
+            [0, 1, 2].map(|i| first[i] * length + second[i] * half)
+        };
         Step {
             time: length,
             position: moved(scene.velocity.value, linear),

@@ -189,10 +189,7 @@ fn is_constant(scene: &Scene<'_>, scalar: &Scalar) -> bool {
         | Scalar::Quotient(a, b)
         | Scalar::Binary(_, a, b) => constant(a) && constant(b),
         Scalar::If(condition, a, b) => is_decided(scene, condition) && constant(a) && constant(b),
-        Scalar::Angle
-        | Scalar::AngularRate
-        | Scalar::Attitude(_)
-        | Scalar::Reaction(..) => false,
+        Scalar::Angle | Scalar::AngularRate | Scalar::Attitude(_) | Scalar::Reaction(..) => false,
     }
 }
 

@@ -182,9 +182,11 @@ pub trait Reactions: RigidBody {
 /// Inverse dynamics, `outputs: [inverse]`: the drives that go with a given motion.
 ///
 /// The force and moment balances, (1.3) and (1.4), with the acceleration given and the drives unknown. The motion is taken to
-/// be one that the drives can make: a balance in which they have no part is not looked at.
+/// be one that the drives can make: a balance in which they have no part is not looked at, and where they are fewer than
+/// the others, the acceleration that they leave over is least in the metric of the kinetic energy (Gauss's principle).
 pub trait Inverse: RigidBody {
-    /// One field for each drive with unknown components, in the axes in which it is written \[N, N m\].
+    /// One field for each drive with unknown components, in the axes in which it is written \[N, N m\]; or a `Result` of
+    /// that and [`Singular`], where drives turn against each other.
     type Drives;
 
     /// The drives with which the body has this acceleration.

@@ -176,3 +176,57 @@ fn constants_fold_to_what_they_are() {
         assert_eq!(folded(x, y), format!("{folded_to}.into()"), "{x}, {y}");
     }
 }
+
+/// The force by an expression of an input c and a parameter p, as it is emitted.
+fn force(value: &str) -> String {
+    let description = format!(
+        "Particle {{ motion: planar_translation, mass: 1[kg], inputs: [c], params: [p = 2],
+         forces: [push = world(({value}) * 1[N], 0)] }}"
+    );
+    let text = expand_description(description.parse().expect("tokens")).to_string();
+    let body = text.split("fn acceleration").nth(1).expect("a function");
+    let after = body.split_once('{').expect("its body").1;
+    let end = after.find("impl ").expect("the next item");
+    after[..end].replace(' ', "")
+}
+
+/// What is folded, and what keeps the gap where it has no value.
+#[test]
+fn what_cancels() {
+    for (value, folded_to) in [
+        ("c / c", "1.0"),
+        ("c * (1 / c)", "1.0"),
+        ("c * c.recip()", "1.0"),
+        ("c * c.powi(-1)", "1.0"),
+        ("3 * (c + 1) / (c + 1)", "3.0"),
+        ("p / p", "1.0"),
+        ("p * p / p - p", "0.0"),
+        ("c - c", "0.0"),
+        ("0 * c", "0.0"),
+        ("0 / c", "0.0"),
+        ("0 * c.ln()", "0.0"),
+        ("c.sin() / c - c.sin() / c", "0.0"),
+        ("c.powi(0)", "1.0"),
+        ("c.powf(0)", "1.0"),
+    ] {
+        assert_eq!(
+            force(value),
+            format!("[{folded_to},0.0].into()}}}}"),
+            "{value}"
+        );
+    }
+    for value in [
+        "c.sin() / c",
+        "c * c / c",
+        "(c + 1) / c",
+        "c.sqrt() * c.sqrt()",
+        "(c * c).sqrt()",
+        "c.exp().ln()",
+        "(c * c - 1) / (c - 1)",
+        "c.tan() / c.sin()",
+        "if c == 0 { 1 } else { c.sin() / c }",
+    ] {
+        let kept = force(value);
+        assert!(kept.contains("input"), "{value}: {kept}");
+    }
+}

@@ -45,6 +45,12 @@ impl Documentation {
                 #[doc = " Where the constraints do not determine their reactions, `acceleration` is not a number; `reactions`, if it is there, returns an error."]
             });
         }
+        if functions.inverse.has_pivots {
+            lines.extend(quote! {
+                #[doc = ""]
+                #[doc = " Where the configuration does not determine the drives, `inverse` returns an error."]
+            });
+        }
         Self {
             lines,
             constants: constants(outline, &text, &costs, equations),

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use crate::mechanics::{Balance, Equations, ReactionExpressions, Resultant};
 use crate::model::{Family, LoadKind, Model, Outline, Output};
-use crate::symbolic::{Components, Cost, Id, Stage};
+use crate::symbolic::{Components, Cost, Id, Node, Stage};
 
 use super::code::{Fields, Source, Writer};
 use super::consistency::{write_project, write_violations};
@@ -183,7 +183,16 @@ impl Functions {
         }
         if outline.outputs.contains(&Output::Inverse) {
             let (open, solved) = (&outline.drives, &equations.drives);
-            functions.inverse = write_open(&writer, &shapes, "Drives", open, solved);
+            let roots: Vec<Id> = solved.iter().flat_map(|drive| drive.vector).collect();
+            let graph = &model.frames.graph;
+            let is_pivot = |id: &Id| matches!(graph.node(*id), Node::Pivot(..));
+            let fallible = Writer {
+                is_fallible: graph.reachable(&roots, |_| true).iter().any(is_pivot),
+                scalar: Scalar::of(outline),
+                private: private(outline),
+                ..writer
+            };
+            functions.inverse = write_open(&fallible, &shapes, "Drives", open, solved);
         }
         if let Some(flow) = &equations.flow {
             functions.path = flow::write_path(&double, &double_shapes, flow);
@@ -209,7 +218,10 @@ impl Functions {
             residual: never(),
             loads: never(),
             reactions: never(),
-            inverse: never(),
+            inverse: Function {
+                has_pivots: outline.has_turning_drive,
+                ..never()
+            },
             path: never(),
             path_type: flow::any_path(outline),
             violations: never(),

@@ -282,6 +282,12 @@ fn emit_inverse(outline: &Outline, shapes: &Shapes, functions: &Functions) -> To
     let (name, function) = (&outline.name, &functions.inverse);
     let (drives, applied) = (format_ident!("{name}Drives"), shapes.scalar.applied());
     let drives = quote!(#drives #applied);
+    let private = &shapes.private;
+    let drives = if function.has_pivots {
+        quote!(::core::result::Result<#drives, #private::Singular>)
+    } else {
+        drives
+    };
     let time = function.argument(Source::Time, "time");
     let acceleration = function.argument(Source::Acceleration, "acceleration");
     let input = function.argument(Source::Input, "input");

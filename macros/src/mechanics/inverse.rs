@@ -2,13 +2,18 @@
 //!
 //! The same balances as in [`super::reactions`], with the accelerations given and the drives unknown
 //! beside the reactions. A motion is taken to be one that the drives can make: a balance in which no
-//! unknown has a part is not looked at.
+//! unknown has a part is not looked at. Where coefficients depend on the configuration, or drives are
+//! fewer than the balances they have a part in, [`super::drives`] solves for them.
 
 use crate::errors::Errors;
-use crate::model::{Frame, LoadKind, Meaning, Model, Output};
+use crate::model::{Frame, LoadKind, Meaning, Model, Output, Vector};
 use crate::symbolic::{Components, Id, Node};
 
-use super::reactions::{ReactionExpressions, Row, Unmoved, balances_left, solve_unknowns};
+use super::drives::solve_drives;
+use super::reactions::{
+    ReactionExpressions, Row, Unmoved, assemble, balances_left, solve_unknowns,
+};
+use super::solvability::check_determined;
 
 /// Solves for the drives, each in the axes in which it is written.
 pub fn derive_inverse(model: &mut Model, errors: &mut Errors) -> Option<Vec<ReactionExpressions>> {
@@ -23,9 +28,9 @@ pub fn derive_inverse(model: &mut Model, errors: &mut Errors) -> Option<Vec<Reac
     let reactions = model.reactions.len();
     let mut drives = std::mem::take(&mut model.drives);
     model.reactions.append(&mut drives);
-    let solved = solve_unknowns(model, rows, &linear, &angular, Unmoved::Ignored, errors);
+    let solved = solve(model, reactions, rows, (&linear, &angular), errors);
     model.drives = model.reactions.split_off(reactions);
-    let solved = solved?.split_off(reactions);
+    let solved = solved?;
     let frames: Vec<Frame> = model.drives.iter().map(|drive| drive.frame).collect();
     let names: Vec<String> = model
         .drives
@@ -40,6 +45,29 @@ pub fn derive_inverse(model: &mut Model, errors: &mut Errors) -> Option<Vec<Reac
         ReactionExpressions { vector }
     });
     Some(drives.collect())
+}
+
+/// The drives, which stand behind `first` reactions in the model: with constant coefficients where
+/// there are axes in which they are, and there are as many as they have balances.
+fn solve(
+    model: &mut Model,
+    first: usize,
+    rows: Vec<Row>,
+    motion: (&Components, &Components),
+    errors: &mut Errors,
+) -> Option<Vec<Vector>> {
+    let free = free_balances(model);
+    let solved = solve_unknowns(model, rows, motion.0, motion.1, Unmoved::Ignored);
+    match solved {
+        Ok(solved) if solved.is_constant && !solved.solution.undetermined.is_empty() => {
+            check_determined(model, &solved, errors)?;
+            None
+        }
+        Ok(solved) if solved.is_constant && solved.solution.unbalanced.is_empty() => {
+            Some(assemble(model, &solved).split_off(first))
+        }
+        _ => solve_drives(model, first, &free, motion, errors),
+    }
 }
 
 /// The balances along the directions in which the body moves freely.

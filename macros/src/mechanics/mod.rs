@@ -13,6 +13,7 @@ mod balance;
 mod charges;
 mod consistency;
 mod constraints;
+mod drives;
 mod dyadic;
 mod energy;
 mod euler_equations;

@@ -33,8 +33,8 @@ pub struct Unknown {
 pub struct Row {
     pub name: &'static str,
     /// Of a force or of a moment, from the components of the resultants.
-    kind: LoadKind,
-    direction: Components,
+    pub kind: LoadKind,
+    pub direction: Components,
 }
 
 impl Row {
@@ -43,6 +43,14 @@ impl Row {
             name,
             kind,
             direction,
+        }
+    }
+
+    /// Of the components of a force and of a moment, those that it is about.
+    pub fn of(&self, force: Components, moment: Components) -> Components {
+        match self.kind {
+            LoadKind::Force => force,
+            LoadKind::Moment => moment,
         }
     }
 }
@@ -59,7 +67,15 @@ pub fn derive_reactions(
     }
     check_workless(model, errors)?;
     let rows = balances_left(model);
-    let solved = solve_unknowns(model, rows, linear, angular, Unmoved::Checked, errors)?;
+    let solved = match solve_unknowns(model, rows, linear, angular, Unmoved::Checked) {
+        Ok(solved) => solved,
+        Err(place) => {
+            errors.push(place, "in world axes the part of this reaction that is known turns against the body: write it in body axes, or leave all its components unknown");
+            return None;
+        }
+    };
+    check_solution(model, &solved, errors)?;
+    let solved = assemble(model, &solved);
     let names: Vec<String> = model
         .reactions
         .iter()
@@ -83,16 +99,26 @@ pub enum Unmoved {
     Ignored,
 }
 
-/// The unknown loads that meet the balances of `rows`, in a motion with these accelerations.
+/// What the balances say of the unknowns.
+pub struct Solved {
+    frame: Frame,
+    pub unknowns: Vec<Unknown>,
+    pub rows: Vec<Row>,
+    pub solution: Solution,
+    /// Whether the coefficients are known before the state is.
+    pub is_constant: bool,
+}
+
+/// The unknown loads that meet the balances of `rows`, in a motion with these accelerations. Where
+/// coefficients are not constant in any axes, the place of an unknown that makes them so.
 pub fn solve_unknowns(
     model: &mut Model,
     mut rows: Vec<Row>,
     linear: &Components,
     angular: &Components,
     unmoved: Unmoved,
-    errors: &mut Errors,
-) -> Option<Vec<Vector>> {
-    let frame = choose_frame(model, errors)?;
+) -> Result<Solved, Extent> {
+    let frame = choose_frame(model)?;
     let unknowns = list_unknowns(model);
     if unmoved == Unmoved::Ignored {
         rows.retain(|row| {
@@ -103,7 +129,11 @@ pub fn solve_unknowns(
             })
         });
     }
-    let (force, moment) = balances_without_unknowns(model, frame, linear, angular);
+    let (force, moment) = balances_without_unknowns(model, linear, angular);
+    let (force, moment) = (
+        model.frames.components(force, frame),
+        model.frames.components(moment, frame),
+    );
     let mut equations = Vec::new();
     for row in &rows {
         let coefficients = unknowns
@@ -111,29 +141,29 @@ pub fn solve_unknowns(
             .map(|unknown| coefficient(model, frame, row, unknown))
             .collect();
         let graph = &mut model.frames.graph;
-        let known = graph.dot(
-            row.direction,
-            if row.kind == LoadKind::Force {
-                force
-            } else {
-                moment
-            },
-        );
+        let known = graph.dot(row.direction, row.of(force, moment));
         let right = graph.negate(known);
         equations.push(Equation {
             coefficients,
             right,
         });
     }
+    let mut coefficients = equations.iter().flat_map(|row| &row.coefficients);
+    let is_constant = coefficients.all(|id| model.frames.graph.is_early(*id));
     let solution = model.frames.graph.solve(equations, unknowns.len());
-    check_solution(model, &unknowns, &rows, &solution, errors)?;
-    Some(assemble(model, frame, &unknowns, &solution))
+    Ok(Solved {
+        frame,
+        unknowns,
+        rows,
+        solution,
+        is_constant,
+    })
 }
 
 /// The axes in which the balances are written: those of the world where all unknowns can be written
 /// in them with constant coefficients, else those of the body. All three components of an unknown
 /// vector can be written in any axes.
-fn choose_frame(model: &mut Model, errors: &mut Errors) -> Option<Frame> {
+fn choose_frame(model: &mut Model) -> Result<Frame, Extent> {
     let center = model.state.center(&mut model.frames);
     let mut in_world = true;
     let mut mixed = None;
@@ -142,6 +172,9 @@ fn choose_frame(model: &mut Model, errors: &mut Errors) -> Option<Frame> {
         let reaction = &model.reactions[index];
         let (point, kind, written) = (reaction.point, reaction.kind, reaction.frame);
         let place = reaction.unknown.first().map(|(_, place)| *place);
+        if let (Some(_), Some(place)) = (reaction.along, place) {
+            return Err(place);
+        }
         let arm = arm(model, point, center);
         let has_arm = kind == LoadKind::Force && !model.frames.is_zero_vector(arm);
         in_world &= !has_arm && (is_free || written == Frame::World);
@@ -151,13 +184,9 @@ fn choose_frame(model: &mut Model, errors: &mut Errors) -> Option<Frame> {
     }
     // without an attitude the axes are the same
     if in_world || !model.motion.has_attitude() {
-        return Some(Frame::World);
+        return Ok(Frame::World);
     }
-    if let Some(place) = mixed {
-        errors.push(place, "in world axes the part of this reaction that is known turns against the body: write it in body axes, or leave all its components unknown");
-        return None;
-    }
-    Some(Frame::Body)
+    mixed.map_or(Ok(Frame::Body), Err)
 }
 
 /// Whether the unknown components of a reaction are the same unknowns in the axes of the body and
@@ -175,7 +204,7 @@ fn is_in_any_axes(model: &mut Model, index: usize) -> bool {
     along.is_some_and(|along| axes == [along] || (axes.len() == 2 && !axes.contains(&along)))
 }
 
-fn list_unknowns(model: &Model) -> Vec<Unknown> {
+pub fn list_unknowns(model: &Model) -> Vec<Unknown> {
     let reactions = model.reactions.iter().enumerate();
     let all = reactions.flat_map(|(reaction, load)| {
         load.unknown.iter().map(move |(axis, place)| Unknown {
@@ -257,12 +286,11 @@ fn across(model: &mut Model, d: Components) -> [(&'static str, Components); 2] {
 }
 
 /// Sum of the given forces and their moment about the center, less the inertial ones.
-fn balances_without_unknowns(
+pub fn balances_without_unknowns(
     model: &mut Model,
-    frame: Frame,
     linear: &Components,
     angular: &Components,
-) -> (Components, Components) {
+) -> (Vector, Vector) {
     let center = model.state.center(&mut model.frames);
     let mut force = resultant(model);
     let moments = moments_about(model, center);
@@ -274,10 +302,7 @@ fn balances_without_unknowns(
     let (inertial_force, inertial_moment) = inertial(model, linear, angular);
     let force = model.frames.add(force, inertial_force);
     let moment = model.frames.add(moment, inertial_moment);
-    (
-        model.frames.components(force, frame),
-        model.frames.components(moment, frame),
-    )
+    (force, moment)
 }
 
 /// What is given of each reaction: its force, and its moment about `pole`.
@@ -407,12 +432,13 @@ fn coefficient(model: &mut Model, frame: Frame, row: &Row, unknown: &Unknown) ->
 }
 
 /// Given and solved components together.
-fn assemble(
-    model: &mut Model,
-    frame: Frame,
-    unknowns: &[Unknown],
-    solution: &Solution,
-) -> Vec<Vector> {
+pub fn assemble(model: &mut Model, solved: &Solved) -> Vec<Vector> {
+    let Solved {
+        frame,
+        unknowns,
+        solution,
+        ..
+    } = solved;
     let mut vectors = Vec::new();
     for index in 0..model.reactions.len() {
         let (written, given) = {
@@ -427,7 +453,7 @@ fn assemble(
         }
         let (given, solved) = (
             model.frames.vector(written, given),
-            model.frames.vector(frame, solved),
+            model.frames.vector(*frame, solved),
         );
         vectors.push(model.frames.add(given, solved));
     }

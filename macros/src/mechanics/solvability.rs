@@ -1,11 +1,12 @@
 //! Whether the balances determine the reactions: what to say if they do not, and where.
 
 use crate::errors::Errors;
-use crate::model::{AXES, Frame, LoadKind, Model, Motion};
-use crate::symbolic::{Graph, Id, Number, Solution};
+use crate::model::{Frame, LoadKind, Model, Motion};
+use crate::symbolic::{Graph, Id, Number};
 
+use super::constraints::component_name;
 use super::newton_euler::arm;
-use super::reactions::{Row, Unknown};
+use super::reactions::Solved;
 
 /// Along the directions in which the body moves freely, a reaction would be a drive: the
 /// accelerations were found without it.
@@ -84,22 +85,26 @@ fn drive(model: &Model, index: usize) -> String {
 }
 
 /// Unknowns that are not determined, and balances that nothing can meet.
-pub fn check_solution(
-    model: &mut Model,
-    unknowns: &[Unknown],
-    rows: &[Row],
-    solution: &Solution,
-    errors: &mut Errors,
-) -> Option<()> {
+pub fn check_solution(model: &Model, solved: &Solved, errors: &mut Errors) -> Option<()> {
+    let determined = check_determined(model, solved, errors);
+    for row in &solved.solution.unbalanced {
+        let place = solved.unknowns.first().map(|unknown| unknown.place)?;
+        errors.push(
+            place,
+            format!(
+                "nothing balances {}: leave another component of a reaction unknown",
+                solved.rows[*row].name
+            ),
+        );
+    }
+    determined.filter(|()| solved.solution.unbalanced.is_empty())
+}
+
+/// Unknowns that are not determined.
+pub fn check_determined(model: &Model, solved: &Solved, errors: &mut Errors) -> Option<()> {
+    let (unknowns, solution) = (&solved.unknowns, &solved.solution);
     let component = |model: &Model, index: usize| {
-        let unknown = &unknowns[index];
-        let reaction = &model.reactions[unknown.reaction];
-        let is_scalar = reaction.kind == LoadKind::Moment && model.motion.is_planar();
-        if is_scalar {
-            reaction.name.to_string()
-        } else {
-            format!("{}.{}", reaction.name, AXES[unknown.axis])
-        }
+        component_name(model, unknowns[index].reaction, unknowns[index].axis)
     };
     for together in &solution.undetermined {
         // the last of them is the one to give up
@@ -127,17 +132,7 @@ pub fn check_solution(
         };
         errors.push(unknowns[*last].place, message);
     }
-    for row in &solution.unbalanced {
-        let place = unknowns.first().map(|unknown| unknown.place)?;
-        errors.push(
-            place,
-            format!(
-                "nothing balances {}: leave another component of a reaction unknown",
-                rows[*row].name
-            ),
-        );
-    }
-    (solution.undetermined.is_empty() && solution.unbalanced.is_empty()).then_some(())
+    solution.undetermined.is_empty().then_some(())
 }
 
 /// `+ 2 * a.x` of a combination.

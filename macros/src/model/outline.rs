@@ -13,7 +13,7 @@ use super::dimension::Dimension;
 use super::frame::Frame;
 use super::motion::Motion;
 use super::parameters::has_placeholder;
-use super::reaction::{is_drive, is_unknown};
+use super::reaction::{is_drive, is_turning_drive, is_unknown};
 
 /// Outputs of later versions.
 const LATER: [&str; 2] = ["linearization", "sensitivity"];
@@ -58,6 +58,8 @@ pub struct Outline {
     pub reactions: Vec<(Ident, LoadKind)>,
     /// Drives with unknown components, by name.
     pub drives: Vec<(Ident, LoadKind)>,
+    /// One of them has a direction that turns against the body, as far as its words say.
+    pub has_turning_drive: bool,
     /// Whether the motion is under constraints.
     pub is_constrained: bool,
     /// Number of given loads.
@@ -113,6 +115,7 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
         outputs: check_outputs(description, errors),
         reactions: by_name(description, is_unknown),
         drives: by_name(description, is_drive),
+        has_turning_drive: description.loads.iter().any(is_turning_drive),
         is_constrained: !description.constraints.is_empty(),
         loads: description
             .loads

@@ -55,6 +55,18 @@ pub fn is_drive(written: &syntax::Load) -> bool {
     drives && value.is_some_and(|value| placeholders(value).next().is_some())
 }
 
+/// Whether it is one in world axes with a known component, or along a direction, at a point.
+pub fn is_turning_drive(written: &syntax::Load) -> bool {
+    let Some(value) = written.vector.as_ref().filter(|_| is_drive(written)) else {
+        return false;
+    };
+    let in_world = match &value.kind {
+        Kind::Call(word, parts) => word == "world" && placeholders(value).count() < parts.len(),
+        _ => direction(value).is_some(),
+    };
+    in_world && written.point.is_some()
+}
+
 /// The placeholders in `_`, `body(_, 0, _)` and `body(_, 0, _)[N]`, with their axes.
 fn placeholders(value: &Expression) -> impl Iterator<Item = (usize, Extent)> {
     let inner = match &value.kind {
@@ -140,7 +152,14 @@ impl Lowering<'_> {
             );
         }
         let point = self.point_of_load(written);
-        let (frame, given) = self.known_part(value, written.kind)?;
+        let along = match direction(value) {
+            Some(direction) => Some(self.vector(direction, Dimension::NONE, "a direction")?),
+            None => None,
+        };
+        let (frame, given) = match along {
+            Some(_) => (Frame::World, self.frames.graph.zeros()),
+            None => self.known_part(value, written.kind)?,
+        };
         if !self.frames.graph.is_zero_vector(&given) {
             return self.report(
                 value.extent,
@@ -154,7 +173,7 @@ impl Lowering<'_> {
             frame,
             given,
             unknown: self.unknown_components(written),
-            along: None,
+            along,
             symbols: self.frames.zero_vector(),
         })
     }

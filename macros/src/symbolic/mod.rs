@@ -6,6 +6,7 @@
 //! proof that an expression is zero.
 
 mod algebra;
+mod ball;
 mod branches;
 mod build;
 mod convolution;

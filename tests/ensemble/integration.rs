@@ -176,6 +176,16 @@ fn events_are_those_of_each_alone() {
     );
     let lost = ensemble.integrate().events(1.0, |_, _, _| 1.0).unwrap_err();
     assert!(lost.index == 3 && *ensemble.states() == before);
+
+    // a function that is not a number, of one member
+    let mut ensemble = spinning();
+    let function = |_: f64, index: usize, _: &_| if index == 2 { f64::NAN } else { 0.0 };
+    let lost = ensemble.integrate().events(1.0, function).unwrap_err();
+    let is_of_event = matches!(
+        lost.error,
+        IntegrationError::EventNotANumber { time: 0.0, .. }
+    );
+    assert!(lost.index == 2 && is_of_event && *ensemble.states() == *spinning().states());
 }
 
 /// What cannot be sampled is one error, and no motion.

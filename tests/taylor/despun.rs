@@ -236,7 +236,7 @@ fn events_of_what_spins() {
         let mut times = Vec::new();
         while let Some(step) = motion.step_towards(3.0, &(), 1e-13).unwrap() {
             let height = |_: f64, state: &Rotation| (state.attitude * Vector3::x()).z;
-            times.extend(step.zeros(height).map(|event| {
+            times.extend(step.zeros(height).map(Result::unwrap).map(|event| {
                 assert!(height(0.0, &event.state).abs() < 1e-12);
                 (event.time, event.rises)
             }));

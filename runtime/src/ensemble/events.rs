@@ -27,7 +27,7 @@ impl<B: Generic + Integrate, M: Method<B>> EnsembleIntegration<'_, B, OneByOne<M
     /// It is for members one by one, under the inputs that they have, and shows no bar.
     ///
     /// # Errors
-    /// [`MemberError`] with a member that does not come there; the ensemble stays where it is.
+    /// [`MemberError`] with a member that does not come there, or of which the function is not a number; the ensemble stays where it is.
     pub fn events<F>(
         self,
         end: f64,

@@ -269,7 +269,8 @@ where
                 let course = &self.course;
                 let found = search.next(|time| course.at(time), &self.function);
                 if found.is_some() {
-                    return found.map(Ok);
+                    self.is_over = matches!(found, Some(Err(_)));
+                    return found;
                 }
             }
             let start = self.course.run.time();

@@ -35,6 +35,13 @@ pub enum IntegrationError<S> {
         /// Which constraint.
         violated: Inconsistent,
     },
+    /// The function of which events are sought is not a number.
+    EventNotANumber {
+        /// \[s\]
+        time: f64,
+        /// The state then.
+        state: S,
+    },
 }
 
 impl<S> IntegrationError<S> {
@@ -55,7 +62,8 @@ impl<S> IntegrationError<S> {
         match self {
             Self::NotFinite { time, .. }
             | Self::StepTooSmall { time, .. }
-            | Self::Inconsistent { time, .. } => *time,
+            | Self::Inconsistent { time, .. }
+            | Self::EventNotANumber { time, .. } => *time,
         }
     }
 
@@ -65,7 +73,8 @@ impl<S> IntegrationError<S> {
         match self {
             Self::NotFinite { state, .. }
             | Self::StepTooSmall { state, .. }
-            | Self::Inconsistent { state, .. } => state,
+            | Self::Inconsistent { state, .. }
+            | Self::EventNotANumber { state, .. } => state,
         }
     }
 }
@@ -79,6 +88,9 @@ impl<S> fmt::Display for IntegrationError<S> {
                 "at {time} s the step or period is {step:e} s, which is not positive or lost in rounding"
             ),
             Self::Inconsistent { time, violated, .. } => write!(f, "at {time} s: {violated}"),
+            Self::EventNotANumber { time, .. } => {
+                write!(f, "at {time} s the function of the events is not a number")
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Where a function of time and state is zero along a motion.
 
+use super::error::IntegrationError;
+
 /// A zero of a function of time and state along a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event<S> {
@@ -14,7 +16,7 @@ pub struct Event<S> {
 /// A search for zeros within one step, in the order of the motion: the start does not count, the end does.
 ///
 /// The sign is looked at in some places; of zeros closer to each other than these, an even number is not seen. A zero is found to
-/// the rounding of the function and of time.
+/// the rounding of the function and of time. What is not a number there ends the search, with an error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Search {
     start: f64,
@@ -42,7 +44,7 @@ impl Search {
         &mut self,
         state: impl Fn(f64) -> S,
         function: impl Fn(f64, &S) -> f64,
-    ) -> Option<Event<S>> {
+    ) -> Option<Result<Event<S>, IntegrationError<S>>> {
         let place = |k: usize| self.length * (super::exact(k) / super::exact(self.places));
         let value = |after: f64| function(self.start + after, &state(self.start + after));
         while self.seen < self.places {
@@ -51,14 +53,23 @@ impl Search {
             self.seen += 1;
             self.before = next;
             let crosses = last != 0.0 && (next == 0.0 || (last < 0.0) != (next < 0.0));
-            if crosses && !next.is_nan() && !last.is_nan() {
-                let time = self.start + bracketed(value, [from, to], [last, next]);
-                return Some(Event {
-                    time,
-                    state: state(time),
-                    rises: (last < 0.0) == (self.length > 0.0),
-                });
+            let found = if last.is_nan() {
+                Err(from)
+            } else if next.is_nan() {
+                Err(to)
+            } else if crosses {
+                bracketed(value, [from, to], [last, next])
+            } else {
+                continue;
+            };
+            let (Ok(after) | Err(after)) = found;
+            let (time, state) = (self.start + after, state(self.start + after));
+            if found.is_err() {
+                self.seen = self.places;
+                return Some(Err(IntegrationError::EventNotANumber { time, state }));
             }
+            let rises = (last < 0.0) == (self.length > 0.0);
+            return Some(Ok(Event { time, state, rises }));
         }
         None
     }
@@ -68,14 +79,14 @@ impl Search {
 ///
 /// I. F. D. Oliveira, R. H. C. Takahashi, An enhancement of the bisection method average performance preserving minmax
 /// optimality, ACM Transactions on Mathematical Software 47 (2020) 5: regula falsi, truncated and kept so near to the middle that
-/// no more steps are taken than by bisection and one.
+/// no more steps are taken than by bisection and one. Where the function is not a number on the way, that place is the error.
 fn bracketed(
     value: impl Fn(f64) -> f64,
     [mut a, mut b]: [f64; 2],
     [mut of_a, mut of_b]: [f64; 2],
-) -> f64 {
+) -> Result<f64, f64> {
     if of_b == 0.0 {
-        return b;
+        return Ok(b);
     }
     let width = (b - a).abs();
     let finest = 0.5 * f64::EPSILON * width;
@@ -100,8 +111,11 @@ fn bracketed(
         permitted *= 0.5;
         let of_next = value(next);
         let is_between = a.min(b) < next && next < a.max(b);
+        if of_next.is_nan() {
+            return Err(next);
+        }
         if of_next == 0.0 || !is_between {
-            return next;
+            return Ok(next);
         }
         if (of_next < 0.0) == (of_a < 0.0) {
             (a, of_a) = (next, of_next);
@@ -109,5 +123,5 @@ fn bracketed(
             (b, of_b) = (next, of_next);
         }
     }
-    0.5 * (a + b)
+    Ok(0.5 * (a + b))
 }

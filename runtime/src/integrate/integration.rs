@@ -235,7 +235,9 @@ where
     /// motion comes to it; a zero at the start is none.
     ///
     /// The sign is looked at in some places of every step: of zeros closer to each other than these, an even number is not seen. A zero is found
-    /// to the rounding of the function and of time.
+    /// to the rounding of the function and of time. What stays zero has one event where it becomes so, and none if it was from the start.
+    ///
+    /// Where the function is not a number the motion ends, with [`IntegrationError::EventNotANumber`].
     pub fn events<F: Fn(f64, &B::State) -> f64>(
         self,
         end: f64,

@@ -3,6 +3,7 @@
 use crate::state::Coordinates;
 use crate::taylor::{Axes, after};
 
+use super::error::IntegrationError;
 use super::event::{Event, Search};
 
 /// How often the sign of a function is looked at within a step.
@@ -51,8 +52,13 @@ impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
     /// end does.
     ///
     /// The sign is looked at in 16 places; of zeros closer to each other than these, an even number is not seen. A zero is found to
-    /// the rounding of the function and of time.
-    pub fn zeros<F: Fn(f64, &S) -> f64>(&self, function: F) -> impl Iterator<Item = Event<S>> {
+    /// the rounding of the function and of time. What stays zero has one where it becomes so, and none if it was from the start.
+    ///
+    /// The last item is an error where the function is not a number: [`IntegrationError::EventNotANumber`].
+    pub fn zeros<F: Fn(f64, &S) -> f64>(
+        &self,
+        function: F,
+    ) -> impl Iterator<Item = Result<Event<S>, IntegrationError<S>>> {
         let Self {
             start,
             length,

@@ -109,7 +109,7 @@ pub fn taylor_step<B: Taylor, const N: usize>(
 /// while let Some(step) = flight.step_towards(10.0, &(), 1e-10)? {
 ///     // the motion between the ends of the step, and where it crosses the ground
 ///     if let Some(event) = step.zeros(|_, stone| stone.position.z).next() {
-///         landing = Some(event.time);
+///         landing = Some(event?.time);
 ///         break;
 ///     }
 /// }

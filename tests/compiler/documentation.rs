@@ -19,7 +19,7 @@ fn of(heading: &str, description: TokenStream) -> Vec<String> {
     let lines = expansion.lines().skip_while(|line| !line.contains(heading));
     lines
         .skip(1)
-        .map_while(|line| line.strip_prefix("/// - "))
+        .map_while(|line| line.trim_start().strip_prefix("/// - "))
         .map(str::to_owned)
         .collect()
 }

@@ -44,11 +44,20 @@ fn expand_description(description: TokenStream) -> TokenStream {
 fn pretty(description: TokenStream) -> String {
     let tokens = expand_description(description);
     let mut file: syn::File = syn::parse2(tokens).expect("an expansion is a list of items");
-    for item in &mut file.items {
-        if let syn::Item::Struct(item) = item {
-            item.attrs
-                .retain(|attribute| !attribute.path().is_ident("cfg_attr"));
-        }
-    }
+    file.items.iter_mut().for_each(without_text);
     prettyplease::unparse(&file)
+}
+
+fn without_text(item: &mut syn::Item) {
+    match item {
+        syn::Item::Struct(item) => {
+            let is_code = |attribute: &syn::Attribute| !attribute.path().is_ident("cfg_attr");
+            item.attrs.retain(is_code);
+        }
+        syn::Item::Mod(item) => {
+            let items = item.content.iter_mut().flat_map(|(_, items)| items);
+            items.for_each(without_text);
+        }
+        _ => {}
+    }
 }

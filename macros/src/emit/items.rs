@@ -177,6 +177,30 @@ pub fn emit_items(
     }
 }
 
+/// What a body stores goes together: where there is something, its items stand in a module of their own, and nobody
+/// beside the call can change a part of it.
+pub fn with_private_fields(outline: &Outline, items: TokenStream) -> TokenStream {
+    if outline.params.is_empty() {
+        return items;
+    }
+    let name = &outline.name;
+    let module = format_ident!("equations_of_{name}");
+    let others = [
+        ("Params", true),
+        ("Input", !outline.inputs.is_empty()),
+        ("Reactions", !outline.reactions.is_empty()),
+        ("Drives", !outline.drives.is_empty()),
+    ];
+    let others = others.iter().filter(|(_, is_there)| *is_there);
+    let others = others.map(|(suffix, _)| format_ident!("{name}{suffix}"));
+    quote! {
+        #[allow(non_snake_case)]
+        mod #module { #items }
+        #[allow(unused_imports)]
+        pub use #module::{#name, #(#others),*};
+    }
+}
+
 fn emit_default(outline: &Outline) -> TokenStream {
     let name = &outline.name;
     let params = format_ident!("{name}Params");

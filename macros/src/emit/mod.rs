@@ -45,7 +45,9 @@ pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> Tok
     let structure = structure::emit_structure(outline, Some(&equations.structure));
     let columns = columns::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);
-    quote!(#items #implementations #structure #columns #checks)
+    let all =
+        items::with_private_fields(outline, quote!(#items #implementations #structure #columns));
+    quote!(#all #checks)
 }
 
 /// The same items for a description with mistakes, so that nothing else turns red: they compile
@@ -57,5 +59,7 @@ pub fn emit_stub(outline: &Outline) -> TokenStream {
     let structure = structure::emit_structure(outline, None);
     let columns = columns::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);
-    quote!(#items #implementations #structure #columns #checks)
+    let all =
+        items::with_private_fields(outline, quote!(#items #implementations #structure #columns));
+    quote!(#all #checks)
 }

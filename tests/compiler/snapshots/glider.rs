@@ -15,6 +15,7 @@ mod equations_of_Glider {
     /// Skipped:
     /// - the force balance: the reaction of the support has no moment about it
     /// - products of inertia: the axes are principal
+    /// - (w x J w)_y: the other two moments of inertia are equal
     /// - two rows of the rotation: what turns is along z in world axes
     /// - energy, momentum, balance: not in `outputs`
     #[derive(Clone, Debug)]
@@ -47,6 +48,7 @@ mod equations_of_Glider {
         pub const SKIPPED: &[&str] = &[
             "the force balance: the reaction of the support has no moment about it",
             "products of inertia: the axes are principal",
+            "(w x J w)_y: the other two moments of inertia are equal",
             "two rows of the rotation: what turns is along z in world axes",
             "energy, momentum, balance: not in `outputs`",
         ];

@@ -17,6 +17,7 @@ use core::fmt;
 
 use crate::exact::Path;
 use crate::inertia::InvalidInertia;
+use crate::integrate::Switches;
 use crate::state::State;
 
 /// A rigid body whose motion is determined: given time, state and input, it has one acceleration.
@@ -56,6 +57,48 @@ pub trait RigidBody {
         state: &Self::State,
         input: &Self::Input,
     ) -> <Self::State as State>::Acceleration;
+
+    /// Tells the times at which the equations change by a condition on time, such as the start and the end of a pulse: steps of
+    /// [`integrate`](crate::integrate::Integrate::integrate) end there, and each is taken with the equations of its own side. None, unless it
+    /// is said here; [`rigid_body!`](crate::rigid_body) finds the conditions of a description.
+    ///
+    /// ```
+    /// use newton_euler::{integrate::Switches, prelude::*};
+    /// use nalgebra::Vector2;
+    ///
+    /// struct Kicked { at: f64 }
+    ///
+    /// impl RigidBody for Kicked {
+    ///     type Scalar = f64;
+    ///     type State = PlanarTranslation;
+    ///     type Input = ();
+    ///
+    ///     fn acceleration(&self, time: f64, _: &PlanarTranslation, (): &()) -> Vector2<f64> {
+    ///         let is_kicked = time >= self.at && time < self.at + 0.01;
+    ///         Vector2::new(if is_kicked { 500.0 } else { 0.0 }, 0.0)
+    ///     }
+    ///
+    ///     fn switches(&self, (): &(), times: &mut Switches) {
+    ///         times.at(self.at);
+    ///         times.at(self.at + 0.01);
+    ///     }
+    /// }
+    ///
+    /// impl Integrate for Kicked {
+    ///     type Best = newton_euler::integrate::DormandPrince;
+    /// }
+    ///
+    /// let end = Kicked { at: 50.0 }.integrate(&PlanarTranslation::default()).to(100.0)?;
+    /// assert!((end.velocity.x - 5.0).abs() < 1e-12);
+    /// # Ok::<(), newton_euler::integrate::IntegrationError<PlanarTranslation>>(())
+    /// ```
+    fn switches(&self, _input: &Self::Input, _times: &mut Switches) {}
+
+    /// The input some time \[s\] after it was given, if a part of it moves: a value with its rate and acceleration goes on with them. None, unless it
+    /// is said here: inputs are held.
+    fn input_after(&self, _input: &Self::Input, _duration: Self::Scalar) -> Option<Self::Input> {
+        None
+    }
 }
 
 /// The balances (1.3) and (1.4), open to inspection; wrenches in world axes.

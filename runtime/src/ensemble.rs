@@ -21,6 +21,7 @@ mod integration;
 mod moves;
 #[cfg(feature = "progress")]
 mod progress;
+mod ways;
 #[cfg(feature = "serde")]
 mod written;
 
@@ -28,7 +29,7 @@ pub use blocks::Blocks;
 pub use course::{AsGiven, EnsembleControl, EnsembleSamples};
 pub use events::MemberEvent;
 pub use integration::EnsembleIntegration;
-pub use moves::{MemberError, Moves, OneByOne};
+pub use moves::{Limits, MemberError, Moves, OneByOne};
 
 /// Bodies of one kind that move independently of each other.
 ///

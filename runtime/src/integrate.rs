@@ -41,6 +41,7 @@ mod runge_kutta;
 mod series;
 mod size;
 mod step;
+mod switches;
 mod taylor;
 
 pub use adaptive::{AdaptiveRun, DormandPrince};
@@ -60,10 +61,17 @@ pub use runge_kutta::{
 };
 pub use series::{SeriesRun, TaylorSeries};
 pub use step::Step;
+pub use switches::{Stretch, Switches, next_switch};
 pub use taylor::{Motion, taylor, taylor_step};
 
 #[cfg(feature = "ensemble")]
-pub(crate) use {instants::Instants, integration::TOLERANCE, point::add};
+pub(crate) use {
+    course::{Course, Pace},
+    instants::Instants,
+    integration::TOLERANCE,
+    point::add,
+    switches::Within,
+};
 
 #[cfg(feature = "progress")]
 pub(crate) use progress::Bar;

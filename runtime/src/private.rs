@@ -13,7 +13,9 @@ pub use crate::exact::{
     AxialTorque, Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Path, Pendulum,
 };
 use crate::inertia::check_turning;
-pub use crate::integrate::{ClosedForm, DormandPrince, Integrate, Projected, TaylorSeries};
+pub use crate::integrate::{
+    ClosedForm, DormandPrince, Integrate, Projected, Switches, TaylorSeries,
+};
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::operations::{Operations, Stage};
 pub use crate::scalar::Scalar;

@@ -82,6 +82,8 @@ pub struct Writer<'a> {
     /// Whether the functions return a `Result`, so that a division that cannot be done ends them;
     /// it panics in the others.
     pub is_fallible: bool,
+    /// Whether the functions are given a state.
+    pub has_state: bool,
     /// What the numbers are.
     pub scalar: Scalar,
     /// The path of what generated code may name.

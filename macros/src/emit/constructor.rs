@@ -40,6 +40,7 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
         targets: &none,
         stage: Stage::State,
         is_fallible: false,
+        has_state: false,
         scalar: Scalar::of(outline),
         private: private(outline),
     };
@@ -102,6 +103,7 @@ impl Constructor {
             targets: fields,
             stage: Stage::Parameter,
             is_fallible: false,
+            has_state: false,
             scalar: Scalar::of(outline),
             private: private.clone(),
         };

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::mechanics::{Balance, Equations, ReactionExpressions, Resultant};
+use crate::mechanics::{Balance, Equations, ReactionExpressions, Resultant, Switch};
 use crate::model::{Family, LoadKind, Model, Outline, Output};
 use crate::symbolic::{Components, Cost, Id, Node, Stage};
 
@@ -11,8 +11,9 @@ use super::code::{Fields, Source, Writer};
 use super::consistency::{write_project, write_violations};
 use super::flow;
 use super::lints::allow_constants;
+use super::naming::local;
 use super::paths::private;
-use super::scalar::Scalar;
+use super::scalar::{Scalar, number_literal};
 use super::shapes::{Shapes, Values};
 use super::taylor::{Expansion, write_axes};
 
@@ -33,6 +34,8 @@ pub struct Functions {
     pub path: Function,
     /// The type of the path.
     pub path_type: TokenStream,
+    /// If there are times at which the equations change.
+    pub switches: Option<Function>,
     pub violations: Function,
     pub project: Function,
     pub expand: Function,
@@ -115,6 +118,7 @@ impl Functions {
             targets: &none,
             stage: Stage::State,
             is_fallible: false,
+            has_state: true,
             scalar: Scalar::of(outline),
             private: private(outline),
         };
@@ -122,6 +126,15 @@ impl Functions {
             acceleration: write_acceleration(&writer, &shapes, equations),
             ..Self::default()
         };
+        if !equations.switches.is_empty() {
+            let without_state = Writer {
+                has_state: false,
+                scalar: Scalar::of(outline),
+                private: private(outline),
+                ..writer
+            };
+            functions.switches = Some(write_switches(&without_state, &equations.switches));
+        }
         if let Some(energy) = &equations.energy {
             let scalar = |id: Id| Function::write(&writer, &[id], |values| quote!(#(#values)*));
             functions.kinetic_energy = scalar(energy.kinetic);
@@ -224,6 +237,7 @@ impl Functions {
             },
             path: never(),
             path_type: flow::any_path(outline),
+            switches: None,
             violations: never(),
             project: never(),
             expand: never(),
@@ -279,6 +293,40 @@ fn write_acceleration(writer: &Writer<'_>, shapes: &Shapes, equations: &Equation
         .collect();
     function.text.extend(text);
     function
+}
+
+/// `times.at(50.0); times.every(self.start, self.period);`
+fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Function {
+    // numbers need no scalar to be made of
+    let graph = &writer.model.frames.graph;
+    let number = |id: &Id| {
+        graph
+            .as_number(*id)
+            .map(|number| number_literal(number.to_f64()))
+    };
+    let outputs: Vec<Id> = switches.iter().flat_map(Switch::roots).collect();
+    let open: Vec<Id> = outputs
+        .iter()
+        .copied()
+        .filter(|id| number(id).is_none())
+        .collect();
+    let times = local("times");
+    Function::write(writer, &open, |values| {
+        let calls = switches.iter().map(|switch| {
+            let name = match switch {
+                Switch::At(..) => quote!(at),
+                Switch::Near(..) => quote!(near),
+                Switch::Every(..) => quote!(every),
+            };
+            let roots = switch.roots();
+            let arguments = roots
+                .iter()
+                .filter_map(|id| number(id).or_else(|| values.next().cloned()));
+            let arguments: Vec<TokenStream> = arguments.collect();
+            quote!(#times.#name(#(#arguments),*);)
+        });
+        quote!(#(#calls)*)
+    })
 }
 
 /// `BodyReactions { pin: .., guide: .. }`

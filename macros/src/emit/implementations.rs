@@ -23,7 +23,7 @@ pub fn emit_implementations(outline: &Outline, functions: &Functions) -> TokenSt
         Output::Flow => emit_flow(outline, functions),
         Output::Taylor => emit_taylor(outline, functions),
     });
-    let rigid_body = emit_rigid_body(outline, &shapes, &functions.acceleration);
+    let rigid_body = emit_rigid_body(outline, &shapes, functions);
     let constrained = outline
         .is_constrained
         .then(|| emit_constrained(outline, functions));
@@ -96,7 +96,8 @@ fn method(
     quote!(#lints fn #name(&self, #arguments) -> #result { #body })
 }
 
-fn emit_rigid_body(outline: &Outline, shapes: &Shapes, function: &Function) -> TokenStream {
+fn emit_rigid_body(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {
+    let function = &functions.acceleration;
     let header = header(outline, &shapes.scalar, "RigidBody");
     let (state, input) = (shapes.state_type(), input_type(outline, &shapes.scalar));
     let scalar = shapes.scalar.kind();
@@ -106,6 +107,14 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, function: &Function) -> T
         &shapes.acceleration_type(),
         function,
     );
+    let private = &shapes.private;
+    let switches = functions.switches.as_ref().map(|function| {
+        let given = function.argument(Source::Input, "input");
+        let times = local("times");
+        let arguments = quote!(#given: &#input, #times: &mut #private::Switches);
+        let (lints, body) = (function.lints(), &function.body);
+        quote!(#lints fn switches(&self, #arguments) { #body })
+    });
     // in lanes, all of it has to be compiled for the register
     let inline = if shapes.scalar.is_generic() {
         quote!(#[allow(clippy::inline_always)] #[inline(always)])
@@ -119,6 +128,7 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, function: &Function) -> T
             type Input = #input;
             #inline
             #acceleration
+            #switches
         }
     }
 }

@@ -167,7 +167,13 @@ impl Body<'_> {
         let (motion, state) = (self.writer.model.motion, local("state"));
         if self.writer.stage == Stage::Parameter {
             let first = self.writer.outline.params.first();
-            return first.map_or_else(TokenStream::new, parameter_at_hand);
+            let params = Ident::new("params", Span::call_site());
+            return first.map_or_else(TokenStream::new, |first| component_at_hand(&params, first));
+        }
+        if !self.writer.has_state {
+            self.reads.push(Source::Input);
+            let (first, input) = (self.writer.outline.inputs.first(), local("input"));
+            return first.map_or_else(TokenStream::new, |first| component_at_hand(&input, first));
         }
         self.reads.push(Source::State);
         if motion.translates() {
@@ -293,9 +299,9 @@ impl Body<'_> {
     }
 }
 
-/// The first component of a parameter.
-fn parameter_at_hand(declared: &Declared) -> TokenStream {
+/// The first component of a parameter or an input.
+fn component_at_hand(of: &Ident, declared: &Declared) -> TokenStream {
     let name = &declared.name;
     let component = declared.frame.map(|_| quote!(.x));
-    quote!(params.#name #component)
+    quote!(#of.#name #component)
 }

@@ -35,6 +35,7 @@ mod skipped;
 mod skipped_loads;
 mod solvability;
 mod structure;
+mod switches;
 mod symmetry;
 mod taylor;
 mod zeros;
@@ -52,6 +53,7 @@ pub use free_rotation::Free;
 pub use momentum::Momentum;
 pub use reactions::ReactionExpressions;
 pub use structure::{Dependence, QUANTITIES, Structure};
+pub use switches::Switch;
 pub use symmetry::Symmetry;
 pub use taylor::Taylor;
 
@@ -74,6 +76,8 @@ pub struct Equations {
     pub taylor: Option<Taylor>,
     /// How far a state is from each constraint.
     pub constraints: Vec<Consistency>,
+    /// When the equations change by a condition on time.
+    pub switches: Vec<Switch>,
     /// What kind of body has this inertia, line by line; nothing if it is not constant.
     pub inertia_class: Vec<String>,
     /// Where uniform fields act on constant charges.
@@ -115,6 +119,12 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
     } else {
         Vec::new()
     };
+    let acting: Vec<Id> = linear
+        .into_iter()
+        .chain(angular)
+        .chain(constraints.iter().flat_map(Consistency::roots))
+        .collect();
+    let switches = switches::derive_switches(model, &acting);
     let skipped = skipped::list_skipped(model, &linear, &angular, &structure);
     Some(Equations {
         linear,
@@ -127,6 +137,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         flow,
         taylor,
         constraints,
+        switches,
         inertia_class: inertia_class::classify(model),
         charges: charges::list_centers(model),
         structure,
@@ -226,6 +237,7 @@ impl Equations {
         roots.extend(self.flow.iter().flat_map(Flow::roots));
         roots.extend(self.taylor.iter().flat_map(Taylor::roots));
         roots.extend(self.constraints.iter().flat_map(Consistency::roots));
+        roots.extend(self.switches.iter().flat_map(Switch::roots));
         roots
     }
 }

@@ -7,7 +7,7 @@
 
 use core::ops::Range;
 
-use super::moves::{MemberError, Moves};
+use super::moves::{Limits, MemberError, Moves};
 use super::{Blocks, Ensemble};
 use crate::columns::Generic;
 #[cfg(feature = "progress")]
@@ -48,6 +48,7 @@ pub(super) struct Course<'e, B: Generic, M, C> {
     ensemble: &'e mut Ensemble<B>,
     method: M,
     control: C,
+    limits: Limits,
     time: f64,
     end: f64,
     /// Until when the inputs act that act now.
@@ -61,6 +62,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> Course<'e, B, M, C> {
         ensemble: &'e mut Ensemble<B>,
         method: M,
         control: C,
+        limits: Limits,
         times: Range<f64>,
     ) -> Self {
         let Range { start: time, end } = times;
@@ -68,6 +70,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> Course<'e, B, M, C> {
             ensemble,
             method,
             control,
+            limits,
             time,
             end,
             held_until: time,
@@ -104,7 +107,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> Course<'e, B, M, C> {
                         step,
                     }));
                 }
-                self.held_until = until;
+                (self.held_until, self.limits.given) = (until, self.time);
             }
             let next = if is_ahead(time, self.held_until) {
                 self.held_until
@@ -127,7 +130,8 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> Course<'e, B, M, C> {
                 bar.show(self.time + part * (next - self.time));
             }
         };
-        self.method.moved(self.ensemble, times, shown)?;
+        let (ensemble, limits) = (&mut *self.ensemble, &self.limits);
+        self.method.moved(ensemble, times, limits, shown)?;
         self.time = next;
         Ok(())
     }

@@ -40,6 +40,7 @@ impl<B: Generic + Integrate, M: Method<B>> EnsembleIntegration<'_, B, OneByOne<M
             ensemble,
             start,
             method: OneByOne(method),
+            limits,
             ..
         } = self;
         let Ensemble {
@@ -51,6 +52,8 @@ impl<B: Generic + Integrate, M: Method<B>> EnsembleIntegration<'_, B, OneByOne<M
                 .integrate(&states.get(index))
                 .starting_at(start)
                 .method(method)
+                .max_step(limits.max_step)
+                .breaks(&limits.breaks)
                 .input(members.inputs.get(index));
             let mut events = motion.events(end, |time, state| function(time, index, state));
             let seen: Result<Vec<_>, _> = events

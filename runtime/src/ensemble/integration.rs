@@ -1,8 +1,11 @@
 //! One way to move all members: what is to be known beside the ensemble, and what comes out.
 
+use alloc::vec::Vec;
+use core::borrow::Borrow;
+
 use super::Ensemble;
 use super::course::{AsGiven, Course, EnsembleControl, EnsembleSamples};
-use super::moves::{MemberError, Moves, OneByOne};
+use super::moves::{Limits, MemberError, Moves, OneByOne};
 use crate::columns::Generic;
 #[cfg(doc)]
 use crate::integrate::Fixed;
@@ -42,6 +45,7 @@ pub struct EnsembleIntegration<'e, B: Generic, M, C> {
     pub(super) ensemble: &'e mut Ensemble<B>,
     pub(super) start: f64,
     pub(super) method: M,
+    pub(super) limits: Limits,
     control: C,
     #[cfg(feature = "progress")]
     shows_progress: bool,
@@ -56,6 +60,11 @@ impl<B: Generic + Integrate> Ensemble<B> {
             start: 0.0,
             method: OneByOne(B::Best::with_tolerance(TOLERANCE)),
             control: AsGiven,
+            limits: Limits {
+                max_step: f64::INFINITY,
+                breaks: Vec::new(),
+                given: 0.0,
+            },
             #[cfg(feature = "progress")]
             shows_progress: false,
         }
@@ -86,9 +95,25 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
             start: self.start,
             method,
             control: self.control,
+            limits: self.limits,
             #[cfg(feature = "progress")]
             shows_progress: self.shows_progress,
         }
+    }
+
+    /// With no step longer than this \[s\]: see [`Integration::max_step`](crate::integrate::Integration::max_step).
+    pub fn max_step(mut self, max_step: f64) -> Self {
+        self.limits.max_step = max_step;
+        self
+    }
+
+    /// With steps that end at these times \[s\] as well, of all members: see
+    /// [`Integration::breaks`](crate::integrate::Integration::breaks). Where a member switches by conditions on time with parameters of its own,
+    /// its steps end in any case, and those of others do not.
+    pub fn breaks(mut self, times: impl IntoIterator<Item: Borrow<f64>>) -> Self {
+        let times = times.into_iter();
+        self.limits.breaks = times.map(|time| *time.borrow()).collect();
+        self
     }
 
     /// Under inputs that a function of time, member and its state gives at the start and every so many seconds after, each held until the next
@@ -101,6 +126,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
             ensemble: self.ensemble,
             start: self.start,
             method: self.method,
+            limits: self.limits,
             control: Sampled::new(period, function),
             #[cfg(feature = "progress")]
             shows_progress: self.shows_progress,
@@ -150,7 +176,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         let bar = self
             .shows_progress
             .then(|| crate::integrate::Bar::new(times.clone()));
-        let course = Course::new(self.ensemble, self.method, self.control, times);
+        let course = Course::new(self.ensemble, self.method, self.control, self.limits, times);
         #[cfg(feature = "progress")]
         let course = course.shown_on(bar);
         course

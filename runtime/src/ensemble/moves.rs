@@ -1,7 +1,6 @@
 //! Methods that move all members: each for itself, or several in lanes.
 
 use core::fmt;
-use core::marker::PhantomData;
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
@@ -11,11 +10,13 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::blocks::{BLOCK, GroupMut, Row};
 use super::evaluate::{in_chunks, read};
+use super::ways::{Apart, Ways};
 use super::{Ensemble, Members};
 use crate::body::RigidBody;
 use crate::columns::{Columns, Generic};
 use crate::integrate::{
-    Equations, Fixed, IntegrationError, Method, Run as _, RungeKutta, Tolerant, add, exact,
+    Course, Equations, Fixed, Held, IntegrationError, Method, Pace, Run as _, RungeKutta, Tolerant,
+    add, exact,
 };
 use crate::lanes::{Lanes, Register, Work};
 use crate::state::Coordinates;
@@ -51,8 +52,29 @@ pub trait Moves<B: Generic> {
         &self,
         ensemble: &mut Ensemble<B>,
         times: Range<f64>,
+        limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Result<(), MemberError<B::State>>;
+}
+
+/// What the steps of all members keep to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// No step is longer \[s\].
+    pub max_step: f64,
+    /// Steps end at these times \[s\], in any order.
+    pub breaks: Vec<f64>,
+    /// When the inputs were given \[s\].
+    pub given: f64,
+}
+
+impl Limits {
+    pub(super) fn pace(&self) -> Pace<core::slice::Iter<'_, f64>> {
+        Pace {
+            max_step: self.max_step,
+            breaks: self.breaks.iter(),
+        }
+    }
 }
 
 /// Every member for itself, by any method, with steps of its own.
@@ -64,6 +86,7 @@ impl<B: Generic, M: Method<B>> Moves<B> for OneByOne<M> {
         &self,
         ensemble: &mut Ensemble<B>,
         times: Range<f64>,
+        limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Result<(), MemberError<B::State>> {
         if !(times.start.is_finite() && times.end.is_finite()) {
@@ -77,10 +100,12 @@ impl<B: Generic, M: Method<B>> Moves<B> for OneByOne<M> {
         let done = Done::of(states.len(), observer);
         let end_of = |index: usize| {
             let (body, input) = (members.body(index), members.inputs.get(index));
-            let state = states.get(index);
-            let mut run = self.0.start(&body, times.start, &state);
-            let reached = run.seek(times.end, times.end, &input);
-            let reached = reached.map(|()| run.state());
+            let start = (times.start, &states.get(index));
+            let mut course =
+                Course::new(&body, self.0, Held(input), limits.pace(), start, times.end);
+            course.given = Some(limits.given);
+            let reached = course.seek(times.end);
+            let reached = reached.map(|()| course.run.state());
             done.add(1);
             reached.map_err(|error| MemberError { index, error })
         };
@@ -130,6 +155,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         &self,
         ensemble: &mut Ensemble<B>,
         times: Range<f64>,
+        limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Result<(), MemberError<B::State>> {
         let Range { start: time, end } = times;
@@ -149,20 +175,35 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         let Some(steps) = self.count(end - time) else {
             return failed(0, end.is_finite().then_some(self.step));
         };
+        let pace = limits.pace();
+        if pace.limit(time, end).is_none() || pace.limit(end, time).is_none() {
+            return failed(0, Some(limits.max_step));
+        }
         let (width, members) = (ensemble.width, &ensemble.members);
         let columns = <B::State as Columns<f64>>::COUNT;
         let done = Done::of(before.len(), observer);
         in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
             let members_here = rows.len() / columns * BLOCK;
-            width.run(Advance {
-                method: PhantomData::<M>,
+            let plan = Plan {
+                fixed: *self,
                 members,
                 first,
-                start: time,
-                step: (end - time) / exact(steps),
+                times: time..end,
+                limits,
+            };
+            let step = (end - time) / exact(steps);
+            let is_done = width.run(Advance {
+                plan: &plan,
+                step,
                 steps,
                 states: rows,
             });
+            if !is_done {
+                width.run(Apart {
+                    plan: &plan,
+                    states: rows,
+                });
+            }
             done.add(members_here);
         });
         let is_lost = |state: B::State| {
@@ -180,37 +221,50 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     }
 }
 
+/// What moves, how, and when.
+pub(super) struct Plan<'e, M, B: Generic> {
+    pub(super) fixed: Fixed<M>,
+    pub(super) members: &'e Members<B>,
+    /// The block of the first rows.
+    pub(super) first: usize,
+    pub(super) times: Range<f64>,
+    pub(super) limits: &'e Limits,
+}
+
+/// The members of each register that take the same steps; says whether those are all.
 struct Advance<'e, M, B: Generic> {
-    method: PhantomData<M>,
-    members: &'e Members<B>,
-    first: usize,
-    start: f64,
+    plan: &'e Plan<'e, M, B>,
     step: f64,
     steps: usize,
     states: &'e mut [Row],
 }
 
 impl<M: RungeKutta, B: Generic> Work for Advance<'_, M, B> {
-    type Output = ();
+    type Output = bool;
 
     #[inline(always)]
-    fn run<S: Register>(self, simd: S) {
+    fn run<S: Register>(self, simd: S) -> bool {
         let columns = <B::State as Columns<f64>>::COUNT;
-        let states = self.states.chunks_exact_mut(columns);
-        for (rows, block) in states.zip(self.members.blocks(self.first)) {
+        let (plan, states) = (self.plan, self.states.chunks_exact_mut(columns));
+        let mut is_done = true;
+        for (rows, block) in states.zip(plan.members.blocks(plan.first)) {
             for group in 0..BLOCK / Lanes::<S>::COUNT {
                 let (body, input) = block.group::<B, S>(simd, group);
+                if !Ways::new((&body, &input), plan).are_plain() {
+                    is_done = false;
+                    continue;
+                }
                 let equations = Equations {
                     body: &body,
                     input: &input,
                 };
-                let state = read(simd, rows, group);
-                let end =
-                    moved::<M, _, S>(simd, &equations, &state, self.start, self.step, self.steps);
+                let (state, start) = (read(simd, rows, group), plan.times.start);
+                let end = moved::<M, _, S>(simd, &equations, &state, start, self.step, self.steps);
                 let rows = rows.iter_mut();
                 Columns::<Lanes<S>>::write(&end, &mut GroupMut { rows, index: group });
             }
         }
+        is_done
     }
 }
 

@@ -11,6 +11,7 @@ use super::method::{Method, Run, Tolerant};
 use super::point::Point;
 use super::runge_kutta::{DormandPrince8, runge_kutta_step};
 use super::size::{finest, relative_size, root};
+use super::switches::{Stretch, Within};
 
 /// How much of the step that the last error permits is taken, and how much a step may change.
 const SAFETY: f64 = 0.9;
@@ -19,9 +20,9 @@ const GROW: f64 = 6.0;
 
 /// DOP853: [`DormandPrince8`] with steps as long as the tolerance permits.
 ///
-/// For every body, smooth or not: of loads with `if`, `abs` and the like it takes short steps where they switch, as far as it sees them. A load that
-/// acts for a short time only, after a long time of rest, may lie between the twelve places where a step looks: give it as an input
-/// ([`Integration::control`](super::Integration::control)), or take steps of a [`Fixed`](super::Fixed) length. Between the ends of a step, states are those of a
+/// For every body, smooth or not: of loads with `if`, `abs` and the like it takes short steps where they switch, as far as it sees them, and ends them at
+/// the [conditions on time](crate::rigid_body#conditions-on-time). A smooth load that acts for a short time only, after a long time of rest, may lie between the
+/// twelve places where a step looks: say where, by [`breaks`](super::Integration::breaks) or [`max_step`](super::Integration::max_step). Between the ends of a step, states are those of a
 /// shorter step from its start, where nothing switches of the same accuracy as the end.
 ///
 /// E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, 1993, II.4, II.5, II.10: the error is estimated from
@@ -47,7 +48,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for DormandPrince
     fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> AdaptiveRun<'b, B> {
         let now = Point::new(time, state);
         AdaptiveRun {
-            body,
+            within: Within::new(body, time),
             tolerance: finest(self.tolerance),
             before: (time, now.coordinates),
             now,
@@ -58,7 +59,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for DormandPrince
 
 /// A motion in steps as long as its tolerance permits.
 pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>> {
-    body: &'b B,
+    within: Within<'b, B>,
     tolerance: f64,
     now: Point<B::State>,
     /// Where the step taken last began.
@@ -80,6 +81,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug for AdaptiveRun<
 impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, B> {
     const PLACES: usize = 4;
 
+    fn body(&self) -> &B {
+        self.within.body
+    }
+
     fn time(&self) -> f64 {
         self.now.time
     }
@@ -90,7 +95,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
 
     fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
         let equations = Equations {
-            body: self.body,
+            body: &self.within,
             input,
         };
         self.before = (self.now.time, self.now.coordinates);
@@ -157,6 +162,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
         }
     }
 
+    fn enter(&mut self, stretch: Stretch) {
+        self.within.enter(stretch);
+    }
+
     fn replace(&mut self, state: &B::State) {
         self.now.replace(state);
     }
@@ -164,13 +173,13 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
     fn within(&self, time: f64, input: &B::Input) -> B::State {
         let (start, coordinates) = &self.before;
         let before = B::State::from_coordinates(coordinates);
-        runge_kutta_step::<DormandPrince8, B>(self.body, *start, &before, input, time - start)
+        runge_kutta_step::<DormandPrince8, _>(&self.within, *start, &before, input, time - start)
     }
 }
 
 impl<B: RigidBody<Scalar = f64, State: Coordinates>> AdaptiveRun<'_, B> {
     /// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4).
-    fn first(&self, equations: &Equations<'_, B>, rest: f64) -> f64 {
+    fn first(&self, equations: &Equations<'_, Within<'_, B>>, rest: f64) -> f64 {
         let (time, coordinates) = (self.now.time, self.now.coordinates);
         let size = |change| relative_size::<B::State>(change, &coordinates);
         let rates = equations.rates(time, &coordinates);

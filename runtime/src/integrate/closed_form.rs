@@ -58,6 +58,10 @@ impl<B: Flow> fmt::Debug for PathRun<'_, B> {
 impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
     const PLACES: usize = 16;
 
+    fn body(&self) -> &B {
+        self.body
+    }
+
     fn time(&self) -> f64 {
         self.time
     }

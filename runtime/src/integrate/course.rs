@@ -1,6 +1,8 @@
 //! A motion on its way to an end, under inputs that change, and what is seen of it.
 
+use core::borrow::Borrow;
 use core::fmt;
+use core::iter::Empty;
 
 use crate::body::RigidBody;
 
@@ -11,6 +13,7 @@ use super::instants::Instants;
 use super::method::{Method, Run};
 #[cfg(feature = "progress")]
 use super::progress::Bar;
+use super::switches::Stretch;
 
 /// A time and the state then.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,42 +24,81 @@ pub struct Sample<S> {
     pub state: S,
 }
 
+/// How long steps are at most, and where they end beside.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pace<L> {
+    /// \[s\]
+    pub(crate) max_step: f64,
+    /// Times \[s\], in any order.
+    pub(crate) breaks: L,
+}
+
+impl<L> Pace<L> {
+    /// Where a step from a time on has to end, if there are other reasons to end at a limit: none if there is no such step.
+    pub(crate) fn limit(&self, time: f64, limit: f64) -> Option<f64> {
+        let longest = self.max_step > 0.0;
+        let step = self.max_step.min((limit - time).abs());
+        let next = if step < (limit - time).abs() {
+            time + step.copysign(limit - time)
+        } else {
+            limit
+        };
+        (longest && next != time).then_some(next)
+    }
+}
+
 /// A motion between its start and its end.
-pub(super) struct Course<R, C, B: RigidBody> {
-    pub(super) run: R,
-    pub(super) control: C,
+pub(crate) struct Course<R, C, B: RigidBody, L> {
+    pub(crate) run: R,
+    pub(crate) control: C,
     /// What acts now, and until when.
-    pub(super) input: B::Input,
-    pub(super) held_until: f64,
-    pub(super) end: f64,
-    pub(super) forwards: bool,
+    pub(crate) input: B::Input,
+    pub(crate) held_until: f64,
+    /// When it was given, if that was before it is asked for.
+    pub(crate) given: Option<f64>,
+    /// In which the motion is.
+    pub(crate) stretch: Stretch,
+    pub(crate) pace: Pace<L>,
+    pub(crate) end: f64,
+    pub(crate) forwards: bool,
     #[cfg(feature = "progress")]
-    pub(super) bar: Option<Bar>,
+    pub(crate) bar: Option<Bar>,
 }
 
 /// What a motion gives: a value, or why it ended.
 type Outcome<T, B> = Result<T, IntegrationError<<B as RigidBody>::State>>;
 
-impl<B, R, C> Course<R, C, B>
+impl<B, R, C, L> Course<R, C, B, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
     C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
 {
     /// A motion that is to begin.
-    pub(super) fn new<'b, M: Method<B, Run<'b> = R>>(
+    pub(crate) fn new<'b, M: Method<B, Run<'b> = R>>(
         body: &'b B,
         method: M,
         control: C,
+        pace: Pace<L>,
         start: (f64, &B::State),
         end: f64,
-    ) -> Self {
+    ) -> Self
+    where
+        B: 'b,
+    {
         let (time, state) = start;
         Self {
             run: method.start(body, time, state),
             control,
             input: B::Input::default(),
+            given: None,
             held_until: time,
+            stretch: Stretch {
+                next: time,
+                ..Stretch::ALL
+            },
+            pace,
             end,
             forwards: end >= time,
             #[cfg(feature = "progress")]
@@ -83,14 +125,15 @@ where
         }
     }
 
-    /// Asks for the input where the last one ends, and says where the next step has to end.
+    /// Asks for the input where the last one ends, looks how far the equations do not change, and says where the next step has to end.
     fn limit(&mut self) -> Outcome<f64, B> {
         let time = self.run.time();
         if !(time.is_finite() && self.end.is_finite()) {
             let state = self.run.state();
             return Err(IntegrationError::NotFinite { time, state });
         }
-        if time == self.held_until {
+        let is_given = time == self.held_until;
+        if is_given {
             let state = self.run.state();
             let (input, until) = self.control.input(time, &state, self.end);
             (self.input, self.held_until) = (input, until);
@@ -100,7 +143,22 @@ where
                 return Err(IntegrationError::StepTooSmall { time, state, step });
             }
         }
-        Ok(self.nearer(self.held_until, self.end))
+        if is_given || !self.is_before(self.stretch.next) {
+            let given = if is_given {
+                self.given.unwrap_or(time)
+            } else {
+                self.stretch.given
+            };
+            let (from, breaks) = ((time, self.forwards, 0), self.pace.breaks.clone());
+            let stretch = Stretch::of(self.run.body(), &self.input, from, breaks);
+            self.stretch = Stretch { given, ..stretch };
+            self.run.enter(self.stretch);
+        }
+        let limit = self.nearer(self.nearer(self.held_until, self.end), self.stretch.next);
+        self.pace.limit(time, limit).ok_or_else(|| {
+            let (state, step) = (self.run.state(), self.pace.max_step);
+            IntegrationError::StepTooSmall { time, state, step }
+        })
     }
 
     /// Takes a step; false if the end is reached.
@@ -115,11 +173,15 @@ where
     }
 
     /// Goes on until a time, not beyond the end, lies within the step taken last.
-    pub(super) fn seek(&mut self, time: f64) -> Outcome<(), B> {
+    pub(crate) fn seek(&mut self, time: f64) -> Outcome<(), B> {
         while self.is_before(time) || time.is_nan() || !self.run.time().is_finite() {
             let limit = self.limit()?;
-            let aim = self.nearer(time, limit);
-            self.run.seek(aim, limit, &self.input)?;
+            if self.pace.max_step < f64::INFINITY {
+                self.run.advance(limit, &self.input)?;
+            } else {
+                let aim = self.nearer(time, limit);
+                self.run.seek(aim, limit, &self.input)?;
+            }
             self.show();
         }
         Ok(())
@@ -147,20 +209,21 @@ where
 }
 
 /// States at equal intervals: see [`Integration::samples`](super::Integration::samples).
-pub struct Samples<R, C, B: RigidBody> {
-    course: Course<R, C, B>,
+pub struct Samples<R, C, B: RigidBody, L = Empty<f64>> {
+    course: Course<R, C, B, L>,
     /// None if the period is none.
     instants: Option<Instants>,
     period: f64,
 }
 
-impl<R, C, B> Samples<R, C, B>
+impl<R, C, B, L> Samples<R, C, B, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
     C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
 {
-    pub(super) fn new(course: Course<R, C, B>, period: f64) -> Self {
+    pub(super) fn new(course: Course<R, C, B, L>, period: f64) -> Self {
         let instants = Instants::new(course.run.time(), course.end, period);
         Self {
             course,
@@ -170,11 +233,12 @@ where
     }
 }
 
-impl<R, C, B> Iterator for Samples<R, C, B>
+impl<R, C, B, L> Iterator for Samples<R, C, B, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
     C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
 {
     type Item = Outcome<Sample<B::State>, B>;
 
@@ -202,16 +266,17 @@ where
 }
 
 /// The ends of steps: see [`Integration::steps`](super::Integration::steps).
-pub struct Steps<R, C, B: RigidBody> {
-    pub(super) course: Course<R, C, B>,
+pub struct Steps<R, C, B: RigidBody, L = Empty<f64>> {
+    pub(super) course: Course<R, C, B, L>,
     pub(super) is_over: bool,
 }
 
-impl<R, C, B> Iterator for Steps<R, C, B>
+impl<R, C, B, L> Iterator for Steps<R, C, B, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
     C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
 {
     type Item = Outcome<Sample<B::State>, B>;
 
@@ -234,19 +299,20 @@ where
 }
 
 /// Zeros of a function: see [`Integration::events`](super::Integration::events).
-pub struct Events<R, C, B: RigidBody, F> {
-    pub(super) course: Course<R, C, B>,
+pub struct Events<R, C, B: RigidBody, F, L = Empty<f64>> {
+    pub(super) course: Course<R, C, B, L>,
     pub(super) function: F,
     /// Where in the step taken last.
     pub(super) search: Option<Search>,
     pub(super) is_over: bool,
 }
 
-impl<R, C, B, F> Events<R, C, B, F>
+impl<R, C, B, F, L> Events<R, C, B, F, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
     C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
 {
     /// The state to which the motion has come: that at the end, when there are no more events.
     pub fn state(&self) -> B::State {
@@ -254,11 +320,12 @@ where
     }
 }
 
-impl<R, C, B, F> Iterator for Events<R, C, B, F>
+impl<R, C, B, F, L> Iterator for Events<R, C, B, F, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
     C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
     F: Fn(f64, &B::State) -> f64,
 {
     type Item = Outcome<Event<B::State>, B>;
@@ -294,7 +361,7 @@ where
 /// What is underway, by what it has come to.
 macro_rules! debug {
     ($($name:ident<$($parameter:ident),*> $course:ident;)*) => {$(
-        impl<R: Run<B>, C, B: RigidBody<Scalar = f64>, $($parameter)*> fmt::Debug for $name<R, C, B, $($parameter)*> {
+        impl<R: Run<B>, C, B: RigidBody<Scalar = f64>, $($parameter,)* L> fmt::Debug for $name<R, C, B, $($parameter,)* L> {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.debug_struct(stringify!($name))
                     .field("time", &self.$course.run.time())

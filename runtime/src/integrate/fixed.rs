@@ -12,6 +12,7 @@ use super::exact;
 use super::method::{Method, Run};
 use super::point::Point;
 use super::runge_kutta::{RungeKutta, runge_kutta_step};
+use super::switches::{Stretch, Within};
 
 /// A method with equal steps, each not longer than `step` \[s\].
 ///
@@ -48,7 +49,7 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> fo
     fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> FixedRun<'b, M, B> {
         let now = Point::new(time, state);
         FixedRun {
-            body,
+            within: Within::new(body, time),
             fixed: self,
             before: (time, now.coordinates),
             now,
@@ -60,7 +61,7 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> fo
 
 /// A motion in equal steps.
 pub struct FixedRun<'b, M, B: RigidBody<Scalar = f64, State: Coordinates>> {
-    body: &'b B,
+    within: Within<'b, B>,
     fixed: Fixed<M>,
     now: Point<B::State>,
     /// Where the step taken last began.
@@ -84,6 +85,10 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug
 impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for FixedRun<'_, M, B> {
     const PLACES: usize = 4;
 
+    fn body(&self) -> &B {
+        self.within.body
+    }
+
     fn time(&self) -> f64 {
         self.now.time
     }
@@ -103,7 +108,7 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for F
         }
         let step = (end - self.span.start) / exact(self.steps.end);
         let equations = Equations {
-            body: self.body,
+            body: &self.within,
             input,
         };
         let (time, coordinates) = (self.now.time, self.now.coordinates);
@@ -121,6 +126,10 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for F
         Ok(())
     }
 
+    fn enter(&mut self, stretch: Stretch) {
+        self.within.enter(stretch);
+    }
+
     fn replace(&mut self, state: &B::State) {
         self.now.replace(state);
     }
@@ -128,6 +137,6 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for F
     fn within(&self, time: f64, input: &B::Input) -> B::State {
         let (start, coordinates) = &self.before;
         let before = B::State::from_coordinates(coordinates);
-        runge_kutta_step::<M, B>(self.body, *start, &before, input, time - start)
+        runge_kutta_step::<M, _>(&self.within, *start, &before, input, time - start)
     }
 }

@@ -1,11 +1,13 @@
 //! One way to integrate: what is to be known beside a body and a state, and what comes out.
 
+use core::borrow::Borrow;
 use core::fmt;
+use core::iter::Empty;
 
 use crate::body::RigidBody;
 
 use super::control::{Control, Held, Sampled};
-use super::course::{Course, Events, Samples, Steps};
+use super::course::{Course, Events, Pace, Samples, Steps};
 use super::error::IntegrationError;
 use super::method::{Method, Run, Tolerant};
 
@@ -61,6 +63,10 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
             state: state.clone(),
             method: Self::Best::with_tolerance(TOLERANCE),
             control: Held(Self::Input::default()),
+            pace: Pace {
+                max_step: f64::INFINITY,
+                breaks: core::iter::empty(),
+            },
             #[cfg(feature = "progress")]
             shows_progress: false,
         }
@@ -103,17 +109,18 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
 /// # Ok::<(), newton_euler::integrate::IntegrationError<Translation>>(())
 /// ```
 #[must_use = "nothing moves until an end is given"]
-pub struct Integration<'b, B: RigidBody, M, C> {
+pub struct Integration<'b, B: RigidBody, M, C, L = Empty<f64>> {
     body: &'b B,
     start: f64,
     state: B::State,
     method: M,
     control: C,
+    pace: Pace<L>,
     #[cfg(feature = "progress")]
     shows_progress: bool,
 }
 
-impl<B: RigidBody, M: fmt::Debug, C> fmt::Debug for Integration<'_, B, M, C> {
+impl<B: RigidBody, M: fmt::Debug, C, L> fmt::Debug for Integration<'_, B, M, C, L> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Integration")
             .field("start", &self.start)
@@ -122,11 +129,12 @@ impl<B: RigidBody, M: fmt::Debug, C> fmt::Debug for Integration<'_, B, M, C> {
     }
 }
 
-impl<'b, B, M, C> Integration<'b, B, M, C>
+impl<'b, B, M, C, L> Integration<'b, B, M, C, L>
 where
     B: RigidBody<Scalar = f64>,
     M: Method<B>,
     C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
 {
     /// Begins at this time \[s\] and not at zero.
     pub fn starting_at(self, time: f64) -> Self {
@@ -145,27 +153,73 @@ where
     }
 
     /// By another method, such as [`Fixed`](super::Fixed).
-    pub fn method<N: Method<B>>(self, method: N) -> Integration<'b, B, N, C> {
-        let Self {
-            body,
-            start,
-            state,
-            control,
-            ..
-        } = self;
+    pub fn method<N: Method<B>>(self, method: N) -> Integration<'b, B, N, C, L> {
+        let Self { control, pace, .. } = self;
         Integration {
-            body,
-            start,
-            state,
+            body: self.body,
+            start: self.start,
+            state: self.state,
             method,
             control,
+            pace,
+            #[cfg(feature = "progress")]
+            shows_progress: self.shows_progress,
+        }
+    }
+
+    /// With no step longer than this \[s\], for what is over so soon that a longer step may not see it.
+    ///
+    /// # Errors
+    /// [`IntegrationError::StepTooSmall`] by the integration, if it is not positive, or is lost in the rounding of time.
+    pub fn max_step(self, max_step: f64) -> Self {
+        let Pace { breaks, .. } = self.pace;
+        Self {
+            pace: Pace { max_step, breaks },
+            ..self
+        }
+    }
+
+    /// With steps that end at these times \[s\] as well, in any order: those at which a load changes, or begins to, and that
+    /// nobody else knows. The conditions on `t` of a description are known ([`RigidBody::switches`]). What is no time, or not on the way, is passed over. Each
+    /// step is taken with the equations of its own side, so that a load may as well jump there.
+    ///
+    /// ```
+    /// use newton_euler::prelude::*;
+    ///
+    /// rigid_body!(Bell {
+    ///     motion: planar_translation,
+    ///     mass: 2[kg],
+    ///     forces: [blow = world(8[N] * (-((t - 40[s]) / 0.01[s]).powi(2)).exp(), 0)],
+    /// });
+    ///
+    /// let (bell, rest) = (Bell::default(), PlanarTranslation::default());
+    /// let end = bell.integrate(&rest).breaks([39.9, 40.0, 40.1]).to(60.0)?;
+    /// let momentum = 8.0 * 0.01 * std::f64::consts::PI.sqrt();
+    /// assert!((2.0 * end.velocity.x - momentum).abs() < 1e-8);
+    /// # Ok::<(), newton_euler::integrate::IntegrationError<PlanarTranslation>>(())
+    /// ```
+    pub fn breaks<N>(self, times: N) -> Integration<'b, B, M, C, N::IntoIter>
+    where
+        N: IntoIterator<Item: Borrow<f64>, IntoIter: Clone>,
+    {
+        let pace = Pace {
+            max_step: self.pace.max_step,
+            breaks: times.into_iter(),
+        };
+        Integration {
+            body: self.body,
+            start: self.start,
+            state: self.state,
+            method: self.method,
+            control: self.control,
+            pace,
             #[cfg(feature = "progress")]
             shows_progress: self.shows_progress,
         }
     }
 
     /// Under an input that is held from the start to the end.
-    pub fn input(self, input: B::Input) -> Integration<'b, B, M, Held<B::Input>> {
+    pub fn input(self, input: B::Input) -> Integration<'b, B, M, Held<B::Input>, L> {
         self.under(Held(input))
     }
 
@@ -175,24 +229,18 @@ where
         self,
         period: f64,
         function: F,
-    ) -> Integration<'b, B, M, Sampled<F>> {
+    ) -> Integration<'b, B, M, Sampled<F>, L> {
         self.under(Sampled::new(period, function))
     }
 
-    fn under<D>(self, control: D) -> Integration<'b, B, M, D> {
-        let Self {
-            body,
-            start,
-            state,
-            method,
-            ..
-        } = self;
+    fn under<D>(self, control: D) -> Integration<'b, B, M, D, L> {
         Integration {
-            body,
-            start,
-            state,
-            method,
+            body: self.body,
+            start: self.start,
+            state: self.state,
+            method: self.method,
             control,
+            pace: self.pace,
             #[cfg(feature = "progress")]
             shows_progress: self.shows_progress,
         }
@@ -219,12 +267,12 @@ where
     }
 
     /// The states at the start and every so many seconds after, up to the end \[s\]; that is the last of them if it is a whole number of periods away. Steps are as long as they would be otherwise.
-    pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B> {
+    pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B, L> {
         Samples::new(self.course(end), period)
     }
 
     /// The state at the end of every step, up to the end \[s\].
-    pub fn steps(self, end: f64) -> Steps<M::Run<'b>, C, B> {
+    pub fn steps(self, end: f64) -> Steps<M::Run<'b>, C, B, L> {
         Steps {
             course: self.course(end),
             is_over: false,
@@ -242,7 +290,7 @@ where
         self,
         end: f64,
         function: F,
-    ) -> Events<M::Run<'b>, C, B, F> {
+    ) -> Events<M::Run<'b>, C, B, F, L> {
         Events {
             course: self.course(end),
             function,
@@ -251,13 +299,13 @@ where
         }
     }
 
-    fn course(self, end: f64) -> Course<M::Run<'b>, C, B> {
+    fn course(self, end: f64) -> Course<M::Run<'b>, C, B, L> {
         #[cfg(feature = "progress")]
         let bar = self
             .shows_progress
             .then(|| super::progress::Bar::new(self.start..end));
         let start = (self.start, &self.state);
-        let course = Course::new(self.body, self.method, self.control, start, end);
+        let course = Course::new(self.body, self.method, self.control, self.pace, start, end);
         #[cfg(feature = "progress")]
         let course = Course { bar, ..course };
         course

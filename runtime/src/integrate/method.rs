@@ -3,6 +3,7 @@
 use crate::body::RigidBody;
 
 use super::error::IntegrationError;
+use super::switches::Stretch;
 
 /// A method of integration for a kind of body.
 pub trait Method<B: RigidBody<Scalar = f64>>: Copy + Send + Sync {
@@ -29,6 +30,9 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     /// At how many places within a step events are looked for.
     const PLACES: usize;
 
+    /// What moves.
+    fn body(&self) -> &B;
+
     /// How far it has come \[s\].
     fn time(&self) -> f64;
 
@@ -46,6 +50,9 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
 
     /// Hears that the input of the next step is another than that of the last.
     fn renew(&mut self) {}
+
+    /// Hears in which stretch of time the next steps are.
+    fn enter(&mut self, _stretch: Stretch) {}
 
     /// Goes on from another state at the same time.
     fn replace(&mut self, state: &B::State);

@@ -1,13 +1,16 @@
 //! Methods for bodies under constraints: each step ends on them.
 
+use core::fmt;
 use core::ops::Range;
 
+use crate::body::RigidBody;
 use crate::constrained::{Constrained, Inconsistent};
 
 use super::commutator_free::cf4_step;
 use super::error::IntegrationError;
 use super::exact;
 use super::method::{Method, Run, Tolerant};
+use super::switches::{Stretch, Within};
 
 /// A method for bodies under constraints: the start and the end of every step are put on them by [`Constrained::project`]. What they forbid does not
 /// grow, and the order is that of the method.
@@ -28,7 +31,7 @@ impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
 
     fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
         ProjectedRun {
-            body,
+            within: Within::new(body, time),
             run: self.0.start(body, time, state),
             is_on_constraints: false,
         }
@@ -36,14 +39,30 @@ impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
 }
 
 /// A motion that is put on its constraints after every step.
-#[derive(Debug)]
-pub struct ProjectedRun<'b, B, R> {
-    body: &'b B,
+pub struct ProjectedRun<'b, B: RigidBody, R> {
+    within: Within<'b, B>,
     run: R,
     is_on_constraints: bool,
 }
 
+impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ProjectedRun")
+            .field("run", &self.run)
+            .finish_non_exhaustive()
+    }
+}
+
 impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
+    /// Puts a state on the constraints, as they are then.
+    fn put(&self, time: f64, state: &mut B::State, input: &B::Input) -> Result<(), Inconsistent> {
+        let (body, side) = (self.within.body, self.within.side(time));
+        match self.within.moved(input, time) {
+            Some(moved) => body.project(side, state, &moved),
+            None => body.project(side, state, input),
+        }
+    }
+
     /// Puts the state of the motion on the constraints; `good` is the last that was there.
     fn project(
         &mut self,
@@ -51,7 +70,7 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
         good: (f64, B::State),
     ) -> Result<(), IntegrationError<B::State>> {
         let mut state = self.run.state();
-        let projected = self.body.project(self.run.time(), &mut state, input);
+        let projected = self.put(self.run.time(), &mut state, input);
         projected.map_err(|violated| {
             let (time, state) = good;
             IntegrationError::Inconsistent {
@@ -67,6 +86,10 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
 
 impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> {
     const PLACES: usize = R::PLACES;
+
+    fn body(&self) -> &B {
+        self.within.body
+    }
 
     fn time(&self) -> f64 {
         self.run.time()
@@ -90,7 +113,7 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
     fn within(&self, time: f64, input: &B::Input) -> B::State {
         let along = self.run.within(time, input);
         let mut state = along.clone();
-        match self.body.project(time, &mut state, input) {
+        match self.put(time, &mut state, input) {
             Ok(()) => state,
             Err(_) => along,
         }
@@ -99,6 +122,13 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
     /// Constraints may contain inputs.
     fn renew(&mut self) {
         self.run.renew();
+        self.is_on_constraints = false;
+    }
+
+    /// Constraints may change there.
+    fn enter(&mut self, stretch: Stretch) {
+        self.run.enter(stretch);
+        self.within.enter(stretch);
         self.is_on_constraints = false;
     }
 

@@ -7,6 +7,7 @@ use crate::taylor::Taylor;
 use super::error::IntegrationError;
 use super::method::{Method, Run, Tolerant};
 use super::step;
+use super::switches::Stretch;
 use super::taylor::Motion;
 
 /// Taylor series, of the order that belongs to the tolerance: see [`taylor()`](super::taylor()). States between the ends of a step cost next to
@@ -78,6 +79,10 @@ impl<B: Taylor> fmt::Debug for SeriesRun<'_, B> {
 impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
     const PLACES: usize = step::PLACES;
 
+    fn body(&self) -> &B {
+        with!(&self.motion, motion => motion.body())
+    }
+
     fn time(&self) -> f64 {
         with!(&self.motion, motion => motion.time())
     }
@@ -99,6 +104,10 @@ impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
 
     fn within(&self, time: f64, _input: &B::Input) -> B::State {
         with!(&self.motion, motion => motion.taken(self.start, self.length).at(time))
+    }
+
+    fn enter(&mut self, stretch: Stretch) {
+        with!(&mut self.motion, motion => motion.enter(stretch));
     }
 
     fn replace(&mut self, state: &B::State) {

@@ -27,6 +27,7 @@ use super::point::Point;
 use super::series::TaylorSeries;
 use super::size::{finest, relative_size, root};
 use super::step::Step;
+use super::switches::{Stretch, Within};
 
 /// How much of the permitted step is taken: roots are known to a few parts in a hundred.
 const SAFETY: f64 = 0.9;
@@ -117,7 +118,7 @@ pub fn taylor_step<B: Taylor, const N: usize>(
 /// # Ok::<(), newton_euler::integrate::IntegrationError<Translation>>(())
 /// ```
 pub struct Motion<'b, B: Taylor, const N: usize> {
-    body: &'b B,
+    within: Within<'b, B>,
     /// From start to end the coordinates are those in these axes.
     axes: Axes,
     now: Point<B::State>,
@@ -147,7 +148,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             Axes::BODY
         };
         Self {
-            body,
+            within: Within::new(body, time),
             axes,
             now: Point::new(time, state),
             length: 0.0,
@@ -156,9 +157,17 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         }
     }
 
+    pub(super) fn body(&self) -> &'b B {
+        self.within.body
+    }
+
+    pub(super) fn enter(&mut self, stretch: Stretch) {
+        self.within.enter(stretch);
+    }
+
     /// Goes on from another state at the same time.
     pub(super) fn replace(&mut self, state: &B::State) {
-        self.axes = self.body.axes(self.now.time, state);
+        self.axes = self.body().axes(self.now.time, state);
         self.now.replace(state);
     }
 
@@ -236,8 +245,9 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     #[inline(always)]
     fn expand(&mut self, input: &B::Input) {
         let state = B::State::from_coordinates(&self.now.coordinates);
+        let (body, time) = (self.body(), self.within.side(self.now.time));
         let (expander, series) = (&mut self.expander, &mut self.series);
-        expander.expand(self.body, self.now.time, &state, input, series);
+        expander.expand(body, time, &state, input, series);
     }
 
     /// A step that was taken by the series.

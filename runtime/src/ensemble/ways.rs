@@ -1,0 +1,224 @@
+//! The steps of a few members in one register, where they end at times of their own.
+
+#![allow(
+    clippy::float_cmp,
+    reason = "a motion is at a time, or it is not: it is put there"
+)]
+
+use core::ops::Range;
+
+use super::blocks::{BLOCK, GroupMut, Row};
+use super::evaluate::read;
+use super::moves::{Limits, Plan};
+use crate::body::RigidBody;
+use crate::columns::{Columns, Generic};
+use crate::integrate::{Equations, Fixed, RungeKutta, Stretch, Within, add, exact};
+use crate::lanes::{Lanes, Register, Work};
+use crate::scalar::Scalar;
+use crate::state::Coordinates;
+
+/// How far each member of a register has come: as a course leads a run of equal steps, so that each moves as it would alone, to the bit.
+pub(super) struct Ways<'e, M> {
+    fixed: Fixed<M>,
+    limits: &'e Limits,
+    times: Range<f64>,
+    /// Those of as many members as there are in the register.
+    each: [Way; BLOCK],
+    count: usize,
+    /// Whether a part of the inputs does.
+    moves: bool,
+}
+
+/// Equal steps of one member, in a stretch; none at the end.
+#[derive(Clone, Copy)]
+struct Way {
+    stretch: Stretch,
+    start: f64,
+    end: f64,
+    taken: usize,
+    steps: usize,
+}
+
+impl<'e, M: RungeKutta> Ways<'e, M> {
+    /// Where the members of a register begin.
+    #[inline(always)]
+    pub(super) fn new<B: Generic, L: RigidBody<Scalar: Scalar>>(
+        (body, input): (&L, &L::Input),
+        plan: &Plan<'e, M, B>,
+    ) -> Self {
+        let (times, limits) = (plan.times.clone(), plan.limits);
+        let start = times.start;
+        let way = Way {
+            stretch: Stretch {
+                next: start,
+                ..Stretch::ALL
+            },
+            start,
+            end: start,
+            taken: 0,
+            steps: 0,
+        };
+        let mut ways = Self {
+            fixed: plan.fixed,
+            limits,
+            times,
+            each: [way; BLOCK],
+            count: L::Scalar::LANES.min(BLOCK),
+            moves: body.input_after(input, L::Scalar::default()).is_some(),
+        };
+        (0..ways.count).for_each(|lane| ways.go_on((body, input), lane));
+        ways
+    }
+
+    /// Whether all members take the same steps to the end, and no time is near a switch.
+    pub(super) fn are_plain(&self) -> bool {
+        let Range { start, end } = self.times;
+        let is_plain = |way: &Way| {
+            let Stretch { lower, upper, .. } = way.stretch;
+            way.end == end && lower <= start.min(end) && start.max(end) <= upper
+        };
+        !self.moves && self.each.iter().take(self.count).all(is_plain)
+    }
+
+    /// The next steps of a member.
+    #[inline(always)]
+    fn go_on<L: RigidBody<Scalar: Scalar>>(&mut self, (body, input): (&L, &L::Input), lane: usize) {
+        let end = self.times.end;
+        let forwards = end >= self.times.start;
+        let Some(way) = self.each.get_mut(lane) else {
+            return;
+        };
+        (way.start, way.taken, way.steps) = (way.end, 0, 0);
+        if way.start == end {
+            return;
+        }
+        let is_before = |time: f64| {
+            if forwards {
+                way.start < time
+            } else {
+                way.start > time
+            }
+        };
+        if !is_before(way.stretch.next) {
+            let from = (way.start, forwards, lane);
+            way.stretch = Stretch::of(body, input, from, self.limits.breaks.iter());
+        }
+        let next = way.stretch.next;
+        let limit = if forwards {
+            next.min(end)
+        } else {
+            next.max(end)
+        };
+        way.end = self.limits.pace().limit(way.start, limit).unwrap_or(limit);
+        way.steps = self.fixed.count(way.end - way.start).unwrap_or(1);
+    }
+
+    /// The state at the end.
+    #[inline(always)]
+    pub(super) fn moved<L, S>(
+        mut self,
+        simd: S,
+        (body, input): (&L, &L::Input),
+        state: &L::State,
+    ) -> L::State
+    where
+        S: Register,
+        L: RigidBody<Scalar = Lanes<S>, State: Coordinates<Scalar = Lanes<S>>>,
+    {
+        let given = Lanes::splat(simd, self.limits.given);
+        let mut coordinates = state.coordinates();
+        let mut lost = <L::State as Coordinates>::Array::default();
+        while self.each.iter().take(self.count).any(|way| way.steps > 0) {
+            let [time, step, lower, upper] = [Way::time, Way::step, Way::lower, Way::upper]
+                .map(|part| self.register(simd, part));
+            let within = Within {
+                body,
+                lower,
+                upper,
+                given,
+            };
+            let equations = Equations {
+                body: &within,
+                input,
+            };
+            let mut change = M::increment(&equations, time, &coordinates, step);
+            L::State::keep(&coordinates, &mut change);
+            let (mut next, mut next_lost) = (coordinates, lost);
+            add(&mut next, &mut next_lost, &change);
+            let is_there = step.equal(Lanes::splat(simd, 0.0));
+            for (old, next) in [(&mut coordinates, &next), (&mut lost, &next_lost)] {
+                for (old, next) in old.as_mut().iter_mut().zip(next.as_ref()) {
+                    *old = Lanes::select(is_there, *old, *next);
+                }
+            }
+            for lane in 0..self.count {
+                let way = &mut self.each[lane];
+                way.taken += 1;
+                if way.taken >= way.steps {
+                    self.go_on((body, input), lane);
+                }
+            }
+        }
+        L::State::from_coordinates(&coordinates)
+    }
+
+    /// A part of the ways of all members, in a register.
+    #[inline(always)]
+    fn register<S: Register>(&self, simd: S, part: fn(&Way) -> f64) -> Lanes<S> {
+        let row: Row = core::array::from_fn(|lane| part(&self.each[lane]));
+        let (registers, _) = S::as_simd_f64s(&row);
+        Lanes::new(simd, registers[0])
+    }
+}
+
+/// The members of those registers in which each has steps of its own.
+pub(super) struct Apart<'e, M, B: Generic> {
+    pub(super) plan: &'e Plan<'e, M, B>,
+    pub(super) states: &'e mut [Row],
+}
+
+impl<M: RungeKutta, B: Generic> Work for Apart<'_, M, B> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Register>(self, simd: S) {
+        let columns = <B::State as Columns<f64>>::COUNT;
+        let (plan, states) = (self.plan, self.states.chunks_exact_mut(columns));
+        for (rows, block) in states.zip(plan.members.blocks(plan.first)) {
+            for group in 0..BLOCK / Lanes::<S>::COUNT {
+                let (body, input) = block.group::<B, S>(simd, group);
+                let member = (&body, &input);
+                let ways = Ways::new(member, plan);
+                if ways.are_plain() {
+                    continue;
+                }
+                let end = ways.moved(simd, member, &read(simd, rows, group));
+                let rows = rows.iter_mut();
+                Columns::<Lanes<S>>::write(&end, &mut GroupMut { rows, index: group });
+            }
+        }
+    }
+}
+
+impl Way {
+    fn time(&self) -> f64 {
+        self.start + exact(self.taken) * self.step()
+    }
+
+    /// Zero at the end.
+    fn step(&self) -> f64 {
+        if self.steps == 0 {
+            0.0
+        } else {
+            (self.end - self.start) / exact(self.steps)
+        }
+    }
+
+    fn lower(&self) -> f64 {
+        self.stretch.lower
+    }
+
+    fn upper(&self) -> f64 {
+        self.stretch.upper
+    }
+}

@@ -1,0 +1,215 @@
+//! Times at which the equations of a body change, and the stretches between them.
+
+use core::borrow::Borrow;
+
+use crate::body::RigidBody;
+use crate::scalar::Scalar;
+use crate::state::State;
+
+/// A time is the same as another if they differ by less than this fraction of the terms that they are computed from.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// The times at which the equations of a body change, as [`RigidBody::switches`] tells them. Of all that it is told, it keeps what a step needs:
+/// which is next, and whether one is here.
+#[derive(Clone, Copy, Debug)]
+pub struct Switches {
+    now: f64,
+    forwards: bool,
+    /// Of which of several numbers.
+    lane: usize,
+    stretch: Stretch,
+}
+
+impl Switches {
+    pub(crate) fn new(now: f64, forwards: bool, lane: usize) -> Self {
+        let next = if forwards {
+            f64::INFINITY
+        } else {
+            f64::NEG_INFINITY
+        };
+        Self {
+            now,
+            forwards,
+            lane,
+            stretch: Stretch {
+                next,
+                ..Stretch::ALL
+            },
+        }
+    }
+
+    /// The equations before this time \[s\] are others than those after it. What is not finite is no time.
+    pub fn at<T: Scalar>(&mut self, time: T) {
+        self.put(time.lane(self.lane), 0.0);
+    }
+
+    /// The same, of a time that is rounded as terms of this size \[s\] are, from which it is computed.
+    pub fn near<T: Scalar, S: Scalar>(&mut self, time: T, size: S) {
+        self.put(time.lane(self.lane), size.lane(self.lane).abs());
+    }
+
+    /// At this time \[s\], and every so many seconds before and after.
+    pub fn every<T: Scalar, S: Scalar>(&mut self, time: T, period: S) {
+        let (time, period) = (time.lane(self.lane), period.lane(self.lane));
+        let passed = libm::floor((self.now - time) / period);
+        for count in [-1.0, 0.0, 1.0, 2.0] {
+            let after = (passed + count) * period;
+            self.put(time + after, time.abs() + after.abs());
+        }
+    }
+
+    fn put(&mut self, time: f64, size: f64) {
+        if !time.is_finite() {
+            return;
+        }
+        let rounding = (ROUNDING * (time.abs() + size)).max(1e-300);
+        let (before, after) = (time - rounding, time + rounding);
+        let stretch = &mut self.stretch;
+        if (time - self.now).abs() <= 2.0 * rounding {
+            if self.forwards {
+                stretch.lower = stretch.lower.max(after);
+            } else {
+                stretch.upper = stretch.upper.min(before);
+            }
+        } else if self.forwards && self.now < time && time < stretch.next {
+            (stretch.next, stretch.upper) = (time, before);
+        } else if !self.forwards && stretch.next < time && time < self.now {
+            (stretch.next, stretch.lower) = (time, after);
+        }
+    }
+}
+
+/// A stretch of time in which the equations do not change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// Where it ends in the direction of the motion \[s\]; infinite if it does not.
+    pub(crate) next: f64,
+    /// Between which times they are evaluated, so that each stage of a step is on its own side of a switch, one that falls on it too.
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
+    /// When the input was given.
+    pub(crate) given: f64,
+}
+
+impl Stretch {
+    /// All of time.
+    pub(crate) const ALL: Self = Self {
+        next: f64::INFINITY,
+        lower: f64::NEG_INFINITY,
+        upper: f64::INFINITY,
+        given: 0.0,
+    };
+
+    /// That of a body from a time on, and of a list of times that are known beside it.
+    pub(crate) fn of<B: RigidBody>(
+        body: &B,
+        input: &B::Input,
+        (now, forwards, lane): (f64, bool, usize),
+        breaks: impl Iterator<Item: Borrow<f64>>,
+    ) -> Self {
+        let mut switches = Switches::new(now, forwards, lane);
+        body.switches(input, &mut switches);
+        breaks.for_each(|time| switches.put(*time.borrow(), 0.0));
+        switches.stretch
+    }
+}
+
+/// The time \[s\] at which the equations of a body change next on the way from a time to an end, if they do: for solvers that are told where
+/// to stop. [`integrate`](super::Integrate::integrate) stops there by itself.
+///
+/// ```
+/// use newton_euler::{integrate::next_switch, prelude::*};
+///
+/// rigid_body!(Rocket {
+///     motion: translation,
+///     params: [ignition = 2[s], burn = 1.5[s]],
+///     mass: 3[kg],
+///     forces: [thrust = if t > ignition && t < ignition + burn { world(0, 0, 60[N]) } else { world(0, 0, 0) }],
+/// });
+///
+/// let rocket = Rocket::default();
+/// assert_eq!(next_switch(&rocket, &(), 0.0, 10.0), Some(2.0));
+/// assert_eq!(next_switch(&rocket, &(), 2.0, 10.0), Some(3.5));
+/// assert_eq!(next_switch(&rocket, &(), 3.5, 10.0), None);
+/// // coasting, burning, coasting
+/// let end = rocket.integrate(&Translation::default()).to(10.0)?;
+/// assert!((end.velocity.z - 30.0).abs() < 1e-12);
+/// # Ok::<(), newton_euler::integrate::IntegrationError<Translation>>(())
+/// ```
+pub fn next_switch<B: RigidBody>(body: &B, input: &B::Input, time: f64, end: f64) -> Option<f64> {
+    let from = (time, end >= time, 0);
+    let next = Stretch::of(body, input, from, core::iter::empty::<f64>()).next;
+    let is_before_end = if end >= time { next < end } else { next > end };
+    is_before_end.then_some(next)
+}
+
+/// A body within a stretch of time: what a step evaluates.
+pub(crate) struct Within<'b, B: RigidBody> {
+    pub(crate) body: &'b B,
+    pub(crate) lower: B::Scalar,
+    pub(crate) upper: B::Scalar,
+    /// When the input was given.
+    pub(crate) given: B::Scalar,
+}
+
+impl<'b, B: RigidBody<Scalar = f64>> Within<'b, B> {
+    /// In all of time, with an input that is given at a time.
+    pub(crate) fn new(body: &'b B, given: f64) -> Self {
+        let mut within = Self {
+            body,
+            lower: 0.0,
+            upper: 0.0,
+            given,
+        };
+        within.enter(Stretch {
+            given,
+            ..Stretch::ALL
+        });
+        within
+    }
+
+    pub(crate) fn enter(&mut self, stretch: Stretch) {
+        let Stretch {
+            lower,
+            upper,
+            given,
+            ..
+        } = stretch;
+        (self.lower, self.upper, self.given) = (lower, upper, given);
+    }
+}
+
+impl<B: RigidBody<Scalar: Scalar>> Within<'_, B> {
+    /// A time of a step, on the side of the step.
+    #[inline(always)]
+    pub(crate) fn side(&self, time: B::Scalar) -> B::Scalar {
+        let time = B::Scalar::select(time.less(self.lower), self.lower, time);
+        B::Scalar::select(self.upper.less(time), self.upper, time)
+    }
+
+    /// The input at a time, if it moves.
+    #[inline(always)]
+    pub(crate) fn moved(&self, input: &B::Input, time: B::Scalar) -> Option<B::Input> {
+        self.body.input_after(input, time - self.given)
+    }
+}
+
+impl<B: RigidBody<Scalar: Scalar>> RigidBody for Within<'_, B> {
+    type Scalar = B::Scalar;
+    type State = B::State;
+    type Input = B::Input;
+
+    #[inline(always)]
+    fn acceleration(
+        &self,
+        time: B::Scalar,
+        state: &B::State,
+        input: &B::Input,
+    ) -> <B::State as State>::Acceleration {
+        let side = self.side(time);
+        match self.moved(input, time) {
+            Some(moved) => self.body.acceleration(side, state, &moved),
+            None => self.body.acceleration(side, state, input),
+        }
+    }
+}

@@ -48,7 +48,8 @@ fn known(scene: &Scene<'_>, motions: &Motions) -> Option<Answer> {
         sizes: [motions.linear.size, motions.angular.size],
     };
     let vectors = [answer.linear, answer.angular, answer.moment];
-    let is_lost = |vector: &Vector| vector.size > 0.0 && vector.size < LEAST;
+    let is_less = |x: f64| x != 0.0 && x.abs() < LEAST;
+    let is_lost = |vector: &Vector| is_less(vector.size) || vector.value.iter().any(|x| is_less(x.high)) && vector.size < LEAST;
     (vectors.iter().all(is_finite) && !vectors.iter().any(is_lost)).then_some(answer)
 }
 
@@ -66,8 +67,9 @@ fn held(constants: &Constants<'_>, given: &Given, instant: &Instant) -> Option<A
     }
     let scene = Scene::at(constants, given, instant);
     let answer = known(&scene, &solved.motions)?;
+    let speed = instant.state.iter().fold(1.0, |most: f64, x| most.max(x.high.abs()));
     let widened = |vector: Vector, error: f64| Vector {
-        size: 1e8 * vector.size + 1e23 * error,
+        size: 1e8 * vector.size + 100.0 * speed * speed + 1e23 * error,
         ..vector
     };
     let [linear, angular] = solved.errors;

@@ -108,7 +108,7 @@ impl Draw {
         let (zero, one) = (whole(0), whole(1));
         let number = Scalar::Literal(self.signed(0));
         let less = |a: &Scalar, b: &Scalar| Condition::Less(a.clone(), b.clone());
-        match self.random.u32(..36) {
+        match self.random.u32(..40) {
             0 | 1 => both(Binary::Max, x, zero),
             2 => both(Binary::Min, x, zero),
             3 => apply(Unary::Abs, x.clone()) + x,
@@ -155,6 +155,11 @@ impl Draw {
                     - Scalar::literal(314_159_265_359, -11)
             }
             29 => x.clone() * apply(Unary::Signum, x.clone()) - x,
+            // the same on each side of a pole or of a cut, and another number there
+            35 => apply(Unary::Atan, apply(Unary::Recip, x.clone())) + apply(Unary::Atan, x),
+            36 => both(Binary::Atan2, apply(Unary::Sin, q.clone()), apply(Unary::Cos, q.clone())) - q,
+            37 => over(apply(Unary::Sqrt, square(x.clone())), x),
+            38 => over(x.clone(), apply(Unary::Abs, x)),
             // zero for a reason
             30 => apply(Unary::Cbrt, Scalar::Power(Box::new(x.clone()), 3)) - x,
             31 => square(apply(Unary::Sin, x.clone())) + square(apply(Unary::Cos, x)) - whole(1),

@@ -86,7 +86,9 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
         rows.push(slopes.iter().map(|slope| slope.0).collect::<Vec<Wide>>());
         let (rest, error) = problem.rest(constraint, axis, &free);
         right.push(-rest);
-        errors.push(error);
+        // what has cancelled in the loads
+        let cancelled = 1e-28 * (free.linear.size + free.angular.size);
+        errors.push(error + cancelled);
     }
     if rows.len() != n || n == 0 {
         return None;

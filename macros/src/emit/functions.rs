@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::mechanics::{Balance, Equations, ReactionExpressions, Resultant, Switch};
+use crate::mechanics::{Balance, Equations, Momentum, ReactionExpressions, Resultant, Switch};
 use crate::model::{Family, LoadKind, Model, Outline, Output};
 use crate::symbolic::{Components, Cost, Id, Node, Stage};
 
@@ -141,18 +141,7 @@ impl Functions {
             functions.potential_energy = scalar(energy.potential);
         }
         if let Some(momentum) = &equations.momentum {
-            let moment = |components: &Components| {
-                Function::write(&writer, shapes.moment_part(components), |values| {
-                    shapes.moment(values)
-                })
-            };
-            functions.angular_momentum = moment(&momentum.angular);
-            functions.angular_momentum_about_pole = moment(&momentum.about_pole);
-            if model.motion.knows_position() {
-                let linear = shapes.vector_part(&momentum.linear);
-                functions.linear_momentum =
-                    Function::write(&writer, linear, |values| shapes.vector(values));
-            }
+            functions.write_momentum(&writer, &shapes, momentum);
         }
         if let Some(balance) = &equations.balance {
             let wrench = |resultant: &Resultant| {
@@ -212,6 +201,20 @@ impl Functions {
             functions.path_type = flow::path_type(&double_shapes, &flow.turning);
         }
         functions
+    }
+
+    fn write_momentum(&mut self, writer: &Writer<'_>, shapes: &Shapes, momentum: &Momentum) {
+        let moment = |components: &Components| {
+            Function::write(writer, shapes.moment_part(components), |values| {
+                shapes.moment(values)
+            })
+        };
+        self.angular_momentum = moment(&momentum.angular);
+        self.angular_momentum_about_pole = moment(&momentum.about_pole);
+        if writer.model.motion.knows_position() {
+            let linear = shapes.vector_part(&momentum.linear);
+            self.linear_momentum = Function::write(writer, linear, |values| shapes.vector(values));
+        }
     }
 
     /// Functions that are never run.

@@ -82,7 +82,7 @@ fn why_not(word: &str, operands: &[Number]) -> String {
     let of = shown(x);
     match (word, rest) {
         ("/", _) => "this is zero, and nothing can be divided by it".to_owned(),
-        ("powf", [y]) if x.is_negative() => format!(
+        ("powf", [y]) if x.is_negative() && !y.is_whole() => format!(
             "`powf` of {of} has no value: negative numbers have whole powers, and this exponent is {}",
             shown(y)
         ),

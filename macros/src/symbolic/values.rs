@@ -4,11 +4,15 @@ use dashu_ratio::RBig;
 
 use super::function::Function;
 use super::irrational::root_residue;
-use super::number::Number;
+use super::number::{Float, Number};
 use super::residue::Residue;
 
 /// Whole exponents that are powers; beyond, they are exponentials.
 const POWERS: i64 = 1 << 10;
+/// Exponentials of less are numbers too long to carry.
+const SMALLEST: i64 = 10_000;
+/// Bits in which the hyperbolic tangent of more is one.
+const ENDLESS: usize = 1 << 14;
 /// Roots that may be rational.
 const ROOTS: usize = 12;
 
@@ -108,13 +112,13 @@ impl Number {
         (self.ln()? * exponent.clone()).exp()
     }
 
-    fn is_whole(&self) -> bool {
+    pub fn is_whole(&self) -> bool {
         !self.is_rounded() && self.value.is_int()
     }
 
-    /// Whether its exponential is not far beyond the range of doubles.
+    /// Whether its exponential is not far beyond the range of doubles, nor too long a number.
     pub(super) fn has_exponential(&self) -> bool {
-        self.abs() < Self::integer(1000)
+        *self < Self::integer(1000) && *self > Self::integer(-SMALLEST)
     }
 
     fn exp(&self) -> Option<Self> {
@@ -125,8 +129,13 @@ impl Number {
             return Some(Self::one());
         }
         if self.is_negative() {
-            return Self::one().checked_div(&(-self.clone()).exp()?);
+            let grown = (-self.clone()).exp_of_positive()?;
+            return Self::one().checked_div(&grown);
         }
+        self.exp_of_positive()
+    }
+
+    fn exp_of_positive(&self) -> Option<Self> {
         match self.argument(Function::Ln) {
             Some(argument) => Some(argument.clone()),
             None => Self::value_of(Function::Exp, self, None),
@@ -147,14 +156,32 @@ impl Number {
     }
 
     fn hyperbolic(&self, function: Function) -> Option<Self> {
+        if self.is_negative() {
+            let value = (-self.clone()).hyperbolic(function)?;
+            return Some(if function == Function::Cosh {
+                value
+            } else {
+                -value
+            });
+        }
+        if function == Function::Tanh {
+            return self.tanh();
+        }
         let grown = self.exp()?;
         let decayed = Self::one().checked_div(&grown)?;
-        let (sinh, cosh) = (grown.clone() - decayed.clone(), grown + decayed);
-        Some(match function {
-            Function::Sinh => sinh / Self::integer(2),
-            Function::Cosh => cosh / Self::integer(2),
-            _ => sinh / cosh,
-        })
+        let twice = match function {
+            Function::Sinh => grown - decayed,
+            _ => grown + decayed,
+        };
+        Some(twice / Self::integer(2))
+    }
+
+    /// `(1 - e^-2x) / (1 + e^-2x)`; one, as far as anybody will see, where that is too long a number.
+    fn tanh(&self) -> Option<Self> {
+        let Some(decayed) = (Self::integer(-2) * self.clone()).exp() else {
+            return Some(Self::measured(Float::ONE, ENDLESS));
+        };
+        (Self::one() - decayed.clone()).checked_div(&(Self::one() + decayed))
     }
 
     /// How many straight angles it is, if that is a ratio of small numbers.

@@ -409,3 +409,41 @@ fn in_space() {
         );
     }
 }
+
+mod of_any_scalar {
+    newton_euler::rigid_body!(Lever::<T> {
+        motion: pivot(pin),
+        mass: 3[kg],
+        inertia: 0.2[kg * m ^ 2],
+        points: [pin = (0, 0.5), tip = (0, -0.7)],
+        forces: [hoist = (_ * world(3, 4)).at(tip)],
+        outputs: [inverse],
+    });
+}
+
+/// In single precision, and with the derivative of the drive by the acceleration.
+#[test]
+fn other_scalars() {
+    use newton_euler::{Dual, state::generic};
+    let hinge = generic::Hinge {
+        angle: 0.6_f32,
+        angular_velocity: 0.1,
+    };
+    let single = of_any_scalar::Lever::<f32>::default().inverse(0.0, &hinge, &2.0, &());
+    let hinge = generic::Hinge {
+        angle: Dual::from(0.6),
+        angular_velocity: Dual::from(0.1),
+    };
+    let wanted = Dual::<f64, 1>::variable(2.0, 0);
+    let lever = of_any_scalar::Lever::<Dual<f64, 1>>::default();
+    let dual = lever.inverse(Dual::from(0.0), &hinge, &wanted, &());
+    let (single, dual) = (
+        single.expect("a moment").hoist,
+        dual.expect("a moment").hoist,
+    );
+    let arm = turned([0.0, -1.2], 0.6);
+    let expected = 2.0 * (0.2 + 3.0 * 0.25) / arm.perp(&Vector2::new(0.6, 0.8));
+    assert!((f64::from(single.x) - 0.6 * expected).abs() < 1e-5);
+    assert!((dual.y.value - 0.8 * expected).abs() < 1e-14);
+    assert!((dual.y.derivatives[0] - 0.4 * expected).abs() < 1e-14);
+}

@@ -184,17 +184,7 @@ impl Functions {
             };
         }
         if outline.outputs.contains(&Output::Inverse) {
-            let (open, solved) = (&outline.drives, &equations.drives);
-            let roots: Vec<Id> = solved.iter().flat_map(|drive| drive.vector).collect();
-            let graph = &model.frames.graph;
-            let is_pivot = |id: &Id| matches!(graph.node(*id), Node::Pivot(..));
-            let fallible = Writer {
-                is_fallible: graph.reachable(&roots, |_| true).iter().any(is_pivot),
-                scalar: Scalar::of(outline),
-                private: private(outline),
-                ..writer
-            };
-            functions.inverse = write_open(&fallible, &shapes, "Drives", open, solved);
+            functions.inverse = write_inverse(&writer, &shapes, &equations.drives);
         }
         if let Some(flow) = &equations.flow {
             functions.path = flow::write_path(&double, &double_shapes, flow);
@@ -364,6 +354,21 @@ fn write_open(
             reactions
         }
     })
+}
+
+/// A `Result` where the configuration may leave drives undetermined.
+fn write_inverse(writer: &Writer<'_>, shapes: &Shapes, solved: &[ReactionExpressions]) -> Function {
+    let Writer { outline, model, .. } = *writer;
+    let roots: Vec<Id> = solved.iter().flat_map(|drive| drive.vector).collect();
+    let graph = &model.frames.graph;
+    let is_pivot = |id: &Id| matches!(graph.node(*id), Node::Pivot(..));
+    let guarded = Writer {
+        is_fallible: graph.reachable(&roots, |_| true).iter().any(is_pivot),
+        scalar: Scalar::of(outline),
+        private: private(outline),
+        ..*writer
+    };
+    write_open(&guarded, shapes, "Drives", &outline.drives, solved)
 }
 
 /// `[Load { name, family, force, point, moment }, ..]`

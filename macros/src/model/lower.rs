@@ -18,8 +18,8 @@ use super::value::Value;
 /// Messages that are given in more than one place.
 const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
 const CHARGES: &str = "a list of charges stands behind a field: `field.on([q.at(P)])`";
-pub const UNKNOWN: &str =
-    "unknown components (`_`) stand in `reactions`, alone: write a value here";
+pub const UNKNOWN: &str = "unknown components (`_`) stand alone in a reaction or a drive, or as `_ * direction`: write a \
+     value here";
 
 /// All that an expression can see.
 pub struct Lowering<'a> {

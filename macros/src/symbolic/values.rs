@@ -184,11 +184,16 @@ impl Number {
         (Self::one() - decayed.clone()).checked_div(&(Self::one() + decayed))
     }
 
-    /// How many straight angles it is, if that is a ratio of small numbers.
+    /// How many straight angles it is, if that is a ratio of small numbers, or a number of twelfths.
     fn half_turns(&self) -> Option<Self> {
-        let turns = (self.residue() * Self::pi().residue().reciprocal()?).to_number()?;
-        let is_equal = (turns.clone() * Self::pi() - self.clone()).is_zero();
-        is_equal.then_some(turns)
+        let is_equal = |turns: &Self| (turns.clone() * Self::pi() - self.clone()).is_zero();
+        let small = (self.residue() * Self::pi().residue().reciprocal()?).to_number();
+        let twelfths = || {
+            let near = self.clone() * Self::integer(12) / Self::pi();
+            Self::from(RBig::from(near.value.round())) / Self::integer(12)
+        };
+        let turns = small.filter(&is_equal).unwrap_or_else(twelfths);
+        is_equal(&turns).then_some(turns)
     }
 
     fn cos(&self) -> Option<Self> {

@@ -49,7 +49,9 @@ fn known(scene: &Scene<'_>, motions: &Motions) -> Option<Answer> {
     };
     let vectors = [answer.linear, answer.angular, answer.moment];
     let is_less = |x: f64| x != 0.0 && x.abs() < LEAST;
-    let is_lost = |vector: &Vector| is_less(vector.size) || vector.value.iter().any(|x| is_less(x.high)) && vector.size < LEAST;
+    let is_lost = |vector: &Vector| {
+        is_less(vector.size) || vector.value.iter().any(|x| is_less(x.high)) && vector.size < LEAST
+    };
     (vectors.iter().all(is_finite) && !vectors.iter().any(is_lost)).then_some(answer)
 }
 
@@ -67,7 +69,10 @@ fn held(constants: &Constants<'_>, given: &Given, instant: &Instant) -> Option<A
     }
     let scene = Scene::at(constants, given, instant);
     let answer = known(&scene, &solved.motions)?;
-    let speed = instant.state.iter().fold(1.0, |most: f64, x| most.max(x.high.abs()));
+    let speed = instant
+        .state
+        .iter()
+        .fold(1.0, |most: f64, x| most.max(x.high.abs()));
     let widened = |vector: Vector, error: f64| Vector {
         size: 1e8 * vector.size + 100.0 * speed * speed + 1e23 * error,
         ..vector

@@ -157,7 +157,13 @@ impl Draw {
             29 => x.clone() * apply(Unary::Signum, x.clone()) - x,
             // the same on each side of a pole or of a cut, and another number there
             35 => apply(Unary::Atan, apply(Unary::Recip, x.clone())) + apply(Unary::Atan, x),
-            36 => both(Binary::Atan2, apply(Unary::Sin, q.clone()), apply(Unary::Cos, q.clone())) - q,
+            36 => {
+                both(
+                    Binary::Atan2,
+                    apply(Unary::Sin, q.clone()),
+                    apply(Unary::Cos, q.clone()),
+                ) - q
+            }
             37 => over(apply(Unary::Sqrt, square(x.clone())), x),
             38 => over(x.clone(), apply(Unary::Abs, x)),
             // zero for a reason

@@ -109,7 +109,7 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
         let good = (self.run.time(), self.run.state());
         if !self.is_checked {
             let (time, state) = good.clone();
-            let checked = self.body.check(time, &state, input);
+            let checked = self.body().check(time, &state, input);
             checked.map_err(|violated| IntegrationError::Inconsistent {
                 time,
                 state,

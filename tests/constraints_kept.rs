@@ -1,7 +1,8 @@
 //! Constraints over time: projection, inconsistent states, singular configurations; and the same body derived twice.
 
 use nalgebra::{Rotation2, Vector2};
-use newton_euler::{integrate, prelude::*};
+use newton_euler::integrate::{self, IntegrationError};
+use newton_euler::prelude::*;
 use proptest::prelude::*;
 
 const GRAVITY: f64 = 9.80665;
@@ -168,6 +169,114 @@ fn an_eccentric_disc_rolls() {
     // it has rolled: the center is where the angle says
     let center = later.position + Rotation2::new(later.angle) * Vector2::new(0.1, 0.0);
     assert!((center.x - (1.0 - 0.3 * (later.angle - angle))).abs() < 1e-8);
+}
+
+newton_euler::rigid_body!(Wheel {
+    doc: "The disc of any size.",
+    motion: planar,
+    params: [radius = 0.3[m]],
+    mass: 2[kg],
+    inertia: mass * radius.powi(2) / 3,
+    points: [
+        center = (radius / 3, 0),
+        contact = center - radius * world(0, 1)
+    ],
+    fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    constraints: [
+        height = center.position().in_world().y - radius,
+        rolling = contact.velocity().in_world().x,
+    ],
+    reactions: [ground = world(_, _).at(contact)],
+});
+
+/// A wheel at an angle where it rolls so fast.
+fn rolling(radius: f64, angle: f64, rate: f64) -> (Wheel, Planar) {
+    let offset = radius / 3.0;
+    let wheel = Wheel::new(WheelParams { radius }).unwrap();
+    let lever = Rotation2::new(angle) * Vector2::new(offset, 0.0);
+    let state = Planar {
+        position: Vector2::new(7.0 * radius, radius) - lever,
+        angle,
+        velocity: Vector2::new(-radius * rate + lever.y * rate, -lever.x * rate),
+        angular_velocity: rate,
+    };
+    (wheel, state)
+}
+
+/// At any scale: what is rounded is a start, what is further off is an error that says what and by how much, and is none when projected.
+#[test]
+fn a_start_that_is_off_is_an_error() {
+    for radius in [0.3, 1e-9, 4e7] {
+        for (angle, rate) in [(0.4, -3.0), (100.0, 1e-12), (-2.0, 1e9), (1.0, 0.0)] {
+            let (wheel, state) = rolling(radius, angle, rate);
+            let time = 1e-3 / (1.0 + f64::abs(rate));
+            let integrate = |state: &Planar| wheel.integrate(state).to(time);
+            assert!(wheel.check(0.0, &state, &()).is_ok() && integrate(&state).is_ok());
+
+            for part in [1.0 / 30.0, -1e-10] {
+                let mut off = state;
+                off.position.y += part * radius;
+                let Err(IntegrationError::Inconsistent {
+                    time: 0.0,
+                    state: kept,
+                    violated,
+                }) = integrate(&off)
+                else {
+                    panic!("{radius} {angle} {rate} {part}");
+                };
+                assert!(kept == off && violated.constraint == "height" && violated.is_start);
+                assert!(!violated.is_velocity);
+                assert!((violated.violation / (part * radius) - 1.0).abs() < 1e-4);
+                let alone = integrate::cf4_projected(&wheel, &off, &(), 0.0..time, 1);
+                assert_eq!(alone.unwrap_err(), violated);
+                wheel.project(0.0, &mut off, &()).unwrap();
+                assert!(integrate(&off).is_ok());
+
+                let mut off = state;
+                let speed = part * radius * f64::max(rate.abs(), 1e-3);
+                off.velocity.x += speed;
+                let violated = wheel.check(0.0, &off, &()).unwrap_err();
+                assert!(violated.constraint == "rolling" && violated.is_velocity);
+                assert!((violated.violation / speed - 1.0).abs() < 1e-4);
+                assert!(integrate(&off).is_err());
+                wheel.project(0.0, &mut off, &()).unwrap();
+                assert!(integrate(&off).is_ok());
+            }
+        }
+    }
+    let (wheel, mut state) = rolling(0.3, 0.4, -3.0);
+    state.position.y += 0.01;
+    let error = wheel.integrate(&state).to(1.0).unwrap_err();
+    let expected = "at 0 s: inconsistent start: `height` is off by 1.0000000000000009e-2 in position; `project` finds";
+    assert!(error.to_string().starts_with(expected), "{error}");
+}
+
+newton_euler::rigid_body!(Spindle {
+    doc: "A rotor whose center of mass is held at the origin.",
+    motion: planar,
+    mass: 2[kg],
+    inertia: 0.05[kg * m ^ 2],
+    constraints: [held = position],
+    reactions: [bearing = world(_, _)],
+});
+
+/// What is zero but for the rounding of what it is computed from, is rounding, though all terms are that small.
+#[test]
+fn dust_is_rounding() {
+    let dust = Vector2::new(6e-17, -1e-16);
+    let start = Planar {
+        position: dust,
+        angle: 0.3,
+        velocity: dust * 10.0,
+        angular_velocity: 10.0,
+    };
+    assert!(Spindle::default().integrate(&start).to(1.0).is_ok());
+    let still = Planar {
+        angular_velocity: 0.0,
+        ..start
+    };
+    let violated = Spindle::default().check(0.0, &still, &()).unwrap_err();
+    assert!(violated.is_velocity);
 }
 
 newton_euler::rigid_body!(Impossible {

@@ -26,6 +26,18 @@ pub trait Constrained: RigidBody {
         input: &Self::Input,
     ) -> Self::Violations;
 
+    /// Whether the state meets its constraints, in positions and in velocities, to rounding: to the fraction [`Inconsistent::ROUNDING`] of what
+    /// they would be if all of the state went across them. An integration begins with it.
+    ///
+    /// # Errors
+    /// [`Inconsistent`] with the constraint that is violated most; positions come first.
+    fn check(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Result<(), Inconsistent>;
+
     /// Moves the state to the nearest one that meets its constraints, in positions and in velocities, to rounding.
     ///
     /// # Errors
@@ -49,19 +61,27 @@ pub struct Violation {
     pub velocity: f64,
 }
 
-/// A state that does not meet its constraints, and that no projection makes meet them.
+/// A state that does not meet its constraints: a start, or one that no projection makes meet them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inconsistent {
     /// The constraint that is violated most.
     pub constraint: &'static str,
     /// By how much.
     pub violation: f64,
+    /// Whether that is a velocity: the rate of the constraint, or the value of a constraint of velocities.
+    pub is_velocity: bool,
+    /// Whether it is a start; [`Constrained::project`] finds the nearest state that meets all, if there is one.
+    pub is_start: bool,
 }
 
 impl Inconsistent {
     /// What is left of a constraint, as a fraction of the terms it is summed from, is a failure above this. Newton's method
     /// goes on to rounding in any case: this number decides only whether it got there.
     pub const TOLERANCE: f64 = 1e-9;
+
+    /// What a start may be off by, as a fraction of its size: some thousand roundings, of those who computed it and of what computes the constraint.
+    /// Numbers of 12 digits are not enough, and are put on the constraints by [`Constrained::project`].
+    pub const ROUNDING: f64 = 1e-12;
 }
 
 impl fmt::Display for Inconsistent {
@@ -69,11 +89,21 @@ impl fmt::Display for Inconsistent {
         let Self {
             constraint,
             violation,
+            is_velocity,
+            is_start,
         } = self;
-        write!(
-            f,
-            "inconsistent state: `{constraint}` is violated by {violation:e}, and no state near by meets it"
-        )
+        let what = if *is_velocity { "velocity" } else { "position" };
+        if *is_start {
+            write!(
+                f,
+                "inconsistent start: `{constraint}` is off by {violation:e} in {what}; `project` finds the nearest state that meets it"
+            )
+        } else {
+            write!(
+                f,
+                "inconsistent state: `{constraint}` is violated by {violation:e} in {what}, and no state near by meets it"
+            )
+        }
     }
 }
 

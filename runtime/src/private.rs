@@ -44,7 +44,7 @@ pub use path::{
     axial_torque, lagrange_top, principal_axes, principal_rotation, rotation_about, rotation_along,
     symmetric_rotation,
 };
-pub use projection::{Row, project};
+pub use projection::{Row, Size, check, project};
 
 /// Every parameter by its name: all must be finite.
 ///

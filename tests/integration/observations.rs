@@ -247,15 +247,14 @@ fn under_constraints() {
         .control(0.1, let_out)
         .to(0.2)
         .unwrap();
-    let first = tethered
+    let mut first = tethered
         .integrate(&hanging)
         .tolerance(1e-12)
         .to(0.1)
         .unwrap();
-    let second = tethered
-        .integrate(&first)
-        .tolerance(1e-12)
-        .input(TetheredInput { out: 0.01 });
+    let longer = TetheredInput { out: 0.01 };
+    tethered.project(0.1, &mut first, &longer).unwrap();
+    let second = tethered.integrate(&first).tolerance(1e-12).input(longer);
     let second = second.starting_at(0.1).to(0.2).unwrap();
     assert!((at_once.position - second.position).norm() < 1e-12);
 
@@ -267,7 +266,7 @@ fn under_constraints() {
     };
     let error = held.integrate(&astray).to(1.0).unwrap_err();
     assert!(
-        error.to_string().contains("inconsistent state: `held"),
+        error.to_string().contains("inconsistent start: `held"),
         "{error}"
     );
 }

@@ -1,9 +1,9 @@
-//! What is generated for constraints: their violations, and the way back to them.
+//! What is generated for constraints: their violations, whether these are rounding, and the way back.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::mechanics::{Consistency, Equations};
+use crate::mechanics::{Consistency, Equations, Reach};
 use crate::symbolic::Id;
 
 use super::code::Writer;
@@ -28,6 +28,31 @@ pub fn write_violations(writer: &Writer<'_>, shapes: &Shapes, equations: &Equati
             quote!(#private::Violation { name: #name, position: #position, velocity: #velocity })
         });
         quote!([#(#list),*])
+    })
+}
+
+/// `check([Size { name, position, velocity }, ..])`
+pub fn write_check(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) -> Function {
+    let constraints = || equations.constraints.iter().zip(&equations.reach);
+    let sized = |(constraint, reach): (&Consistency, &Reach)| {
+        let position = constraint.position.zip(reach.position);
+        let position = position
+            .into_iter()
+            .flat_map(|((value, _), size)| [value, size]);
+        position
+            .chain([constraint.velocity.0, reach.velocity])
+            .collect::<Vec<_>>()
+    };
+    let outputs: Vec<Id> = constraints().flat_map(sized).collect();
+    let private = &shapes.private;
+    Function::write(writer, &outputs, |values| {
+        let list = constraints().map(|(constraint, _)| {
+            let name = &constraint.name;
+            let position = optional(constraint.position.map(|_| pair(values)));
+            let velocity = pair(values);
+            quote!(#private::Size { name: #name, position: #position, velocity: #velocity })
+        });
+        quote!(#private::check(&[#(#list),*]))
     })
 }
 

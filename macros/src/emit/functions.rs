@@ -8,7 +8,7 @@ use crate::model::{Family, LoadKind, Model, Outline, Output};
 use crate::symbolic::{Components, Cost, Id, Node, Stage};
 
 use super::code::{Fields, Source, Writer};
-use super::consistency::{write_project, write_violations};
+use super::consistency::{write_check, write_project, write_violations};
 use super::flow;
 use super::lints::allow_constants;
 use super::naming::local;
@@ -37,6 +37,7 @@ pub struct Functions {
     /// If there are times at which the equations change.
     pub switches: Option<Function>,
     pub violations: Function,
+    pub check: Function,
     pub project: Function,
     pub expand: Function,
     /// If they are not those of the body.
@@ -166,6 +167,7 @@ impl Functions {
         }
         if outline.is_constrained {
             functions.violations = write_violations(&double, &double_shapes, equations);
+            functions.check = write_check(&double, &double_shapes, equations);
             functions.project = write_project(&double, &double_shapes, equations);
             functions.constraint_count = equations.constraints.len();
         }
@@ -232,6 +234,7 @@ impl Functions {
             path_type: flow::any_path(outline),
             switches: None,
             violations: never(),
+            check: never(),
             project: never(),
             expand: never(),
             axes: None,
@@ -269,7 +272,11 @@ impl Functions {
             }
         }
         if outline.is_constrained {
-            functions.extend([("violations", &self.violations), ("project", &self.project)]);
+            functions.extend([
+                ("violations", &self.violations),
+                ("check", &self.check),
+                ("project", &self.project),
+            ]);
         }
         functions
     }

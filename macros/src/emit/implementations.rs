@@ -242,6 +242,13 @@ fn emit_constrained(outline: &Outline, functions: &Functions) -> TokenStream {
         &kind,
         &functions.violations,
     );
+    let outcome = quote!(::core::result::Result<(), #private::Inconsistent>);
+    let check = method(
+        "check",
+        &arguments(outline, shapes, &functions.check),
+        &outcome,
+        &functions.check,
+    );
     let body = &functions.project.body;
     let (time, input) = (
         functions.project.argument(Source::Time, "time"),
@@ -257,7 +264,8 @@ fn emit_constrained(outline: &Outline, functions: &Functions) -> TokenStream {
         #header {
             type Violations = #kind;
             #violations
-            fn project(&self, #time: #scalar, #state: &mut #state_type, #input: &#input_type) -> ::core::result::Result<(), #private::Inconsistent> {
+            #check
+            fn project(&self, #time: #scalar, #state: &mut #state_type, #input: &#input_type) -> #outcome {
                 #body
             }
         }

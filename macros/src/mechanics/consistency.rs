@@ -2,11 +2,15 @@
 //!
 //! The projection moves the state along `M^-1 A^T`, the shortest way in the metric of the kinetic
 //! energy: `S l = g` with `S = A M^-1 A^T`, then `q - M^-1 A^T l`; and likewise the velocities.
+//!
+//! What rounding makes of a constraint is told by the same metric, as `|A q| <= sqrt(S) |q|`: a state has rounded coordinates, of the
+//! size of the radius of inertia of its mass about the origin, and velocities of the size of its kinetic energy.
 
-use crate::model::Model;
+use crate::model::{Inertia, Model};
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
 use super::constraints::Constrained;
+use super::energy::twice_kinetic;
 use super::response::response;
 use super::rod::turned_by;
 
@@ -78,6 +82,50 @@ pub fn derive_consistency(model: &mut Model, constraints: &[Constrained]) -> Vec
         }
     });
     list.collect()
+}
+
+/// What a constraint may be at most in a state of this size, in which nothing is zero but by cancellation.
+pub struct Reach {
+    pub position: Option<Id>,
+    pub velocity: Id,
+}
+
+/// Of each constraint.
+pub fn derive_reach(model: &mut Model, constraints: &[Consistency]) -> Vec<Reach> {
+    if constraints.is_empty() {
+        return Vec::new();
+    }
+    let (spread, motion) = (spread(model), twice_kinetic(model));
+    let graph = &mut model.frames.graph;
+    let list = constraints.iter().enumerate().map(|(row, constraint)| {
+        let mut reach = |size: Id, of_state: Id| {
+            let square = graph.multiply(constraint.coupling[row], of_state);
+            let whole = graph.apply(Function::Sqrt, &[square]);
+            graph.apply(Function::Max, &[size, whole])
+        };
+        Reach {
+            position: constraint.position.map(|(_, size)| reach(size, spread)),
+            velocity: reach(constraint.velocity.1, motion),
+        }
+    });
+    list.collect()
+}
+
+/// `m r^2 + tr J`: an attitude is known to the rounding of one radian.
+fn spread(model: &mut Model) -> Id {
+    let graph = &mut model.frames.graph;
+    let turning = match &model.inertia {
+        Inertia::Absent => graph.zero(),
+        Inertia::Scalar(moment) => *moment,
+        Inertia::Spatial(rows) => graph.sum(&[rows[0][0], rows[1][1], rows[2][2]]),
+    };
+    let Some(mass) = model.mass.filter(|_| model.motion.translates()) else {
+        return turning;
+    };
+    let square = model.frames.norm_squared(model.state.position);
+    let graph = &mut model.frames.graph;
+    let moving = graph.multiply(mass, square);
+    graph.add(moving, turning)
 }
 
 /// The size of the terms that a value is summed from; of a product, of those of its factors.

@@ -23,6 +23,14 @@ pub fn derive_energy(model: &mut Model) -> Energy {
 
 /// Of a body with a support, `w . J_P w / 2` about the point that is held.
 fn kinetic(model: &mut Model) -> Id {
+    let twice = twice_kinetic(model);
+    let graph = &mut model.frames.graph;
+    let half = graph.number(Number::ratio(1, 2));
+    graph.distribute(half, twice)
+}
+
+/// `m v^2 + w . J w`
+pub fn twice_kinetic(model: &mut Model) -> Id {
     let translation = match model.mass {
         Some(mass) if model.motion.translates() => {
             let square = model.frames.norm_squared(model.state.velocity);
@@ -41,10 +49,7 @@ fn kinetic(model: &mut Model) -> Id {
         }
         (Inertia::Spatial(rows), _) => quadratic(&mut model.frames.graph, rows, w),
     };
-    let graph = &mut model.frames.graph;
-    let twice = graph.add(translation, rotation);
-    let half = graph.number(Number::ratio(1, 2));
-    graph.distribute(half, twice)
+    model.frames.graph.add(translation, rotation)
 }
 
 fn potential(model: &mut Model) -> Id {

@@ -46,7 +46,7 @@ use crate::symbolic::{Components, Id};
 
 pub use axes::Axes;
 pub use balance::{Balance, LoadExpressions, Resultant};
-pub use consistency::Consistency;
+pub use consistency::{Consistency, Reach};
 pub use energy::Energy;
 pub use flow::{Flow, Turning};
 pub use free_rotation::Free;
@@ -78,6 +78,8 @@ pub struct Equations {
     pub constraints: Vec<Consistency>,
     /// When the equations change by a condition on time.
     pub switches: Vec<Switch>,
+    /// How far it may be by rounding is a fraction of these.
+    pub reach: Vec<Reach>,
     /// What kind of body has this inertia, line by line; nothing if it is not constant.
     pub inertia_class: Vec<String>,
     /// Where uniform fields act on constant charges.
@@ -125,6 +127,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         .chain(constraints.iter().flat_map(Consistency::roots))
         .collect();
     let switches = switches::derive_switches(model, &acting);
+    let reach = consistency::derive_reach(model, &constraints);
     let skipped = skipped::list_skipped(model, &linear, &angular, &structure);
     Some(Equations {
         linear,
@@ -138,6 +141,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         taylor,
         constraints,
         switches,
+        reach,
         inertia_class: inertia_class::classify(model),
         charges: charges::list_centers(model),
         structure,
@@ -238,6 +242,8 @@ impl Equations {
         roots.extend(self.taylor.iter().flat_map(Taylor::roots));
         roots.extend(self.constraints.iter().flat_map(Consistency::roots));
         roots.extend(self.switches.iter().flat_map(Switch::roots));
+        let reach = self.reach.iter();
+        roots.extend(reach.flat_map(|reach| reach.position.into_iter().chain([reach.velocity])));
         roots
     }
 }

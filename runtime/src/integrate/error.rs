@@ -26,7 +26,7 @@ pub enum IntegrationError<S> {
         /// The step \[s\].
         step: f64,
     },
-    /// The state does not meet its constraints, and no state near by does: the first, or one after a step that is too long.
+    /// The state does not meet its constraints: the first by more than rounding; or one after a step that is too long, and no state near by does.
     Inconsistent {
         /// \[s\]
         time: f64,

@@ -12,8 +12,11 @@ use super::exact;
 use super::method::{Method, Run, Tolerant};
 use super::switches::{Stretch, Within};
 
-/// A method for bodies under constraints: the start and the end of every step are put on them by [`Constrained::project`]. What they forbid does not
+/// A method for bodies under constraints: the end of every step is put on them by [`Constrained::project`]. What they forbid does not
 /// grow, and the order is that of the method.
+///
+/// A start that is off by more than rounding ([`Constrained::check`]) is an error: `project` it before, or correct it. Where an input changes
+/// that a constraint of velocities contains, the velocities jump to the nearest that meet it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projected<M>(pub M);
 
@@ -33,6 +36,7 @@ impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
         ProjectedRun {
             within: Within::new(body, time),
             run: self.0.start(body, time, state),
+            is_checked: false,
             is_on_constraints: false,
         }
     }
@@ -42,6 +46,8 @@ impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
 pub struct ProjectedRun<'b, B: RigidBody, R> {
     within: Within<'b, B>,
     run: R,
+    /// Whether the start was found to be on the constraints.
+    is_checked: bool,
     is_on_constraints: bool,
 }
 
@@ -101,6 +107,16 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
 
     fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
         let good = (self.run.time(), self.run.state());
+        if !self.is_checked {
+            let (time, state) = good.clone();
+            let checked = self.body().check(time, &state, input);
+            checked.map_err(|violated| IntegrationError::Inconsistent {
+                time,
+                state,
+                violated,
+            })?;
+            self.is_checked = true;
+        }
         if !self.is_on_constraints {
             self.project(input, good.clone())?;
             self.is_on_constraints = true;
@@ -134,15 +150,16 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
 
     fn replace(&mut self, state: &B::State) {
         self.run.replace(state);
+        self.is_checked = false;
         self.is_on_constraints = false;
     }
 }
 
-/// As [`cf4`](super::cf4), with [`Constrained::project`] before the first step and at the end of each: what the constraints
+/// As [`cf4`](super::cf4), with [`Constrained::project`] at the end of each step: what the constraints
 /// forbid does not grow, and the order is that of CF4.
 ///
 /// # Errors
-/// [`Inconsistent`] if a state is too far from its constraints: the first, or one after a step that is too long, or one that is not a number,
+/// [`Inconsistent`] if a state is too far from its constraints: the first, by more than rounding, or one after a step that is too long, or one that is not a number,
 /// behind a configuration in which the constraints do not determine their reactions.
 pub fn cf4_projected<B: Constrained<Scalar = f64>>(
     body: &B,
@@ -153,6 +170,7 @@ pub fn cf4_projected<B: Constrained<Scalar = f64>>(
 ) -> Result<B::State, Inconsistent> {
     let step = (times.end - times.start) / exact(steps);
     let mut state = state.clone();
+    body.check(times.start, &state, input)?;
     body.project(times.start, &mut state, input)?;
     for k in 0..steps {
         let time = times.start + exact(k) * step;

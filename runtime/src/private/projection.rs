@@ -1,4 +1,4 @@
-//! The way back to the constraints: Newton's method in the metric of the kinetic energy.
+//! How far it is to the constraints, and the way back: Newton's method in the metric of the kinetic energy.
 
 use crate::body::Singular;
 use crate::constrained::Inconsistent;
@@ -21,6 +21,64 @@ pub struct Row<R, const N: usize> {
     pub coupling: [f64; N],
 }
 
+/// The value of a constraint and its rate, and of each the size that it may have in such a state.
+#[derive(Clone, Copy, Debug)]
+pub struct Size {
+    /// Its name.
+    pub name: &'static str,
+    /// None if it is one of velocities.
+    pub position: Option<(f64, f64)>,
+    /// Of a constraint of velocities, its value.
+    pub velocity: (f64, f64),
+}
+
+/// Whether all values are rounding.
+///
+/// # Errors
+/// [`Inconsistent`] with the one that is furthest from it; positions come first.
+pub fn check(sizes: &[Size]) -> Result<(), Inconsistent> {
+    for is_velocity in [false, true] {
+        let mut worst = (Inconsistent::ROUNDING, None);
+        for row in sizes {
+            let measured = if is_velocity {
+                Some(row.velocity)
+            } else {
+                row.position
+            };
+            let Some((value, size)) = measured else {
+                continue;
+            };
+            let relative = relative(value, size);
+            if relative.is_nan() || relative > worst.0 {
+                let (constraint, violation) = (row.name, value);
+                let is_start = true;
+                worst = (
+                    relative,
+                    Some(Inconsistent {
+                        constraint,
+                        violation,
+                        is_velocity,
+                        is_start,
+                    }),
+                );
+            }
+        }
+        if let Some(inconsistent) = worst.1 {
+            return Err(inconsistent);
+        }
+    }
+    Ok(())
+}
+
+/// A value as a fraction of its size; nothing is nothing at any.
+fn relative(value: f64, size: f64) -> f64 {
+    if value == 0.0 {
+        0.0
+    } else {
+        value.abs() / size
+    }
+}
+
 /// Steps of Newton's method: from an error of the size of the body it takes about six.
 const STEPS: usize = 20;
 
@@ -32,14 +90,15 @@ pub fn project<S: State<Scalar = f64>, const N: usize>(
     state: &mut S,
     rows: impl Fn(&S) -> [Row<S::Rate, N>; N],
 ) -> Result<(), Inconsistent> {
-    newton(state, &rows, |row| row.position, |row| row.shift)?;
-    newton(state, &rows, |row| Some(row.velocity), |row| row.push)
+    newton(state, &rows, false, |row| row.position, |row| row.shift)?;
+    newton(state, &rows, true, |row| Some(row.velocity), |row| row.push)
 }
 
 /// Steps until nothing is left but rounding, or no step makes it less.
 fn newton<S: State<Scalar = f64>, const N: usize>(
     state: &mut S,
     rows: &impl Fn(&S) -> [Row<S::Rate, N>; N],
+    is_velocity: bool,
     measured: impl Fn(&Row<S::Rate, N>) -> Option<(f64, f64)>,
     direction: impl Fn(&Row<S::Rate, N>) -> S::Rate,
 ) -> Result<(), Inconsistent> {
@@ -56,11 +115,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
             };
             *seen = seen.max(size);
             *kept = Some(value);
-            let relative = if value == 0.0 {
-                0.0
-            } else {
-                value.abs() / *seen
-            };
+            let relative = relative(value, *seen);
             if relative.is_nan() || relative > worst.0 {
                 worst = (relative, row.name, value);
             }
@@ -75,6 +130,8 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
                 Err(Inconsistent {
                     constraint: worst.1,
                     violation: worst.2,
+                    is_velocity,
+                    is_start: false,
                 })
             };
         }

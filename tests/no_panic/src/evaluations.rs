@@ -200,6 +200,10 @@ mod others {
             body.violations(time, state, &())
         }
 
+        fn check(body: &Bead, time: f64, state: &Planar) -> Result<(), Inconsistent> {
+            body.check(time, state, &())
+        }
+
         fn project(body: &Bead, time: f64, state: &mut Planar) -> Result<(), Inconsistent> {
             body.project(time, state, &())
         }

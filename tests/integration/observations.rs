@@ -240,6 +240,7 @@ fn under_constraints() {
     let tethered = Tethered::default();
     let let_out = |time: f64, _: &Translation| TetheredInput {
         out: if time > 0.05 { 0.01 } else { 0.0 },
+        ..TetheredInput::default()
     };
     let at_once = tethered
         .integrate(&hanging)
@@ -255,7 +256,10 @@ fn under_constraints() {
     let second = tethered
         .integrate(&first)
         .tolerance(1e-12)
-        .input(TetheredInput { out: 0.01 });
+        .input(TetheredInput {
+            out: 0.01,
+            ..TetheredInput::default()
+        });
     let second = second.starting_at(0.1).to(0.2).unwrap();
     assert!((at_once.position - second.position).norm() < 1e-12);
 

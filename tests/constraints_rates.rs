@@ -4,7 +4,7 @@
 //! velocities, and with the accelerations that the reactions make nothing changes that rate: `g' = h`, `h' = 0`. Central
 //! differences over 2e-5 s are good to 1e-10 of third derivatives, and to 1e-11 by rounding; both are of the order of 10.
 
-use newton_euler::prelude::*;
+use newton_euler::{nalgebra, prelude::*};
 use proptest::prelude::*;
 
 mod oracle;
@@ -18,7 +18,11 @@ where
     B: Constrained<Scalar = f64>,
 {
     let rate = state.rate(&body.acceleration(time, state, input));
-    let at = |step: f64| body.violations(time + step, &state.moved(&(rate * step)), input);
+    let at = |step: f64| {
+        let moved = body.input_after(input, step);
+        let (time, state) = (time + step, state.moved(&(rate * step)));
+        body.violations(time, &state, moved.as_ref().unwrap_or(input))
+    };
     let (before, now, after) = (at(-STEP), at(0.0), at(STEP));
     let (before, now, after) = (before.as_ref(), now.as_ref(), after.as_ref());
     for ((before, now), after) in before.iter().zip(now).zip(after) {
@@ -43,7 +47,7 @@ mod bodies {
         doc: "In space: a rope to a moving point, a slot in the body for a point of space, an attitude.",
         motion: spatial,
         params: [length = 2[m]],
-        inputs: [lift[m]],
+        inputs: [lift[m].moving, aside = body(_, _, _)[m].moving],
         mass: 2[kg],
         inertia: tensor {
             xx: 1.3,
@@ -60,7 +64,8 @@ mod bodies {
         ],
         constraints: [
             taut = rope.norm() - length * (1 + 0.1 * (2[1 / s] * t).cos()),
-            slot = (nail.position() - position).in_body().y - 0.1,
+            slot = (nail.position() - position - 0.1 * aside).in_body().y
+                - 0.1 * (1 + aside.in_world().x),
             upright = attitude.i * attitude.j - 0.3 * attitude.w,
         ],
         reactions: [
@@ -126,8 +131,18 @@ fn is_bounded(values: &[f64]) -> bool {
 
 proptest! {
     #[test]
-    fn in_space(state in spatial(), time in -2.0..2.0, lift in -0.5..0.5) {
-        let (body, input) = (bodies::Roped::default(), bodies::RopedInput { lift });
+    fn in_space(state in spatial(), time in -2.0..2.0, lift in prop::array::uniform3(-0.5..0.5), aside in prop::array::uniform9(-1.0..1.0)) {
+        let [lift, lift_rate, lift_acceleration] = lift;
+        let [aside, aside_rate, aside_acceleration] =
+            [0, 3, 6].map(|i| nalgebra::Vector3::new(aside[i], aside[i + 1], aside[i + 2]));
+        let (body, input) = (bodies::Roped::default(), bodies::RopedInput {
+            lift,
+            lift_rate,
+            lift_acceleration,
+            aside,
+            aside_rate,
+            aside_acceleration,
+        });
         let acceleration = body.acceleration(time, &state, &input);
         prop_assume!(is_bounded(acceleration.linear.as_slice()) && is_bounded(acceleration.angular.as_slice()));
         check(&body, time, &state, &input);

@@ -307,7 +307,10 @@ fn inputs() {
             assert!(
                 tethered
                     .integrate(&hung)
-                    .input(TetheredInput { out })
+                    .input(TetheredInput {
+                        out,
+                        ..TetheredInput::default()
+                    })
                     .to(1.0)
                     .is_err()
             );

@@ -240,6 +240,7 @@ fn under_constraints() {
     let tethered = Tethered::default();
     let let_out = |time: f64, _: &Translation| TetheredInput {
         out: if time > 0.05 { 0.01 } else { 0.0 },
+        ..TetheredInput::default()
     };
     let at_once = tethered
         .integrate(&hanging)
@@ -252,7 +253,10 @@ fn under_constraints() {
         .tolerance(1e-12)
         .to(0.1)
         .unwrap();
-    let longer = TetheredInput { out: 0.01 };
+    let longer = TetheredInput {
+        out: 0.01,
+        ..TetheredInput::default()
+    };
     tethered.project(0.1, &mut first, &longer).unwrap();
     let second = tethered.integrate(&first).tolerance(1e-12).input(longer);
     let second = second.starting_at(0.1).to(0.2).unwrap();

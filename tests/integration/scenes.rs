@@ -144,7 +144,7 @@ rigid_body!(Kicked {
 rigid_body!(Tethered {
     doc: "On a string that is let out.",
     motion: translation,
-    inputs: [out[m]],
+    inputs: [out[m].moving],
     mass: 1[kg],
     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
     constraints: [taut = position.norm() - 1[m] - out],

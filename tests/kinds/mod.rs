@@ -234,7 +234,7 @@ rigid_body!(Bead {
 rigid_body!(Tethered {
     doc: "A constraint that may lose its hold.",
     motion: translation,
-    inputs: [out[m]],
+    inputs: [out[m].moving],
     mass: 1[kg],
     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
     constraints: [taut = position.norm() - 1[m] - out],

@@ -198,5 +198,13 @@ pub fn declared_doc(declared: &Declared) -> String {
         Some(Frame::World) => ", world axes",
         None => "",
     };
-    format!(" `{}` in {}{axes}.", declared.name, declared.dimension)
+    let moving = if declared.moves {
+        ", when it is given"
+    } else {
+        ""
+    };
+    format!(
+        " `{}` in {}{axes}{moving}.",
+        declared.name, declared.dimension
+    )
 }

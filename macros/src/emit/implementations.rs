@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::model::{Motion, Outline, Output};
+use crate::symbolic::Number;
 
 use super::code::Source;
 use super::functions::{Function, Functions};
@@ -115,6 +116,7 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, functions: &Functions) ->
         let (lints, body) = (function.lints(), &function.body);
         quote!(#lints fn switches(&self, #arguments) { #body })
     });
+    let input_after = emit_input_after(outline, shapes);
     // in lanes, all of it has to be compiled for the register
     let inline = if shapes.scalar.is_generic() {
         quote!(#[allow(clippy::inline_always)] #[inline(always)])
@@ -129,8 +131,42 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, functions: &Functions) ->
             #inline
             #acceleration
             #switches
+            #input_after
         }
     }
+}
+
+/// An input that moves goes on with its rate and acceleration.
+fn emit_input_after(outline: &Outline, shapes: &Shapes) -> Option<TokenStream> {
+    let kind = shapes.scalar.kind();
+    let (input, duration, half) = (local("input"), local("duration"), local("half"));
+    let moving: Vec<_> = outline
+        .inputs
+        .windows(3)
+        .filter(|inputs| inputs[0].moves)
+        .map(|inputs| {
+            let [value, rate, acceleration] = [&inputs[0].name, &inputs[1].name, &inputs[2].name];
+            quote! {
+                #value: #input.#value + (#input.#rate + #input.#acceleration * #half) * #duration,
+                #rate: #input.#rate + #input.#acceleration * #duration,
+            }
+        })
+        .collect();
+    if moving.is_empty() {
+        return None;
+    }
+    let name = format_ident!("{}Input", outline.name);
+    let all = input_type(outline, &shapes.scalar);
+    let one_half = shapes
+        .scalar
+        .constant(&Number::ratio(1, 2), &quote!(#duration));
+    Some(quote! {
+        #[inline]
+        fn input_after(&self, #input: &#all, #duration: #kind) -> ::core::option::Option<#all> {
+            let #half = #one_half * #duration;
+            ::core::option::Option::Some(#name { #(#moving)* ..*#input })
+        }
+    })
 }
 
 fn emit_energy(outline: &Outline, shapes: &Shapes, functions: &Functions) -> TokenStream {

@@ -18,7 +18,7 @@ use std::collections::HashMap;
 use crate::model::{Attitude, Axis, Frame, Meaning, Model, Turn};
 use crate::symbolic::{Components, Id, Node, Number};
 
-/// The derivative of an expression in time; inputs are held.
+/// The derivative of an expression in time; inputs are held, unless they move.
 pub struct Rates {
     /// What does not depend on the accelerations.
     pub rate: Id,
@@ -158,6 +158,10 @@ impl Sweep<'_> {
                 None => return,
             },
             Meaning::Quaternion(part) => self.quaternion_rate(part),
+            Meaning::Input(input, part) => match self.model.input_rate(input, part) {
+                Some(rate) => rate,
+                None => return,
+            },
             _ => return,
         };
         let rate = self.model.frames.graph.multiply(weight, rate);

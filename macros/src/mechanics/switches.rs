@@ -68,10 +68,11 @@ pub fn derive_switches(model: &mut Model, roots: &[Id]) -> Vec<Switch> {
         return Vec::new();
     }
     let is_held = |symbol: Id| match graph.node(symbol) {
-        Node::Symbol(known) => matches!(
-            model.meanings.of(*known),
-            Meaning::Param(..) | Meaning::Input(..)
-        ),
+        Node::Symbol(known) => match model.meanings.of(*known) {
+            Meaning::Param(..) => true,
+            Meaning::Input(input, _) => !model.moves(input),
+            _ => false,
+        },
         _ => false,
     };
     let mut held: HashMap<Id, bool> = HashMap::new();

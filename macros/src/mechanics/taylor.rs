@@ -55,6 +55,7 @@ pub fn derive_taylor(
         .map(|coordinate| coordinate.symbol)
         .collect();
     check_smooth(model, &coordinates, asked, errors)?;
+    check_held(model, &coordinates, asked, errors)?;
     let recurrences = model.frames.graph.recurrences(&coordinates);
     Some(Taylor {
         symbols,
@@ -129,6 +130,32 @@ fn quaternion_rate(model: &mut Model, scalar: Id, vector: Components, w: Compone
     let against = graph.negate(against);
     let half = graph.number(Number::ratio(1, 2));
     [x, y, z, against].map(|twice| graph.multiply(half, twice))
+}
+
+/// Over a step, series hold their inputs.
+fn check_held(
+    model: &Model,
+    coordinates: &[Coordinate],
+    asked: Extent,
+    errors: &mut Errors,
+) -> Option<()> {
+    let graph = &model.frames.graph;
+    let rates: Vec<Id> = coordinates.iter().map(|one| one.rate).collect();
+    let moves = |id: Id| match graph.node(id) {
+        Node::Symbol(symbol) => {
+            matches!(model.meanings.of(*symbol), Meaning::Input(input, _) if model.moves(input))
+        }
+        _ => false,
+    };
+    if graph.depends_on(&rates, moves) {
+        errors.push(
+            asked,
+            "series of what an input that is `.moving` drives are not there yet: leave `taylor` out, and \
+             `integrate` takes Runge-Kutta steps, or `.moving`, and the input is held",
+        );
+        return None;
+    }
+    Some(())
 }
 
 /// Reports the place where the equations are not smooth, by the loads that it stands in.

@@ -1,14 +1,17 @@
 //! Constraints: `name = expression`, kept at zero.
 
+use std::collections::{BTreeMap, HashSet};
+
 use proc_macro2::Ident;
 
 use crate::symbolic::{Id, Node};
-use crate::syntax::Definition;
+use crate::syntax::{Definition, Description, Expression};
 
 use super::frame::Frame;
 use super::lower::Lowering;
 use super::motion::Meanings;
 use super::names::{AXES, Meaning};
+use super::outline::Declared;
 use super::value::Value;
 
 /// A scalar that the motion keeps at zero.
@@ -30,14 +33,67 @@ pub enum Level {
     Velocity,
 }
 
+impl Level {
+    /// How often it is differentiated.
+    fn derivatives(self) -> usize {
+        match self {
+            Self::Position => 2,
+            Self::Velocity => 1,
+        }
+    }
+}
+
+/// Where a definition mentions a name, itself or by a local.
+fn mention<'d>(
+    written: &'d Definition,
+    name: &str,
+    description: &'d Description,
+) -> Option<&'d Ident> {
+    let mut pending = vec![written];
+    let mut seen = HashSet::new();
+    while let Some(definition) = pending.pop() {
+        let names = definition.value.iter().flat_map(Expression::names);
+        for found in names {
+            if found == name {
+                return Some(found);
+            }
+            let is_it = |local: &&Definition| local.name == *found;
+            if let Some(local) = description.locals.iter().find(is_it)
+                && seen.insert(local.name.to_string())
+            {
+                pending.push(local);
+            }
+        }
+    }
+    None
+}
+
 impl Lowering<'_> {
+    /// The scalars of all constraints, with inputs that say how they move.
+    pub fn constraints(
+        &mut self,
+        description: &Description,
+        meanings: &Meanings,
+        inputs: &[Declared],
+    ) -> Option<Vec<Constraint>> {
+        let mut all = Some(Vec::new());
+        for written in &description.constraints {
+            let found = self.constraint(written, meanings);
+            let found = found.filter(|found| {
+                self.check_inputs(written, found, description, (meanings, inputs))
+                    .is_some()
+            });
+            match (&mut all, found) {
+                (Some(all), Some(found)) => all.extend(found),
+                _ => all = None,
+            }
+        }
+        all
+    }
+
     /// The scalars of one constraint: a vector counts as its components, in world axes unless it
     /// says otherwise.
-    pub fn constraint(
-        &mut self,
-        written: &Definition,
-        meanings: &Meanings,
-    ) -> Option<Vec<Constraint>> {
+    fn constraint(&mut self, written: &Definition, meanings: &Meanings) -> Option<Vec<Constraint>> {
         let expression = written.value.as_ref()?;
         let name = &written.name;
         if self.motion.is_supported() {
@@ -86,6 +142,65 @@ impl Lowering<'_> {
             });
         }
         Some(constraints)
+    }
+
+    /// A constraint is differentiated, and so are the inputs in it.
+    fn check_inputs(
+        &mut self,
+        written: &Definition,
+        constraints: &[Constraint],
+        description: &Description,
+        (meanings, inputs): (&Meanings, &[Declared]),
+    ) -> Option<()> {
+        let graph = &self.frames.graph;
+        let mut lacking: BTreeMap<usize, Level> = BTreeMap::new();
+        for constraint in constraints {
+            for part in graph.reachable(&[constraint.value], |id| !graph.is_early(id)) {
+                let Node::Symbol(symbol) = graph.node(part) else {
+                    continue;
+                };
+                let Meaning::Input(input, _) = meanings.of(*symbol) else {
+                    continue;
+                };
+                if inputs[input].derivatives() < constraint.level.derivatives() {
+                    lacking.insert(input, constraint.level);
+                }
+            }
+        }
+        for (input, level) in &lacking {
+            let (input, name) = (&inputs[*input], &inputs[*input].name);
+            let word = name.to_string();
+            let place = mention(written, &word, description).unwrap_or(&written.name);
+            let message = if input.moves || input.order > 0 {
+                format!(
+                    "a constraint of positions is differentiated twice, and `{word}` is given with fewer \
+                     derivatives: write a constraint of velocities, or an input of its own that is `.moving`"
+                )
+            } else {
+                let needed = match level {
+                    Level::Position => "its rate and acceleration",
+                    Level::Velocity => "its rate",
+                };
+                let unit = if input.dimension.is_known() {
+                    input.dimension.unit()
+                } else {
+                    String::new()
+                };
+                let form = match input.frame {
+                    None => format!("{name}{unit}"),
+                    Some(frame) => {
+                        let open = vec!["_"; self.motion.axes()].join(", ");
+                        format!("{name} = {}({open}){unit}", frame.word())
+                    }
+                };
+                format!(
+                    "a constraint is differentiated in time, and nobody knows how the input `{word}` moves: \
+                     write `{form}.moving` in `inputs`, which is given with {needed}, or a function of `t` here"
+                )
+            };
+            self.errors.push(place.span(), message);
+        }
+        lacking.is_empty().then_some(())
     }
 
     fn named_components(&self, name: &Ident, components: [Id; 3]) -> Vec<(String, Id)> {

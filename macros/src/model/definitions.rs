@@ -51,8 +51,15 @@ impl Lowering<'_> {
             );
             self.scope.define(&param.name.to_string(), value);
         }
+        let mut is_lost = false;
         for (index, input) in outline::distinct(&description.inputs).enumerate() {
-            let value = self.input(index, input, &mut outline.inputs[index], meanings);
+            // what is wrong with a declaration is wrong once
+            let value = if input.order > 0 && is_lost {
+                None
+            } else {
+                self.input(index, input, &mut outline.inputs[index], meanings)
+            };
+            is_lost = value.is_none();
             self.scope.define(&input.name.to_string(), value);
         }
         defaults

@@ -26,6 +26,14 @@ impl Frame {
             Self::World => Self::Body,
         }
     }
+
+    /// As it is written.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Body => "body",
+            Self::World => "world",
+        }
+    }
 }
 
 /// The rotation from body axes to world axes.

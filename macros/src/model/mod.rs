@@ -69,6 +69,8 @@ pub struct Model {
     pub motion: Motion,
     pub frames: Frames,
     pub meanings: Meanings,
+    /// How many derivatives of each input are given: the inputs behind it.
+    derivatives: Vec<usize>,
     pub state: State,
     pub mass: Option<Id>,
     pub inertia: Inertia,
@@ -115,6 +117,21 @@ pub struct Load {
 }
 
 impl Model {
+    /// Whether an input changes while it is held.
+    pub fn moves(&self, input: usize) -> bool {
+        self.derivatives.get(input).is_some_and(|count| *count > 0)
+    }
+
+    /// The rate of a part of an input, if it moves.
+    pub fn input_rate(&self, input: usize, component: Option<usize>) -> Option<Id> {
+        let rate = Meaning::Input(input + 1, component);
+        let symbol = self
+            .meanings
+            .symbol_of(rate)
+            .filter(|_| self.moves(input))?;
+        Some(self.frames.graph.symbol_id(symbol))
+    }
+
     /// The direction of the axis of a hinge, body axes; in the plane, z.
     pub fn hinge(&mut self) -> Option<Components> {
         let support = self.state.support.filter(|_| self.motion.is_hinged())?;
@@ -191,11 +208,7 @@ pub fn lower_description(
         .into_iter()
         .map(|load| lowering.drive(load, is_asked_for))
         .collect();
-    let constraints: Vec<Option<Vec<Constraint>>> = description
-        .constraints
-        .iter()
-        .map(|constraint| lowering.constraint(constraint, &meanings))
-        .collect();
+    let constraints = lowering.constraints(description, &meanings, &outline.inputs);
     let reactions: Vec<Option<Reaction>> = unknown
         .into_iter()
         .enumerate()
@@ -205,25 +218,9 @@ pub fn lower_description(
     let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
     let pole = lowering.pole(description.pole.as_ref());
 
-    let declared = description
-        .params
-        .iter()
-        .chain(&description.inputs)
-        .map(|declaration| &declaration.name);
-    let defined = description
-        .points
-        .iter()
-        .chain(&description.locals)
-        .map(|definition| &definition.name);
-    outline.unused = declared
-        .chain(defined)
-        .filter(|name| !scope.is_used(name))
-        .cloned()
-        .collect();
-
+    outline.unused = unused(description, &scope);
     let loads = loads.into_iter().collect::<Option<Vec<_>>>();
     let reactions = reactions.into_iter().collect::<Option<Vec<_>>>();
-    let constraints = constraints.into_iter().collect::<Option<Vec<_>>>();
     let (inertia, loads, reactions, pole) = (inertia?, loads?, reactions?, pole?);
     let (potentials, constraints) = (potentials?, constraints?);
     let (motion, outputs) = (outline.motion, outline.outputs.clone());
@@ -231,6 +228,7 @@ pub fn lower_description(
         motion,
         frames,
         meanings,
+        derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         state,
         mass: mass.known(),
         inertia,
@@ -239,13 +237,26 @@ pub fn lower_description(
         potentials,
         reactions,
         drives: drives.into_iter().collect::<Option<Vec<_>>>()?,
-        constraints: constraints.into_iter().flatten().collect(),
+        constraints,
         pole,
         outputs,
         flow: place_of_output(description, "flow"),
         taylor: place_of_output(description, "taylor"),
         defaults,
     })
+}
+
+/// The names that nothing refers to; the rates of an input come with it.
+fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
+    let inputs = description.inputs.iter().filter(|input| input.order == 0);
+    let declared = description.params.iter().chain(inputs);
+    let defined = description.points.iter().chain(&description.locals);
+    declared
+        .map(|declaration| &declaration.name)
+        .chain(defined.map(|definition| &definition.name))
+        .filter(|name| !scope.is_used(name))
+        .cloned()
+        .collect()
 }
 
 /// Where an output is asked for.

@@ -75,8 +75,22 @@ pub struct Declared {
     /// Whether it is a vector, and in which axes its components are written.
     pub frame: Option<Frame>,
     pub dimension: Dimension,
+    /// Of an input: whether it is given with its rate and acceleration, and which derivative it is itself.
+    pub moves: bool,
+    pub order: usize,
     /// Default of a parameter, one number for each component.
     pub default: Option<Vec<Number>>,
+}
+
+impl Declared {
+    /// How many derivatives of it are given.
+    pub fn derivatives(&self) -> usize {
+        if self.moves {
+            2
+        } else {
+            2 * usize::from(self.order > 0) - self.order
+        }
+    }
 }
 
 impl Outline {
@@ -101,6 +115,8 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
             name: declaration.name.clone(),
             frame,
             dimension: Dimension::ANY,
+            moves: declaration.moving.is_some(),
+            order: declaration.order,
             default: has_default.then(|| vec![Number::zero(); components]),
         }
     };

@@ -134,6 +134,7 @@ impl Lowering<'_> {
     ) -> Option<Value> {
         let Some(value) = &written.value else {
             declared.dimension = self.declared_unit(written)?;
+            self.differentiate(written, declared)?;
             let symbol = meanings.symbol(
                 &mut self.frames.graph,
                 Stage::State,
@@ -153,9 +154,29 @@ impl Lowering<'_> {
                 ),
             );
         }
-        self.open_vector(value, declared, meanings, Stage::State, |axis| {
+        let vector = self.open_vector(value, declared, meanings, Stage::State, |axis| {
             Meaning::Input(index, Some(axis))
-        })
+        })?;
+        self.differentiate(written, declared)?;
+        match vector {
+            Value::Vector(vector, _) => Some(Value::Vector(vector, declared.dimension)),
+            other => Some(other),
+        }
+    }
+
+    /// The unit of a rate, or of an acceleration, from that of what moves.
+    fn differentiate(&mut self, written: &Declaration, declared: &mut Declared) -> Option<()> {
+        for _ in 0..written.order {
+            let Some(rate) = declared.dimension.over(Dimension::TIME) else {
+                let name = &written.name;
+                return self.report(
+                    name.span(),
+                    format!("the unit of `{name}` has powers beyond measure"),
+                );
+            };
+            declared.dimension = rate;
+        }
+        Some(())
     }
 
     /// A vector in body axes that is given from outside may have any direction, and one of a rod not.

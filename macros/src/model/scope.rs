@@ -158,7 +158,11 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
         check(&param.name, "param", errors);
     }
     for input in &description.inputs {
-        check(&input.name, "input", errors);
+        check(
+            &input.name,
+            ["input", "rate", "acceleration"][input.order.min(2)],
+            errors,
+        );
     }
     for point in &description.points {
         check(&point.name, "point", errors);

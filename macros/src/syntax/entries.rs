@@ -18,8 +18,23 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
         return;
     };
     match key {
-        "params" => into.params.push(parse_declaration(name, rest, errors)),
-        "inputs" => into.inputs.push(parse_declaration(name, rest, errors)),
+        "params" => {
+            let param = parse_declaration(name, rest, errors);
+            if let Some(word) = &param.moving {
+                errors.push(
+                    word.span(),
+                    "a param is constant: leave `.moving` out, or make it an input",
+                );
+            }
+            into.params.push(param);
+        }
+        "inputs" => {
+            let input = parse_declaration(name, rest, errors);
+            let orders = if input.moving.is_some() { 1..3 } else { 1..1 };
+            let derivatives: Vec<_> = orders.map(|order| input.derivative(order)).collect();
+            into.inputs.push(input);
+            into.inputs.extend(derivatives);
+        }
         "points" => {
             let value = parse_value(&name, rest, errors);
             into.points.push(Definition { name, value });
@@ -115,6 +130,14 @@ fn family(key: &str) -> (Family, Option<LoadKind>) {
 }
 
 fn parse_declaration(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Declaration {
+    let (rest, moving) = match rest {
+        [rest @ .., TokenTree::Punct(dot), TokenTree::Ident(word)]
+            if dot.as_char() == '.' && word == "moving" =>
+        {
+            (rest, Some(word.clone()))
+        }
+        _ => (rest, None),
+    };
     let (unit, value) = match rest {
         [] => (None, None),
         [TokenTree::Group(group), tail @ ..] if group.delimiter() == Delimiter::Bracket => {
@@ -139,7 +162,13 @@ fn parse_declaration(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> De
         }
         _ => (None, Some(parse_value(&name, rest, errors))),
     };
-    Declaration { name, unit, value }
+    Declaration {
+        name,
+        unit,
+        value,
+        moving,
+        order: 0,
+    }
 }
 
 /// The value behind the `=`.

@@ -112,6 +112,26 @@ pub struct Declaration {
     pub unit: Option<UnitExpression>,
     /// What stands behind the `=`, if there is one.
     pub value: Option<Value>,
+    /// Behind the name of an input that is given with its rate and acceleration: `.moving`.
+    pub moving: Option<Ident>,
+    /// Of a rate 1 and of an acceleration 2: they are declared with the input that moves.
+    pub order: usize,
+}
+
+impl Declaration {
+    /// The rate, and the acceleration, of an input that moves.
+    fn derivative(&self, order: usize) -> Self {
+        let word = self.name.to_string();
+        let suffix = if order == 1 { "rate" } else { "acceleration" };
+        let name = format!("{}_{suffix}", word.trim_start_matches("r#"));
+        Self {
+            name: Ident::new(&name, self.name.span()),
+            unit: self.unit.clone(),
+            value: self.value.clone(),
+            moving: None,
+            order,
+        }
+    }
 }
 
 /// `name = value`: a point, a local, a potential or a constraint.

@@ -199,7 +199,11 @@ impl<B: Generic> Work for Advance<'_, B> {
                 let mut state = read(simd, rows, group);
                 for k in self.steps.clone() {
                     let time = Lanes::splat(simd, self.start + exact(k) * self.step);
-                    state = cf4_step(&body, time, &state, &input, step);
+                    let since = time - Lanes::splat(simd, self.start);
+                    state = match body.input_after(&input, since) {
+                        Some(moved) => cf4_step(&body, time, &state, &moved, step),
+                        None => cf4_step(&body, time, &state, &input, step),
+                    };
                 }
                 let rows = rows.iter_mut();
                 Columns::<Lanes<S>>::write(&state, &mut GroupMut { rows, index: group });

@@ -17,9 +17,10 @@ use crate::body::RigidBody;
 use crate::scalar::Scalar;
 use crate::state::State;
 
+use super::switches::Given;
 use super::{exact, single};
 
-/// The state one step \[s\] later; the input is held.
+/// The state one step \[s\] later; the input is held, and what of it moves is given at the start.
 ///
 /// The error of one step is of order step⁵, in all coordinates alike.
 ///
@@ -51,6 +52,7 @@ pub fn cf4_step<B: RigidBody<Scalar: Scalar>>(
     input: &B::Input,
     step: B::Scalar,
 ) -> B::State {
+    let body = Given { body, at: time };
     let rate = |time, state: &B::State| state.rate(&body.acceleration(time, state, input));
     let [half, two, three] = [
         step.constant(0.5, 0.5),
@@ -116,6 +118,10 @@ pub fn cf4<B: RigidBody<Scalar: Scalar>>(
     let count = |steps: usize| start.constant(exact(steps), single(steps));
     let step = (times.end - start) / count(steps);
     (0..steps).fold(state.clone(), |state, k| {
-        cf4_step(body, start + count(k) * step, &state, input, step)
+        let time = start + count(k) * step;
+        match body.input_after(input, time - start) {
+            Some(moved) => cf4_step(body, time, &state, &moved, step),
+            None => cf4_step(body, time, &state, input, step),
+        }
     })
 }

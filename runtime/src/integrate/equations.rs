@@ -6,7 +6,8 @@ use crate::body::RigidBody;
 use crate::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// `y' = f(t, y)` of the coordinates y of a state ([`Coordinates`]), with the input held: what methods for any equations work on.
+/// `y' = f(t, y)` of the coordinates y of a state ([`Coordinates`]), with the input held, one that is `.moving` too: what methods for any equations work on.
+/// Where conditions on time switch, [`next_switch`](super::next_switch) says.
 ///
 /// With the feature `differential-equations` it implements `ODE` of the crate of that name for `[f64; N]`, without a copy of the state:
 ///

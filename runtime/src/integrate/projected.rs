@@ -59,16 +59,32 @@ impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
     }
 }
 
-impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
-    /// Puts a state on the constraints, as they are then.
-    fn put(&self, time: f64, state: &mut B::State, input: &B::Input) -> Result<(), Inconsistent> {
-        let (body, side) = (self.within.body, self.within.side(time));
-        match self.within.moved(input, time) {
-            Some(moved) => body.project(side, state, &moved),
-            None => body.project(side, state, input),
+impl<B: Constrained<Scalar = f64>> Within<'_, B> {
+    /// Whether a state is on the constraints, as they are then.
+    fn check(&self, time: f64, state: &B::State, input: &B::Input) -> Result<(), Inconsistent> {
+        let side = self.side(time);
+        match self.moved(input, time) {
+            Some(moved) => self.body.check(side, state, &moved),
+            None => self.body.check(side, state, input),
         }
     }
 
+    /// Puts a state on the constraints, as they are then.
+    fn project(
+        &self,
+        time: f64,
+        state: &mut B::State,
+        input: &B::Input,
+    ) -> Result<(), Inconsistent> {
+        let side = self.side(time);
+        match self.moved(input, time) {
+            Some(moved) => self.body.project(side, state, &moved),
+            None => self.body.project(side, state, input),
+        }
+    }
+}
+
+impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
     /// Puts the state of the motion on the constraints; `good` is the last that was there.
     fn project(
         &mut self,
@@ -76,7 +92,7 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
         good: (f64, B::State),
     ) -> Result<(), IntegrationError<B::State>> {
         let mut state = self.run.state();
-        let projected = self.put(self.run.time(), &mut state, input);
+        let projected = self.within.project(self.run.time(), &mut state, input);
         projected.map_err(|violated| {
             let (time, state) = good;
             IntegrationError::Inconsistent {
@@ -109,7 +125,7 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
         let good = (self.run.time(), self.run.state());
         if !self.is_checked {
             let (time, state) = good.clone();
-            let checked = self.body().check(time, &state, input);
+            let checked = self.within.check(time, &state, input);
             checked.map_err(|violated| IntegrationError::Inconsistent {
                 time,
                 state,
@@ -129,7 +145,7 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
     fn within(&self, time: f64, input: &B::Input) -> B::State {
         let along = self.run.within(time, input);
         let mut state = along.clone();
-        match self.put(time, &mut state, input) {
+        match self.within.project(time, &mut state, input) {
             Ok(()) => state,
             Err(_) => along,
         }
@@ -169,13 +185,19 @@ pub fn cf4_projected<B: Constrained<Scalar = f64>>(
     steps: usize,
 ) -> Result<B::State, Inconsistent> {
     let step = (times.end - times.start) / exact(steps);
-    let mut state = state.clone();
-    body.check(times.start, &state, input)?;
-    body.project(times.start, &mut state, input)?;
+    let (mut state, within) = (state.clone(), Within::new(body, times.start));
+    within.check(times.start, &state, input)?;
+    within.project(times.start, &mut state, input)?;
     for k in 0..steps {
-        let time = times.start + exact(k) * step;
-        state = cf4_step(body, time, &state, input, step);
-        body.project(times.start + exact(k + 1) * step, &mut state, input)?;
+        let (time, next) = (
+            times.start + exact(k) * step,
+            times.start + exact(k + 1) * step,
+        );
+        state = match within.moved(input, time) {
+            Some(moved) => cf4_step(body, time, &state, &moved, step),
+            None => cf4_step(body, time, &state, input, step),
+        };
+        within.project(next, &mut state, input)?;
     }
     Ok(state)
 }

@@ -9,6 +9,7 @@ use crate::scalar::Scalar;
 use crate::state::Coordinates;
 
 use super::equations::Equations;
+use super::switches::Given;
 
 mod classical;
 mod dormand_prince;
@@ -36,7 +37,7 @@ pub trait RungeKutta: Copy + core::fmt::Debug + Send + Sync {
     ) -> <B::State as Coordinates>::Array;
 }
 
-/// The state one step \[s\] later; the input is held.
+/// The state one step \[s\] later; the input is held, and what of it moves is given at the start.
 ///
 /// ```
 /// use newton_euler::integrate::{self, DormandPrince8};
@@ -67,6 +68,7 @@ pub fn runge_kutta_step<M: RungeKutta, B: RigidBody<Scalar: Scalar, State: Coord
     step: B::Scalar,
 ) -> B::State {
     let mut coordinates = state.coordinates();
+    let body = &Given { body, at: time };
     let equations = Equations { body, input };
     let mut change = M::increment(&equations, time, &coordinates, step);
     B::State::keep(&coordinates, &mut change);

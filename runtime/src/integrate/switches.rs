@@ -143,6 +143,31 @@ pub fn next_switch<B: RigidBody>(body: &B, input: &B::Input, time: f64, end: f64
     is_before_end.then_some(next)
 }
 
+/// A body of which an input was given at a time, and may move since.
+pub(crate) struct Given<'b, B: RigidBody> {
+    pub(crate) body: &'b B,
+    pub(crate) at: B::Scalar,
+}
+
+impl<B: RigidBody<Scalar: Scalar>> RigidBody for Given<'_, B> {
+    type Scalar = B::Scalar;
+    type State = B::State;
+    type Input = B::Input;
+
+    #[inline(always)]
+    fn acceleration(
+        &self,
+        time: B::Scalar,
+        state: &B::State,
+        input: &B::Input,
+    ) -> <B::State as State>::Acceleration {
+        match self.body.input_after(input, time - self.at) {
+            Some(moved) => self.body.acceleration(time, state, &moved),
+            None => self.body.acceleration(time, state, input),
+        }
+    }
+}
+
 /// A body within a stretch of time: what a step evaluates.
 pub(crate) struct Within<'b, B: RigidBody> {
     pub(crate) body: &'b B,

@@ -11,47 +11,7 @@ pub fn module(body: &Body, index: usize) -> String {
 
 /// `pub fn answer(..)`: from flat lists of numbers to the body's types, and back.
 fn answer(body: &Body) -> String {
-    let name = &body.name;
-    let fields = |prefix: &str, vectors: Vec<bool>, list: &str| {
-        let mut next = 0;
-        let mut fields = Vec::new();
-        for (i, is_vector) in vectors.into_iter().enumerate() {
-            let count = if is_vector { body.axes() } else { 1 };
-            let numbers: Vec<String> = (next..next + count)
-                .map(|n| format!("{list}[{n}]"))
-                .collect();
-            next += count;
-            let numbers = numbers.join(", ");
-            fields.push(if is_vector {
-                format!("{prefix}_{i}: [{numbers}].into()")
-            } else {
-                format!("{prefix}_{i}: {numbers}")
-            });
-        }
-        fields.join(", ")
-    };
-    let params = body
-        .params
-        .iter()
-        .map(|param| matches!(param, Param::Vector(..)));
-    let params = fields("param", params.collect(), "given.params");
-    let inputs = body
-        .inputs
-        .iter()
-        .map(|input| matches!(input, Input::Vector(_)));
-    let inputs = fields("input", inputs.collect(), "given.inputs");
-    let make = if body.params.is_empty() {
-        format!("let body = {name}::default();")
-    } else {
-        format!(
-            "let Ok(body) = {name}::new({name}Params {{ {params} }}) else {{ return answers.refuse() }};"
-        )
-    };
-    let input = if body.inputs.is_empty() {
-        "let input = ();".to_owned()
-    } else {
-        format!("let input = {name}Input {{ {inputs} }};")
-    };
+    let (make, input) = constructed(body, "return answers.refuse()");
     let open = |reactions: bool| {
         let loads = body.loads.iter().enumerate();
         let open = loads
@@ -93,4 +53,50 @@ answers.residual(&body.residual(given.time, &state, &motion, &reactions, &input)
 {invert}}}
 "
     )
+}
+
+/// The lines that make `body` and `input`.
+pub fn constructed(body: &Body, refused: &str) -> (String, String) {
+    let name = &body.name;
+    let fields = |prefix: &str, vectors: Vec<bool>, list: &str| {
+        let mut next = 0;
+        let mut fields = Vec::new();
+        for (i, is_vector) in vectors.into_iter().enumerate() {
+            let count = if is_vector { body.axes() } else { 1 };
+            let numbers: Vec<String> = (next..next + count)
+                .map(|n| format!("{list}[{n}]"))
+                .collect();
+            next += count;
+            let numbers = numbers.join(", ");
+            fields.push(if is_vector {
+                format!("{prefix}_{i}: [{numbers}].into()")
+            } else {
+                format!("{prefix}_{i}: {numbers}")
+            });
+        }
+        fields.join(", ")
+    };
+    let params = body
+        .params
+        .iter()
+        .map(|param| matches!(param, Param::Vector(..)));
+    let params = fields("param", params.collect(), "given.params");
+    let inputs = body
+        .inputs
+        .iter()
+        .map(|input| matches!(input, Input::Vector(_)));
+    let inputs = fields("input", inputs.collect(), "given.inputs");
+    let make = if body.params.is_empty() {
+        format!("let body = {name}::default();")
+    } else {
+        format!(
+            "let Ok(body) = {name}::new({name}Params {{ {params} }}) else {{ {refused} }};"
+        )
+    };
+    let input = if body.inputs.is_empty() {
+        "let input = ();".to_owned()
+    } else {
+        format!("let input = {name}Input {{ {inputs} }};")
+    };
+    (make, input)
 }

@@ -1,4 +1,4 @@
-//! Draws the bodies and writes them for the compiler: `BODIES` of them from `FIRST` on, of the seed `SEED`.
+//! Draws the bodies and writes them for the compiler: `BODIES` of them from `FIRST` on, and `MOVING` that are moved, of the seed `SEED`.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -8,16 +8,18 @@ mod answer;
 #[allow(dead_code, reason = "the oracle asks for more than the writer")]
 #[path = "../src/description/mod.rs"]
 mod description;
+mod march;
 #[allow(dead_code, reason = "the oracle computes with what literals hold here")]
 #[path = "../src/wide/mod.rs"]
 mod wide;
 
-/// Bodies of an ordinary test run.
+/// Bodies of an ordinary test run, and those that are moved.
 const FEW: u64 = 24;
+const FEW_MOVING: u64 = 16;
 
 fn main() {
-    let [count, first, seed] =
-        [("BODIES", FEW), ("FIRST", 0), ("SEED", 1)].map(|(name, otherwise)| {
+    let [count, first, seed, moving] =
+        [("BODIES", FEW), ("FIRST", 0), ("SEED", 1), ("MOVING", FEW_MOVING)].map(|(name, otherwise)| {
             println!("cargo::rerun-if-env-changed={name}");
             env::var(name).map_or(otherwise, |text| text.parse().expect("a whole number"))
         });
@@ -37,6 +39,17 @@ fn main() {
         text,
         "/// The seed of these bodies.\npub const SEED: u64 = {seed};\n\
          /// Each body by its index.\npub const ALL: &[(usize, fn(&Given, &mut Answers))] = &[\n{table}];\n"
+    );
+    let mut table = String::new();
+    for index in first..first + moving {
+        let index = usize::try_from(index).expect("a number of bodies");
+        let body = description::moving::moving_body(seed, index);
+        text.push_str(&march::module(&body, index));
+        let _ = writeln!(table, "    ({index}, moving_{index}::march),");
+    }
+    let _ = write!(
+        text,
+        "/// Each body that is moved by its index.\npub const MOVING: &[(usize, March)] = &[\n{table}];\n"
     );
     let folder = PathBuf::from(env::var_os("OUT_DIR").expect("cargo says where"));
     fs::write(folder.join("bodies.rs"), text).expect("the folder can be written to");

@@ -7,6 +7,8 @@
 //! BODIES=1000 cargo run --release -p random-bodies -- 100000
 //! ```
 //!
+//! `-- motions 1000` moves other bodies from as many states each, `MOVING` of them, in closed form, by series and by DOP853, side by side.
+//!
 //! The argument is the number of states of each body, or which ones, `50000..100000`. With two, a body and a state, it shows what
 //! that body answers there.
 
@@ -14,6 +16,7 @@ use survey::{Ask, Survey};
 
 mod description;
 mod given;
+mod motions;
 mod oracle;
 mod output;
 mod states;
@@ -31,7 +34,9 @@ mod bodies {
     use newton_euler::prelude::*;
 
     use crate::given::{Given, motion, state};
+    use crate::motions::{Ends, March};
     use crate::output::Answers;
+    use newton_euler::integrate::{ClosedForm, DormandPrince, TaylorSeries, Tolerant};
 
     include!(concat!(env!("OUT_DIR"), "/bodies.rs"));
 }
@@ -44,6 +49,10 @@ fn main() {
     let number = |text: &str| text.parse::<usize>().expect("a whole number");
     match arguments.as_slice() {
         [] => survey(0, 1000),
+        [word, states @ ..] if word == "motions" => {
+            let states = states.first().map_or(100, |text| number(text));
+            println!("{}", moved(states));
+        }
         [states] => match states.split_once("..") {
             Some((from, to)) => survey(number(from), number(to)),
             None => survey(0, number(states)),
@@ -70,6 +79,15 @@ fn survey(from: usize, to: usize) {
             bodies::ALL.len()
         );
     }
+}
+
+/// Moves the bodies from so many states.
+fn moved(states: usize) -> motions::Motions {
+    let mut motions = motions::Motions::default();
+    for (index, march) in bodies::MOVING {
+        motions.ask(bodies::SEED, *index, *march, states);
+    }
+    motions
 }
 
 fn find(body: usize) -> Ask {
@@ -99,6 +117,14 @@ mod tests {
         for (output, record) in output::Output::ALL.iter().zip(&survey.records) {
             assert!(record.error <= BOUND, "{output}: {record:?}");
         }
+    }
+
+    /// Every method comes to the end that DOP853 comes to.
+    #[test]
+    fn all_methods_agree() {
+        let motions = moved(6);
+        println!("{motions}");
+        assert!(motions.failures.is_empty() && motions.undecided < motions.motions / 10);
     }
 
     /// The survey finds what is wrong by more than that.

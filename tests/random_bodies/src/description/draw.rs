@@ -44,7 +44,7 @@ pub fn sparse_body(seed: u64, index: usize) -> Body {
 }
 
 impl Draw {
-    fn new(seed: u64, index: usize) -> Self {
+    pub fn new(seed: u64, index: usize) -> Self {
         let index_seed = seed.wrapping_mul(1_000_003).wrapping_add(index as u64);
         Draw {
             random: Rng::with_seed(index_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)),

@@ -250,7 +250,7 @@ impl Draw {
     }
 
     /// Along an axis as often as not, or along a vector of the state.
-    fn direction(&mut self) -> Vector {
+    pub fn direction(&mut self) -> Vector {
         let motion = &self.body.motion;
         let (moves, turns) = (motion.moves(), motion.turns() && !motion.is_planar());
         match self.random.u32(..8) {

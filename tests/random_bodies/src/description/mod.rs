@@ -8,6 +8,7 @@ pub mod gates;
 pub mod inertia;
 pub mod literal;
 pub mod loads;
+pub mod moving;
 pub mod reactions;
 pub mod terms;
 pub mod written;

@@ -1,7 +1,9 @@
 //! Motions that are not smooth, or not as far as a step sees: walls, pulses, roots, powers and angles at their singular points. Steps of
 //! series are held against the equations; what disagrees shortens them, and where there is no series a Runge–Kutta step goes over the place.
 
-use newton_euler::integrate::{DormandPrince8, Fixed, IntegrationError, Motion, TaylorSeries};
+use newton_euler::integrate::{
+    DormandPrince, DormandPrince8, Fixed, IntegrationError, Motion, TaylorSeries,
+};
 use newton_euler::prelude::*;
 
 /// Bodies of 1 kg along a line, under a force of x, its rate v and the time s.
@@ -64,7 +66,7 @@ fn at(position: [f64; 3], velocity: [f64; 3]) -> Translation {
     }
 }
 
-/// Series beside short steps of DOP853 in both directions, as far off as `allowed` tolerances, or `floor`, which is what those steps are off.
+/// Series beside DOP853 at its tightest in both directions, as far off as `allowed` tolerances, or `floor`, which is what that is off.
 fn check<B>(start: &Translation, end: f64, [allowed, floor]: [f64; 2])
 where
     B: Taylor<State = Translation> + Integrate<Best = TaylorSeries> + Default,
@@ -75,11 +77,7 @@ where
         let motion = body.integrate(state).starting_at(from);
         match tolerance {
             Some(tolerance) => motion.tolerance(tolerance).to(to),
-            None => {
-                let step = end / 40_000.0;
-                let method = DormandPrince8;
-                motion.method(Fixed { method, step }).to(to)
-            }
+            None => motion.method(DormandPrince { tolerance: 1e-14 }).to(to),
         }
         .unwrap()
     };

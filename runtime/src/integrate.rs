@@ -21,6 +21,7 @@
 )]
 
 mod adaptive;
+mod agreement;
 mod closed_form;
 mod commutator_free;
 mod control;
@@ -33,6 +34,7 @@ mod instants;
 mod instructions;
 mod integration;
 mod method;
+mod passage;
 mod point;
 #[cfg(feature = "progress")]
 mod progress;

@@ -18,7 +18,7 @@ pub use arithmetic::{Arithmetic, Plain};
 pub use axes::Axes;
 pub use products::Products;
 pub use series::Series;
-pub(crate) use series::{after, increment};
+pub(crate) use series::{after, increment, slope};
 
 /// A body whose motion has Taylor series.
 pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {

@@ -235,3 +235,59 @@ fn no_time() {
     );
     assert_eq!(body.integrate(&START).samples(0.0, 0.1).count(), 1);
 }
+
+/// Numbers of every size have squares that have not: the error of a step is no less one.
+#[test]
+fn magnitudes_beyond_squares() {
+    rigid_body!(Spring {
+        motion: translation,
+        mass: 1[kg],
+        forces: [spring = -1[N / m] * position],
+    });
+    for size in [
+        1e-300, 1e-200, 1e-160, 1e-100, 1.0, 1e100, 1e160, 1e200, 1e290,
+    ] {
+        let start = Translation {
+            position: [size, 0.0, 0.0].into(),
+            ..Translation::default()
+        };
+        let body = Spring::default();
+        for tolerance in [1e-3, 1e-9, 1e-12] {
+            let end = body
+                .integrate(&start)
+                .tolerance(tolerance)
+                .to(10.0)
+                .unwrap();
+            // below 1 the tolerance is absolute
+            let permitted = 100.0 * tolerance * size.max(1.0);
+            let off = (end.position.x - size * 10.0_f64.cos()).abs();
+            assert!(off < permitted, "{size:e} at {tolerance:e}: {off:e}");
+        }
+    }
+    // stages that are far beyond a wall, where the force has a number but its square has none
+    rigid_body!(Wall {
+        motion: translation,
+        mass: 1[kg],
+        locals: [_x = position.in_world().x / 1[m]],
+        forces: [wall = world(-1[N] * (1e4 * (_x - 0.5)).exp(), 0, 0)],
+    });
+    for speed in [0.1, 1.0, 1.02, 1.05, 1.1, 1.2, 3.0] {
+        let start = Translation {
+            velocity: [speed, 0.0, 0.0].into(),
+            ..Translation::default()
+        };
+        for tolerance in [1e-3, 1e-6, 1e-9, 1e-12] {
+            let body = Wall::default();
+            let end = body
+                .integrate(&start)
+                .tolerance(tolerance)
+                .to(10.0)
+                .unwrap();
+            let energy = 0.5 * (end.velocity.x.powi(2) - speed * speed);
+            assert!(
+                energy.abs() < 200.0 * tolerance,
+                "{speed} at {tolerance:e}: {end:?}"
+            );
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! What the midpoint rule keeps: for a hundred thousand frames, in steps that are not small.
 
-use newton_euler::integrate::{Classical4, Fixed, Midpoint};
+use newton_euler::integrate::{Classical4, Fixed, IntegrationError, Midpoint};
 use newton_euler::prelude::*;
 
 use crate::scenes::{Collapse, FreeBody, HeavyTop, ends};
@@ -88,22 +88,39 @@ fn energy_of_a_planet_is_bounded() {
     assert!(late < 1.01 * early, "{early:e} {late:e}");
 }
 
-/// Where the search for the midpoint does not come to rest, the motion ends with an error.
+/// Where the search for the midpoint does not come to rest, the motion ends with an error that says so; what is no number is another.
 #[test]
 fn too_long_a_step() {
     let [start, _] = ends("heavy_asym");
-    let fast = Rotation {
-        angular_velocity: start.angular_velocity * 1e3,
+    let top = HeavyTop::default();
+    for (speed, step) in [(1e3, 0.5), (1.0, 20.0), (1e6, 1e-4), (1e-3, 1e4)] {
+        let fast = Rotation {
+            angular_velocity: start.angular_velocity * speed,
+            ..start
+        };
+        let method = Fixed {
+            method: Midpoint,
+            step,
+        };
+        let ended = top.integrate(&fast).method(method).to(100.0 * step);
+        let Err(IntegrationError::StepTooLong { step: taken, .. }) = ended else {
+            panic!("{speed} {step}: {ended:?}");
+        };
+        assert_eq!(taken, step);
+        let text = ended.unwrap_err().to_string();
+        assert!(
+            text.contains("too long") && text.contains("shorter"),
+            "{text}"
+        );
+    }
+    let nowhere = Rotation {
+        angular_velocity: start.angular_velocity * f64::NAN,
         ..start
     };
-    assert!(
-        HeavyTop::default()
-            .integrate(&fast)
-            .method(Fixed {
-                method: Midpoint,
-                step: 0.5
-            })
-            .to(10.0)
-            .is_err()
-    );
+    let method = Fixed {
+        method: Midpoint,
+        step: 0.1,
+    };
+    let ended = top.integrate(&nowhere).method(method).to(1.0);
+    assert!(matches!(ended, Err(IntegrationError::NotFinite { .. })));
 }

@@ -10,5 +10,6 @@ mod motions;
 mod products;
 #[path = "../reference/mod.rs"]
 mod reference;
+mod rough;
 mod scenes;
 mod trajectories;

@@ -5,7 +5,7 @@ use core::fmt;
 use crate::body::RigidBody;
 use crate::state::Coordinates;
 
-use super::equations::Equations;
+use super::equations::{Equations, Rates};
 use super::error::IntegrationError;
 use super::method::{Method, Run, Tolerant};
 use super::point::Point;
@@ -15,7 +15,7 @@ use super::switches::{Stretch, Within};
 
 /// How much of the step that the last error permits is taken, and how much a step may change.
 const SAFETY: f64 = 0.9;
-const SHRINK: f64 = 1.0 / 3.0;
+pub(super) const SHRINK: f64 = 1.0 / 3.0;
 const GROW: f64 = 6.0;
 
 /// DOP853: [`DormandPrince8`] with steps as long as the tolerance permits.
@@ -102,7 +102,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
         let (time, rest) = (self.now.time, self.now.rest(end));
         let mut permitted = match self.next {
             Some(next) => next,
-            None => self.first(&equations, rest),
+            None => first(&equations, &self.now, rest, self.tolerance),
         };
         let (mut longest, mut error) = (GROW, 0.0_f64);
         loop {
@@ -122,26 +122,9 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
                     self.now.step_too_small(step)
                 });
             }
-            let [change, fifth, third] =
-                DormandPrince8::sums(&equations, time, &self.now.coordinates, step);
-            let size = |change| relative_size::<B::State>(change, &self.now.coordinates);
-            // a stage out of the domain, if only in one component
-            let is_lost = fifth.as_ref().iter().any(|part| part.is_nan());
-            let (fifth, third) = (size(&fifth), size(&third));
-            error = if is_lost {
-                f64::NAN
-            } else if fifth == 0.0 {
-                0.0
-            } else {
-                fifth * (fifth / libm::sqrt(fifth * fifth + 0.01 * third * third))
-            };
-            let factor = SAFETY * root(self.tolerance, error, 8);
-            // of no number the shortest step
-            let factor = if factor >= SHRINK {
-                factor.min(longest)
-            } else {
-                SHRINK
-            };
+            let (change, tried) = attempt(&equations, time, &self.now.coordinates, step);
+            error = tried;
+            let factor = shrunk(self.tolerance, error).min(longest);
             if error <= self.tolerance {
                 let next = step.abs() * factor;
                 // a step cut short at the end says little about the next
@@ -177,34 +160,71 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
     }
 }
 
-impl<B: RigidBody<Scalar = f64, State: Coordinates>> AdaptiveRun<'_, B> {
-    /// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4).
-    fn first(&self, equations: &Equations<'_, Within<'_, B>>, rest: f64) -> f64 {
-        let (time, coordinates) = (self.now.time, self.now.coordinates);
-        let size = |change| relative_size::<B::State>(change, &coordinates);
-        let rates = equations.rates(time, &coordinates);
-        let speed = size(&rates);
-        let short = (if speed > 0.0 { 1e-4 / speed } else { 1e-6 })
-            .min(rest.abs())
-            .copysign(rest);
-        let mut there = coordinates;
-        for (coordinate, rate) in there.as_mut().iter_mut().zip(rates.as_ref()) {
-            *coordinate += short * rate;
-        }
-        let mut difference = equations.rates(time + short, &there);
-        for (difference, rate) in difference.as_mut().iter_mut().zip(rates.as_ref()) {
-            *difference = (*difference - rate) / short;
-        }
-        let curvature = libm::sqrt(size(&difference));
-        let pace = if speed >= curvature { speed } else { curvature };
-        // not everything at once, of what seems to be at rest
-        let longest = rest.abs() / 16.0;
-        if pace > 0.0 {
-            longest.min(root(self.tolerance, 1.0, 8) / pace)
-        } else if pace == 0.0 {
-            longest
-        } else {
-            pace
-        }
+/// What a step changes, and its error beside the state: not a number, where a stage is out of the domain, if only in one component.
+#[inline(always)]
+pub(super) fn attempt<E: Rates<State: Coordinates<Scalar = f64>>>(
+    equations: &E,
+    time: f64,
+    coordinates: &<E::State as Coordinates>::Array,
+    step: f64,
+) -> (<E::State as Coordinates>::Array, f64) {
+    let [change, fifth, third] = DormandPrince8::sums(equations, time, coordinates, step);
+    if fifth.as_ref().iter().any(|part| part.is_nan()) {
+        return (change, f64::NAN);
+    }
+    let [fifth, third] = [fifth, third].map(|part| relative_size::<E::State>(&part, coordinates));
+    let squares = fifth * fifth + 0.01 * third * third;
+    let error = if fifth == 0.0 {
+        0.0
+    } else if fifth + third == f64::INFINITY {
+        f64::INFINITY
+    } else if squares.is_normal() {
+        fifth * (fifth / libm::sqrt(squares))
+    } else {
+        // squares beyond the range of numbers
+        fifth * (fifth / libm::hypot(fifth, 0.1 * third))
+    };
+    (change, error)
+}
+
+/// The share of a step that its error permits, of no number the least.
+#[inline(always)]
+pub(super) fn shrunk(tolerance: f64, error: f64) -> f64 {
+    let share = SAFETY * root(tolerance, error, 8);
+    if share >= SHRINK { share } else { SHRINK }
+}
+
+/// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4).
+pub(super) fn first<E: Rates<State: Coordinates<Scalar = f64>>>(
+    equations: &E,
+    now: &Point<E::State>,
+    rest: f64,
+    tolerance: f64,
+) -> f64 {
+    let (time, coordinates) = (now.time, now.coordinates);
+    let size = |change| relative_size::<E::State>(change, &coordinates);
+    let rates = equations.rates(time, &coordinates);
+    let speed = size(&rates);
+    let short = (if speed > 0.0 { 1e-4 / speed } else { 1e-6 })
+        .min(rest.abs())
+        .copysign(rest);
+    let mut there = coordinates;
+    for (coordinate, rate) in there.as_mut().iter_mut().zip(rates.as_ref()) {
+        *coordinate += short * rate;
+    }
+    let mut difference = equations.rates(time + short, &there);
+    for (difference, rate) in difference.as_mut().iter_mut().zip(rates.as_ref()) {
+        *difference = (*difference - rate) / short;
+    }
+    let curvature = libm::sqrt(size(&difference));
+    let pace = if speed >= curvature { speed } else { curvature };
+    // not everything at once, of what seems to be at rest
+    let longest = rest.abs() / 16.0;
+    if pace > 0.0 {
+        longest.min(root(tolerance, 1.0, 8) / pace)
+    } else if pace == 0.0 {
+        longest
+    } else {
+        pace
     }
 }

@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::body::RigidBody;
 use crate::scalar::Scalar;
-use crate::state::Coordinates;
+use crate::state::{Coordinates, State};
 
 /// `y' = f(t, y)` of the coordinates y of a state ([`Coordinates`]), with the input held, one that is `.moving` too: what methods for any equations work on.
 /// Where conditions on time switch, [`next_switch`](super::next_switch) says.
@@ -49,6 +49,32 @@ impl<B: RigidBody> Copy for Equations<'_, B> {}
 impl<B: RigidBody> fmt::Debug for Equations<'_, B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Equations").finish_non_exhaustive()
+    }
+}
+
+/// Equations for the coordinates of a state.
+pub(super) trait Rates {
+    /// The state.
+    type State: Coordinates;
+
+    /// The derivatives of the coordinates.
+    fn rates(
+        &self,
+        time: <Self::State as State>::Scalar,
+        coordinates: &<Self::State as Coordinates>::Array,
+    ) -> <Self::State as Coordinates>::Array;
+}
+
+impl<B: RigidBody<Scalar: Scalar, State: Coordinates>> Rates for Equations<'_, B> {
+    type State = B::State;
+
+    #[inline(always)]
+    fn rates(
+        &self,
+        time: B::Scalar,
+        coordinates: &<B::State as Coordinates>::Array,
+    ) -> <B::State as Coordinates>::Array {
+        self.rates(time, coordinates)
     }
 }
 

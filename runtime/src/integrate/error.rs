@@ -26,6 +26,16 @@ pub enum IntegrationError<S> {
         /// The step \[s\].
         step: f64,
     },
+    /// The equations of an implicit step are not solved: it is too long for the motion, of which it would be a third of a turn or more, or a
+    /// singularity is near.
+    StepTooLong {
+        /// \[s\]
+        time: f64,
+        /// The state then.
+        state: S,
+        /// The step \[s\].
+        step: f64,
+    },
     /// The state does not meet its constraints: the first by more than rounding; or one after a step that is too long, and no state near by does.
     Inconsistent {
         /// \[s\]
@@ -62,6 +72,7 @@ impl<S> IntegrationError<S> {
         match self {
             Self::NotFinite { time, .. }
             | Self::StepTooSmall { time, .. }
+            | Self::StepTooLong { time, .. }
             | Self::Inconsistent { time, .. }
             | Self::EventNotANumber { time, .. } => *time,
         }
@@ -73,6 +84,7 @@ impl<S> IntegrationError<S> {
         match self {
             Self::NotFinite { state, .. }
             | Self::StepTooSmall { state, .. }
+            | Self::StepTooLong { state, .. }
             | Self::Inconsistent { state, .. }
             | Self::EventNotANumber { state, .. } => state,
         }
@@ -86,6 +98,10 @@ impl<S> fmt::Display for IntegrationError<S> {
             Self::StepTooSmall { time, step, .. } => write!(
                 f,
                 "at {time} s the step or period is {step:e} s, which is not positive or lost in rounding"
+            ),
+            Self::StepTooLong { time, step, .. } => write!(
+                f,
+                "at {time} s a step of {step:e} s is too long: its equations are not solved, take shorter ones"
             ),
             Self::Inconsistent { time, violated, .. } => write!(f, "at {time} s: {violated}"),
             Self::EventNotANumber { time, .. } => {

@@ -120,7 +120,14 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for F
             self.span.start + exact(self.steps.start) * step
         };
         if !self.now.arrive(change, next) {
-            return Err(self.now.not_finite());
+            let rates = equations.rates(time, &coordinates);
+            let is_finite = rates.as_ref().iter().all(|rate| rate.is_finite());
+            return Err(if M::IS_IMPLICIT && is_finite {
+                let state = self.now.state();
+                IntegrationError::StepTooLong { time, state, step }
+            } else {
+                self.now.not_finite()
+            });
         }
         self.before = (time, coordinates);
         Ok(())

@@ -5,9 +5,14 @@ use pulp::x86::{V3, V4};
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
 use pulp::{Simd, WithSimd};
 
+use crate::state::Coordinates;
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
 use crate::taylor::Arithmetic;
 use crate::taylor::{Plain, Series, Taylor};
+
+use super::agreement::Agreement;
+use super::equations::Rates;
+use super::point::Point;
 
 /// What is needed to expand a motion.
 pub(super) enum Expander<B: Taylor, const N: usize> {
@@ -59,6 +64,44 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
                 Simd::vectorize(*proof, Expansion::<B, V4, N>(start, products, series));
             }
         }
+    }
+}
+
+impl<B: Taylor, const N: usize> Expander<B, N> {
+    /// As [`Agreement::holds`].
+    #[inline]
+    pub(super) fn holds<E: Rates<State = B::State>>(
+        &self,
+        agreement: &Agreement<'_, E, N>,
+        now: &Point<B::State>,
+        step: f64,
+    ) -> Option<<B::State as Coordinates>::Array> {
+        match self {
+            Self::Plain(_) => agreement.holds(now, step),
+            #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+            Self::Wide(proof, _) => Simd::vectorize(*proof, Check(agreement, now, step)),
+            #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+            Self::Widest(proof, _) => Simd::vectorize(*proof, Check(agreement, now, step)),
+        }
+    }
+}
+
+/// The work of one look at the end of a step.
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+struct Check<'e, E: Rates<State: Coordinates<Scalar = f64>>, const N: usize>(
+    &'e Agreement<'e, E, N>,
+    &'e Point<E::State>,
+    f64,
+);
+
+#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
+impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> WithSimd for Check<'_, E, N> {
+    type Output = Option<<E::State as Coordinates>::Array>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+        let Self(agreement, now, step) = self;
+        agreement.holds(now, step)
     }
 }
 

@@ -40,18 +40,35 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         (end - self.time) + self.late
     }
 
+    /// Where a change of coordinates leads, which is corrected for that; none if it is not finite.
+    #[inline(always)]
+    pub(super) fn moved(&self, change: &mut S::Array) -> Option<S::Array> {
+        S::keep(&self.coordinates, change);
+        let (mut moved, mut is_finite) = (self.coordinates, true);
+        for (coordinate, change) in moved.as_mut().iter_mut().zip(change.as_ref()) {
+            *coordinate += change;
+            is_finite &= coordinate.is_finite();
+        }
+        is_finite.then_some(moved)
+    }
+
+    /// Moves on by a change that is corrected, in a step \[s\] or to a time that is known.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, change: &S::Array, step: f64, end: Option<f64>) {
+        add(&mut self.coordinates, &mut self.lost, change);
+        (self.time, self.late) = match end {
+            Some(end) => (end, 0.0),
+            None => compensated(self.time, self.late, step),
+        };
+    }
+
     /// Moves on by a change of coordinates in a step \[s\]; if what comes of it is not finite, it stays and says false.
     #[must_use]
     #[inline(always)]
     pub(super) fn advance(&mut self, mut change: S::Array, step: f64) -> bool {
-        S::keep(&self.coordinates, &mut change);
-        let mut is_finite = true;
-        for (coordinate, change) in self.coordinates.as_ref().iter().zip(change.as_ref()) {
-            is_finite &= (coordinate + change).is_finite();
-        }
+        let is_finite = self.moved(&mut change).is_some();
         if is_finite {
-            add(&mut self.coordinates, &mut self.lost, &change);
-            (self.time, self.late) = compensated(self.time, self.late, step);
+            self.follow(&change, step, None);
         }
         is_finite
     }
@@ -59,10 +76,10 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     /// The same, to a time that is known.
     #[must_use]
     #[inline(always)]
-    pub(super) fn arrive(&mut self, change: S::Array, end: f64) -> bool {
-        let is_finite = self.advance(change, 0.0);
+    pub(super) fn arrive(&mut self, mut change: S::Array, end: f64) -> bool {
+        let is_finite = self.moved(&mut change).is_some();
         if is_finite {
-            (self.time, self.late) = (end, 0.0);
+            self.follow(&change, 0.0, Some(end));
         }
         is_finite
     }

@@ -28,6 +28,9 @@ pub trait RungeKutta: Copy + core::fmt::Debug + Send + Sync {
     /// The error of a motion in steps h is of order `h^ORDER`.
     const ORDER: usize;
 
+    /// Whether a step is the solution of equations; where none is found, it is not a number.
+    const IS_IMPLICIT: bool = false;
+
     /// What a step \[s\] adds to the coordinates.
     fn increment<B: RigidBody<Scalar: Scalar, State: Coordinates>>(
         equations: &Equations<'_, B>,
@@ -80,7 +83,7 @@ pub fn runge_kutta_step<M: RungeKutta, B: RigidBody<Scalar: Scalar, State: Coord
 
 /// `start + (h a₁ k₁ + h a₂ k₂ + ..)`, coordinate by coordinate.
 #[inline(always)]
-fn moved<S: Coordinates, const M: usize>(
+pub(super) fn moved<S: Coordinates, const M: usize>(
     start: &S::Array,
     step: S::Scalar,
     terms: [(f64, &S::Array); M],
@@ -137,20 +140,20 @@ macro_rules! tableau {
         impl $name {
             /// The sum and the differences.
             #[inline(always)]
-            pub(in crate::integrate) fn sums<B: RigidBody<Scalar: Scalar, State: Coordinates>>(
-                equations: &Equations<'_, B>,
-                time: B::Scalar,
-                coordinates: &<B::State as Coordinates>::Array,
-                step: B::Scalar,
-            ) -> [<B::State as Coordinates>::Array; 1 $(+ tableau!(@one $($e)+))*] {
+            pub(in crate::integrate) fn sums<E: Rates>(
+                equations: &E,
+                time: <E::State as State>::Scalar,
+                coordinates: &<E::State as Coordinates>::Array,
+                step: <E::State as State>::Scalar,
+            ) -> [<E::State as Coordinates>::Array; 1 $(+ tableau!(@one $($e)+))*] {
                 $(let $k = {
                     let stage = *coordinates;
-                    $(let stage = moved::<B::State, _>(&stage, step, [$(($a, &$j)),+]);)?
+                    $(let stage = moved::<E::State, _>(&stage, step, [$(($a, &$j)),+]);)?
                     equations.rates(time + number(step, $c) * step, &stage)
                 };)+
                 [
-                    change::<B::State, _>(step, [$(($b, &$s)),+]),
-                    $(change::<B::State, _>(step, [$(($e, &$t)),+]),)*
+                    change::<E::State, _>(step, [$(($b, &$s)),+]),
+                    $(change::<E::State, _>(step, [$(($e, &$t)),+]),)*
                 ]
             }
         }

@@ -23,7 +23,7 @@ pub(super) fn relative_size<S: Coordinates<Scalar = f64>>(
 }
 
 #[inline(always)]
-fn largest_of(numbers: &[f64]) -> f64 {
+pub(super) fn largest_of(numbers: &[f64]) -> f64 {
     let mut largest = 0.0;
     for number in numbers {
         largest = larger(largest, number.abs());
@@ -33,7 +33,7 @@ fn largest_of(numbers: &[f64]) -> f64 {
 
 /// One instruction, where `f64::max` looks for what is not a number.
 #[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 

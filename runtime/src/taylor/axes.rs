@@ -103,6 +103,23 @@ impl Axes {
         }
     }
 
+    /// Brings the rate of the angular velocity into these, from that of the same coordinates in the axes of the body: `+ σ e × ω_F`.
+    #[inline(always)]
+    pub(crate) fn turn_rates<S: Coordinates<Scalar = f64>>(
+        &self,
+        coordinates: &S::Array,
+        rates: &mut S::Array,
+    ) {
+        let Some([_, rate]) = self.turning::<S>() else {
+            return;
+        };
+        let w = Vector3::from_fn(|k, _| coordinates.as_ref()[rate + k]);
+        let turning = Vector3::from(self.direction).cross(&w) * self.spin;
+        for (rate, turning) in rates.as_mut()[rate..rate + 3].iter_mut().zip(&turning) {
+            *rate += turning;
+        }
+    }
+
     /// Where attitude and angular velocity are, if they are others than in the axes of the body.
     #[inline(always)]
     fn turning<S: Coordinates>(&self) -> Option<[usize; 2]> {

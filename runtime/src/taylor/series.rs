@@ -33,6 +33,12 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
         S::from_coordinates(&after::<S>(&self.coefficients, time))
     }
 
+    /// Whether all of it are numbers.
+    pub(crate) fn is_finite(&self) -> bool {
+        let mut rows = self.coefficients.iter();
+        rows.all(|row| row.as_ref().iter().all(|number| number.is_finite()))
+    }
+
     /// Brings series from other axes into those of the body.
     pub(crate) fn turn(&mut self, axes: &Axes) {
         axes.turn::<S, N>(&mut self.coefficients);
@@ -92,6 +98,24 @@ fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) 
         *even += odd * time;
     }
     even
+}
+
+/// How fast coordinates change on a polynomial, from a place in their list on; zero before it.
+#[inline(always)]
+pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
+    coefficients: &[S::Array; N],
+    time: f64,
+    place: usize,
+) -> S::Array {
+    let (mut slope, mut order) = (S::Array::default(), exact(N));
+    for row in coefficients[1..].iter().rev() {
+        order -= 1.0;
+        let sums = slope.as_mut()[place..].iter_mut();
+        for (sum, coefficient) in sums.zip(&row.as_ref()[place..]) {
+            *sum = *sum * time + order * coefficient;
+        }
+    }
+    slope
 }
 
 /// What a polynomial adds to its start.

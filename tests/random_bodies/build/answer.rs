@@ -89,9 +89,7 @@ pub fn constructed(body: &Body, refused: &str) -> (String, String) {
     let make = if body.params.is_empty() {
         format!("let body = {name}::default();")
     } else {
-        format!(
-            "let Ok(body) = {name}::new({name}Params {{ {params} }}) else {{ {refused} }};"
-        )
+        format!("let Ok(body) = {name}::new({name}Params {{ {params} }}) else {{ {refused} }};")
     };
     let input = if body.inputs.is_empty() {
         "let input = ();".to_owned()

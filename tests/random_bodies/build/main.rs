@@ -18,11 +18,16 @@ const FEW: u64 = 24;
 const FEW_MOVING: u64 = 16;
 
 fn main() {
-    let [count, first, seed, moving] =
-        [("BODIES", FEW), ("FIRST", 0), ("SEED", 1), ("MOVING", FEW_MOVING)].map(|(name, otherwise)| {
-            println!("cargo::rerun-if-env-changed={name}");
-            env::var(name).map_or(otherwise, |text| text.parse().expect("a whole number"))
-        });
+    let [count, first, seed, moving] = [
+        ("BODIES", FEW),
+        ("FIRST", 0),
+        ("SEED", 1),
+        ("MOVING", FEW_MOVING),
+    ]
+    .map(|(name, otherwise)| {
+        println!("cargo::rerun-if-env-changed={name}");
+        env::var(name).map_or(otherwise, |text| text.parse().expect("a whole number"))
+    });
     println!("cargo::rerun-if-changed=build");
     println!("cargo::rerun-if-changed=src/description");
     println!("cargo::rerun-if-changed=src/wide");

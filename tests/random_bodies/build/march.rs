@@ -7,7 +7,11 @@ use crate::description::written::described;
 /// A module with the body and `pub fn march(..)`.
 pub fn module(moving: &Moving, index: usize) -> String {
     let Moving { body, has_flow } = moving;
-    let outputs: &[&str] = if *has_flow { &["taylor", "flow"] } else { &["taylor"] };
+    let outputs: &[&str] = if *has_flow {
+        &["taylor", "flow"]
+    } else {
+        &["taylor"]
+    };
     let description = described(body, outputs);
     let (make, input) = constructed(body, "return");
     let closed = if *has_flow {

@@ -22,9 +22,14 @@ pub struct Ends {
 }
 
 impl Ends {
-    pub fn tell<S: Coordinates<Scalar = f64>>(&mut self, method: &'static str, end: Result<S, IntegrationError<S>>) {
+    pub fn tell<S: Coordinates<Scalar = f64>>(
+        &mut self,
+        method: &'static str,
+        end: Result<S, IntegrationError<S>>,
+    ) {
         let end = end.map(|state| state.coordinates().as_ref().to_vec());
-        self.list.push((method, end.map_err(|error| error.to_string())));
+        self.list
+            .push((method, end.map_err(|error| error.to_string())));
     }
 }
 
@@ -52,7 +57,10 @@ impl Motions {
             march(&given, end, &mut ends);
             self.motions += 1;
             self.compare(&ends, || {
-                format!("{}\n  body {index}, state {state}: {given:?} for {end:e}", described(&moving.body, &[]))
+                format!(
+                    "{}\n  body {index}, state {state}: {given:?} for {end:e}",
+                    described(&moving.body, &[])
+                )
             });
         }
     }
@@ -80,7 +88,10 @@ impl Motions {
             }
             // what is no number is no end, either
             if !(difference <= ALLOWED + 100.0 * doubt) {
-                self.failures.push(format!("{method}: {difference:e}, {end:?}\n  for {known:?}\n{}", place()));
+                self.failures.push(format!(
+                    "{method}: {difference:e}, {end:?}\n  for {known:?}\n{}",
+                    place()
+                ));
             }
         }
     }
@@ -91,7 +102,10 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
     let size = a.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
     let by = |signs: &dyn Fn(usize) -> f64| {
         let pairs = a.iter().zip(b).enumerate();
-        pairs.map(|(i, (x, y))| (x - signs(i) * y).abs()).fold(0.0, f64::max) / size
+        pairs
+            .map(|(i, (x, y))| (x - signs(i) * y).abs())
+            .fold(0.0, f64::max)
+            / size
     };
     let attitude = match a.len() {
         13 => 3..7,
@@ -103,7 +117,10 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
 
 /// A state, at rest one time out of four, and how long it is to move.
 fn start(random: &mut Rng, body: &Body) -> (Given, f64) {
-    let mut given = Given { params: body.defaults(), ..Given::default() };
+    let mut given = Given {
+        params: body.defaults(),
+        ..Given::default()
+    };
     let is_at_rest = random.u32(..4) == 0;
     let mut number = |size: f64| size * (2.0 * random.f64() - 1.0);
     let mut quaternion = [(); 4].map(|()| number(1.0));
@@ -159,7 +176,12 @@ impl fmt::Display for Motions {
         for failure in &self.failures {
             writeln!(f, "{failure}\n")?;
         }
-        let Self { motions, undecided, largest, failures } = self;
+        let Self {
+            motions,
+            undecided,
+            largest,
+            failures,
+        } = self;
         writeln!(
             f,
             "{motions} motions; {undecided} that DOP853 does not decide; {} ends that differ; the others by up to {largest:.1e}",

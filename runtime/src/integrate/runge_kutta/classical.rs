@@ -2,9 +2,9 @@
 
 use super::{RungeKutta, change, moved, number, tableau};
 use crate::body::RigidBody;
-use crate::integrate::equations::Equations;
+use crate::integrate::equations::{Equations, Rates};
 use crate::scalar::Scalar;
-use crate::state::Coordinates;
+use crate::state::{Coordinates, State};
 
 tableau! {
     /// The classical Runge–Kutta method, of order 4 with four evaluations (W. Kutta, Zeitschrift für Mathematik und Physik 46 (1901) 435).

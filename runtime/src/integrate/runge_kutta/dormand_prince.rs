@@ -2,9 +2,9 @@
 
 use super::{RungeKutta, change, moved, number, tableau};
 use crate::body::RigidBody;
-use crate::integrate::equations::Equations;
+use crate::integrate::equations::{Equations, Rates};
 use crate::scalar::Scalar;
-use crate::state::Coordinates;
+use crate::state::{Coordinates, State};
 
 tableau! {
     /// The method of order 8 with twelve evaluations of J. R. Dormand and P. J. Prince, in DOP853 with differences to methods of orders 5 and 3

@@ -16,7 +16,7 @@ use crate::state::Coordinates;
 ///
 /// k is found by repeated evaluation until it no longer changes, and once more, so that what is left of it does not add up over long runs: six
 /// times for steps of a hundredth of a turn. Where that does not come to rest, in steps of about a third of a turn and more, nothing is returned but
-/// NaN, which ends an integration.
+/// NaN, which ends an integration with [`StepTooLong`](crate::integrate::IntegrationError::StepTooLong): a step that long says nothing of the motion.
 /// (E. Hairer, Ch. Lubich, G. Wanner, Geometric Numerical Integration, 2nd edition, 2006, IV.2, V.1 and VIII.6.)
 ///
 /// ```
@@ -44,6 +44,7 @@ const EVALUATIONS: usize = 60;
 
 impl RungeKutta for Midpoint {
     const ORDER: usize = 2;
+    const IS_IMPLICIT: bool = true;
 
     #[inline(always)]
     fn increment<B: RigidBody<Scalar: Scalar, State: Coordinates>>(

@@ -2,9 +2,9 @@
 
 use super::{RungeKutta, change, moved, number, tableau};
 use crate::body::RigidBody;
-use crate::integrate::equations::Equations;
+use crate::integrate::equations::{Equations, Rates};
 use crate::scalar::Scalar;
-use crate::state::Coordinates;
+use crate::state::{Coordinates, State};
 
 tableau! {
     /// The method of order 9 with fifteen evaluations of J. H. Verner, Numerically optimal Runge–Kutta pairs with interpolants, Numerical Algorithms 53

@@ -20,7 +20,10 @@ pub fn moving_body(seed: u64, index: usize) -> Moving {
     } else {
         draw.driven();
     }
-    Moving { body: draw.body, has_flow }
+    Moving {
+        body: draw.body,
+        has_flow,
+    }
 }
 
 fn apply(function: Unary, x: Scalar) -> Scalar {
@@ -45,7 +48,10 @@ impl Draw {
                     [Scalar::zero(), Scalar::zero(), height]
                 },
             });
-            Support { point: 0, anchor: None }
+            Support {
+                point: 0,
+                anchor: None,
+            }
         };
         let mut is_symmetric = false;
         let mut has_weight = true;
@@ -171,7 +177,11 @@ impl Draw {
     /// Of bounded size, but for a wall.
     fn smooth_gate(&mut self) -> Scalar {
         self.is_slow = !self.body.motion.moves();
-        let q = if self.is_slow { number(1) * Scalar::Time } else { self.quantity() };
+        let q = if self.is_slow {
+            number(1) * Scalar::Time
+        } else {
+            self.quantity()
+        };
         self.is_slow = false;
         let order = self.random.i32(-2..=1);
         let steep = order - self.random.i32(0..=2);

@@ -6,6 +6,7 @@
 #![allow(
     clippy::must_use_candidate,
     clippy::missing_panics_doc,
+    clippy::return_self_not_must_use,
     reason = "the package is a command, and nobody's library"
 )]
 

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use super::function::Function;
 use super::graph::{Graph, Id, Node};
-use super::residue::{Residue, Residues};
+use super::identity::Residues;
+use super::residue::Residue;
 use super::slopes::takes_first;
 
 /// Branches that are taken one by one. Where there are more, one of them is that on which choices are

@@ -65,7 +65,11 @@ impl Twofold {
     /// Sine and cosine of an angle of any size.
     pub(crate) fn sin_cos(self) -> (f64, f64) {
         let (sine, cosine) = math::sin_cos(self.high);
-        let (low_sine, low_cosine) = math::sin_cos(self.low);
+        let (low_sine, low_cosine) = if self.low.abs() < 1e-8 {
+            (self.low, 1.0) // to the last bit
+        } else {
+            math::sin_cos(self.low)
+        };
         (
             sine * low_cosine + cosine * low_sine,
             cosine * low_cosine - sine * low_sine,

@@ -111,6 +111,9 @@ impl Path for LagrangeTop {
     }
 }
 
+/// Of tilts below this, an attitude has fewer digits than of itself.
+const NEAR: f64 = 0.1;
+
 /// Tilts, and velocities in their unit, of which the fourth powers do not underflow.
 const LEAST: f64 = 1e-70;
 
@@ -140,21 +143,24 @@ impl Nutation {
         couple: &Vector3<f64>,
         state: &Rotation,
     ) -> Option<Self> {
-        let [world, body] = [couple, &axis].map(Turn::to_third_axis);
-        let attitude = world * Turn::from(state.attitude.quaternion()) * body.conjugate();
-        let attitude = attitude.value();
+        let (size, up) = scale::direction(couple);
+        let [world, body] = [onto_third(&up).conjugate(), onto_third(&axis)];
+        let mut attitude = world.conjugate() * state.attitude.quaternion() * body.conjugate();
+        if is_next_to_vertical(&attitude) {
+            let [world, body] = [couple, &axis].map(Turn::to_third_axis);
+            attitude = (world * Turn::from(state.attitude.quaternion()) * body.conjugate()).value();
+        }
         let alpha = Complex::new(attitude.w, attitude.k);
         let beta = Complex::new(attitude.i, attitude.j);
 
         // all rates carry one power of two
         let rates = state.angular_velocity;
-        let (size, _) = scale::direction(couple);
         let couple = size / Twofold::from(across);
         let exponent = scale::exponent(f64::max(rates.amax(), math::sqrt(couple.value())));
         let couple = couple.scaled(-2 * exponent);
         let rates = scale::scaled(&rates, -exponent);
         let axial = axis.dot(&rates);
-        let turned = body.apply(&rates);
+        let turned = rotated(&body, &(rates - axis * axial));
         let omega = Complex::new(turned.x, turned.y);
         let is_least = |part: Complex<f64>| f64::max(part.re.abs(), part.im.abs()) < LEAST;
         if is_least(omega) && (is_least(alpha) || is_least(beta)) {
@@ -222,8 +228,8 @@ impl Nutation {
             ),
         ];
         Some(Self {
-            world: world.conjugate().value(),
-            body: body.value(),
+            world,
+            body,
             phase: phase.faster(exponent),
             parameters,
             double_rate: libm::scalbn(double_rate, exponent),
@@ -286,6 +292,22 @@ fn start(
         rise: gamma_x * y - gamma_y * x,
         square: square(omega),
     }
+}
+
+/// A rotation of a unit vector to the third axis.
+fn onto_third(unit: &Vector3<f64>) -> Quaternion<f64> {
+    if unit.z >= 0.0 {
+        return attitude::to_third_axis(unit);
+    }
+    // half a turn about the first axis before
+    let turned = Vector3::new(unit.x, -unit.y, -unit.z);
+    attitude::to_third_axis(&turned) * Quaternion::new(0.0, 1.0, 0.0, 0.0)
+}
+
+/// Whether an attitude leaves little of a tilt of the third axis.
+fn is_next_to_vertical(attitude: &Quaternion<f64>) -> bool {
+    let is_near = |a: f64, b: f64| f64::max(a.abs(), b.abs()) < NEAR;
+    is_near(attitude.w, attitude.k) || is_near(attitude.i, attitude.j)
 }
 
 /// A vector, turned by a unit quaternion.

@@ -45,6 +45,8 @@ pub struct Pendulum {
     hanging: Twofold,
     /// How often half a turn was taken off.
     wrapped: f64,
+    /// θ₀ and these.
+    center: Twofold,
     /// `k Ω` \[rad/s\]
     rate: f64,
     course: Course,
@@ -112,6 +114,7 @@ impl Pendulum {
         Self {
             hanging,
             wrapped,
+            center: hanging + half_turns(wrapped),
             rate: total,
             course,
             phase,
@@ -174,13 +177,16 @@ impl Path for Pendulum {
                 (turned, [direction * sn, cn], direction * dn)
             }
         };
-        let (wrapped, turned) = if cosine.abs() < NEAR {
+        let (center, turned) = if cosine.abs() < NEAR {
             let upright = math::floor(turned / PI + 0.5);
-            (self.wrapped + upright, -2.0 * math::atan(cosine / sine))
+            let from_upright = -2.0 * math::atan(cosine / sine);
+            (
+                self.hanging + half_turns(self.wrapped + upright),
+                from_upright,
+            )
         } else {
-            (self.wrapped, turned)
+            (self.center, turned)
         };
-        let center = self.hanging + half_turns(wrapped);
         Hinge {
             angle: (center + Twofold::from(turned)).value(),
             angular_velocity: 2.0 * self.rate * speed,

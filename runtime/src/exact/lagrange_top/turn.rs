@@ -42,12 +42,6 @@ impl Turn {
         let [w, x, y, z] = self.0.map(Twofold::value);
         Quaternion::new(w, x, y, z)
     }
-
-    /// A vector, turned.
-    pub fn apply(self, vector: &Vector3<f64>) -> Vector3<f64> {
-        let vector = Self::from(&Quaternion::from_imag(*vector));
-        (self * vector * self.conjugate()).value().imag()
-    }
 }
 
 impl From<&Quaternion<f64>> for Turn {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::time::{Duration, Instant};
 
 use fastrand::Rng;
 
@@ -18,6 +19,9 @@ use crate::{closed, skipped, structure};
 /// Sets of parameters of a body, and states of each.
 const SETS: usize = 3;
 const STATES: usize = 8;
+
+/// So many of the slowest expansions are named.
+const SLOWEST: usize = 5;
 
 pub struct Plan {
     pub first: usize,
@@ -62,6 +66,8 @@ pub struct Report {
     pub states: usize,
     pub undecided: usize,
     pub failures: usize,
+    /// The expansions that took longest, by their number.
+    pub slowest: Vec<(Duration, usize)>,
     pub kinds: BTreeMap<String, usize>,
     /// Refusals by their words.
     pub refusals: BTreeMap<String, usize>,
@@ -140,7 +146,11 @@ fn tried(
         outputs.push("inverse");
     }
     let text = described(body, &outputs);
+    let start = Instant::now();
     let compiled = Compiled::new(&text);
+    if let Some(report) = &mut report {
+        report.keep_slow(start.elapsed(), index);
+    }
     let compiled = match compiled {
         Ok(compiled) => compiled,
         Err(_) if has_flow => return tried(body, seed, index, false, report),
@@ -277,6 +287,12 @@ fn is_possible(body: &Body, constants: &Constants<'_>) -> bool {
 }
 
 impl Report {
+    fn keep_slow(&mut self, time: Duration, index: usize) {
+        self.slowest.push((time, index));
+        self.slowest.sort_by_key(|slow| core::cmp::Reverse(slow.0));
+        self.slowest.truncate(SLOWEST);
+    }
+
     fn count(&mut self, compiled: &Compiled, body: &Body) {
         let structure = &compiled.equations.structure;
         let mut claims = Vec::new();
@@ -336,6 +352,9 @@ impl fmt::Display for Report {
         }
         for (words, count) in &self.refusals {
             writeln!(f, "{count:>9}  refused: {words}")?;
+        }
+        for (time, index) in &self.slowest {
+            writeln!(f, "{time:>9.1?}  to expand description {index}")?;
         }
         writeln!(
             f,

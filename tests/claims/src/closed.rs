@@ -9,9 +9,9 @@ use crate::oracle::law::gyration;
 use crate::oracle::number::Number;
 use crate::oracle::scene::Scene;
 use crate::oracle::vector::Vector;
-use crate::run::{Case, Refuted};
 use crate::samples::Sample;
 use crate::structure::{ROUNDED, nothing};
+use crate::trials::{Case, Refuted};
 use crate::wide::Wide;
 
 pub fn flow(case: &Case<'_>, sample: &Sample, known: &Answer, refuted: &mut Refuted) {

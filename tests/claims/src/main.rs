@@ -28,11 +28,13 @@ mod answer;
 mod closed;
 mod compiled;
 mod layout;
+mod report;
 mod run;
 mod samples;
 mod skipped;
 mod smaller;
 mod structure;
+mod trials;
 mod turns;
 
 use std::process::ExitCode;
@@ -64,5 +66,51 @@ fn main() -> ExitCode {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::compiled::Compiled;
+    use super::description::draw::sparse_body;
+    use super::description::written::described;
+    use super::samples::Source;
+    use super::trials::{Tally, refuted};
+    use super::*;
+
+    #[test]
+    fn no_claim_is_refuted() {
+        let report = run::run(&run::Plan {
+            first: 0,
+            descriptions: 200,
+            seed: 2,
+            shown: 5,
+        });
+        assert!(report.failures == 0, "{report}");
+        assert!(report.states > 2000 && report.refused < 10, "{report}");
+    }
+
+    /// Claims that are made of every body are refuted, by most.
+    #[test]
+    fn wrong_claims_are_refuted() {
+        let (mut wrong, mut seen) = (0, 0);
+        for index in 0..100 {
+            let body = sparse_body(3, index);
+            let text = described(&body, &[]);
+            let Ok(mut compiled) = Compiled::new(&text) else {
+                continue;
+            };
+            let structure = &mut compiled.equations.structure;
+            let turns = !layout::Layout::of(&body.motion).turning.is_empty();
+            if !turns || structure.is_torque_free {
+                continue;
+            }
+            structure.is_torque_free = true;
+            wrong += 1;
+            let mut source = Source::new(run::random(3, index), &text);
+            let failure = refuted(&body, &compiled, &mut source, &mut Tally::default());
+            seen += usize::from(failure.is_some());
+        }
+        assert!(wrong > 20 && seen * 10 > wrong * 6, "{seen} of {wrong}");
     }
 }

@@ -1,23 +1,19 @@
 //! Many descriptions, each by its number.
 
-use std::collections::BTreeMap;
-use std::fmt;
+use std::time::Instant;
 
 use fastrand::Rng;
 
-use crate::answer::{answer, is_determined};
+use crate::answer::is_determined;
 use crate::compiled::Compiled;
 use crate::description::body::{Body, Key};
 use crate::description::draw;
 use crate::description::written::described;
 use crate::oracle::Constants;
-use crate::samples::{Sample, Source};
+use crate::report::{Report, kind};
+use crate::samples::Source;
 use crate::smaller::smaller;
-use crate::{closed, skipped, structure};
-
-/// Sets of parameters of a body, and states of each.
-const SETS: usize = 3;
-const STATES: usize = 8;
+use crate::trials::{Failure, SETS, STATES, Tally, is_possible, refuted};
 
 pub struct Plan {
     pub first: usize,
@@ -25,46 +21,6 @@ pub struct Plan {
     pub seed: u64,
     /// Failures that are shown.
     pub shown: usize,
-}
-
-/// A description with a set of parameters.
-pub struct Case<'a> {
-    pub body: &'a Body,
-    pub compiled: &'a Compiled,
-    pub constants: &'a Constants<'a>,
-}
-
-/// Claims that a state refutes.
-#[derive(Default)]
-pub struct Refuted {
-    pub list: Vec<(String, String)>,
-}
-
-impl Refuted {
-    pub fn tell(&mut self, claim: &str, what: String) {
-        self.list.push((claim.to_owned(), what));
-    }
-}
-
-/// The first claim of a description that fails, with the state.
-pub struct Failure {
-    pub claim: String,
-    pub what: String,
-    pub sample: Sample,
-}
-
-#[derive(Default)]
-pub struct Report {
-    pub descriptions: usize,
-    pub refused: usize,
-    /// How often each claim was made.
-    pub claims: BTreeMap<String, usize>,
-    pub states: usize,
-    pub undecided: usize,
-    pub failures: usize,
-    pub kinds: BTreeMap<String, usize>,
-    /// Refusals by their words.
-    pub refusals: BTreeMap<String, usize>,
 }
 
 pub fn run(plan: &Plan) -> Report {
@@ -88,14 +44,6 @@ pub fn run(plan: &Plan) -> Report {
 /// The first description of a plan.
 pub fn shown(plan: &Plan) -> String {
     described(&draw::sparse_body(plan.seed, plan.first), &[])
-}
-
-/// The claim without numbers.
-fn kind(claim: &str) -> String {
-    claim
-        .chars()
-        .filter(|c| !c.is_ascii_digit() && *c != '.' && *c != '-')
-        .collect()
 }
 
 fn show(body: &Body, seed: u64, index: usize, has_flow: bool, failure: &Failure) {
@@ -140,7 +88,11 @@ fn tried(
         outputs.push("inverse");
     }
     let text = described(body, &outputs);
+    let start = Instant::now();
     let compiled = Compiled::new(&text);
+    if let Some(report) = &mut report {
+        report.keep_slow(start.elapsed(), index);
+    }
     let compiled = match compiled {
         Ok(compiled) => compiled,
         Err(_) if has_flow => return tried(body, seed, index, false, report),
@@ -159,53 +111,13 @@ fn tried(
         report.count(&compiled, body);
     }
     let mut source = Source::new(random(seed, index), &text);
-    let sets = if body.params.is_empty() { 1 } else { SETS };
-    for _ in 0..sets {
-        let params = source.params(body);
-        let constants = Constants::new(body, params.clone());
-        if !is_possible(body, &constants) {
-            continue;
-        }
-        let case = Case {
-            body,
-            compiled: &compiled,
-            constants: &constants,
-        };
-        // differences take their time
-        let states = if body.constraints.is_empty() {
-            STATES * SETS
-        } else {
-            STATES
-        };
-        for _ in 0..states.div_ceil(sets) {
-            let sample = source.sample(body, &params);
-            let Some(known) = answer(&constants, &sample.given, &sample.instant) else {
-                if let Some(report) = &mut report {
-                    report.undecided += 1;
-                }
-                continue;
-            };
-            if let Some(report) = &mut report {
-                report.states += 1;
-            }
-            let mut refuted = Refuted::default();
-            structure::accelerations(&case, &sample, &known, &mut source, &mut refuted);
-            structure::zeros(&case, &known, &mut refuted);
-            structure::reads(&case, &sample, &known, &mut source, &mut refuted);
-            structure::symmetries(&case, &sample, &known, &mut source, &mut refuted);
-            structure::planes(&case, &sample, &mut refuted);
-            closed::flow(&case, &sample, &known, &mut refuted);
-            skipped::skipped(&case, &sample, &known, &mut source, &mut refuted);
-            if let Some((claim, what)) = refuted.list.into_iter().next() {
-                return Some(Failure {
-                    claim,
-                    what,
-                    sample,
-                });
-            }
-        }
+    let mut tally = Tally::default();
+    let failure = refuted(body, &compiled, &mut source, &mut tally);
+    if let Some(report) = report {
+        report.states += tally.states;
+        report.undecided += tally.undecided;
     }
-    None
+    failure
 }
 
 /// What is said of constraints that determine their reactions at a state.
@@ -260,91 +172,6 @@ fn order(body: &Body, outputs: &[&str], seed: u64, index: usize) -> Option<Failu
     })
 }
 
-fn random(seed: u64, index: usize) -> Rng {
+pub fn random(seed: u64, index: usize) -> Rng {
     Rng::with_seed((seed << 40 ^ index as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15))
-}
-
-/// Whether parameters make a body whose mass and inertia doubles can do with.
-fn is_possible(body: &Body, constants: &Constants<'_>) -> bool {
-    let mass = constants.mass.float();
-    let has_mass = body.mass.is_none() || mass > 0.0 && mass.is_finite();
-    let turns = body.motion.turns() && !body.motion.is_planar();
-    let condition = constants.inertia.condition();
-    has_mass
-        && (!turns
-            || matches!(body.motion, crate::description::body::Motion::Rod(_))
-            || condition.is_finite() && condition < 1e6)
-}
-
-impl Report {
-    fn count(&mut self, compiled: &Compiled, body: &Body) {
-        let structure = &compiled.equations.structure;
-        let mut claims = Vec::new();
-        if structure.is_force_free && crate::layout::translates(body) {
-            claims.push("is_force_free".to_owned());
-        }
-        if structure.is_torque_free {
-            claims.push("is_torque_free".to_owned());
-        }
-        if structure.keeps_spin {
-            claims.push("keeps_spin".to_owned());
-        }
-        if structure.planes.contains(&true) {
-            claims.push("planes".to_owned());
-        }
-        for (part, dependence) in [
-            ("linear", &structure.linear),
-            ("angular", &structure.angular),
-        ] {
-            for (whose, symmetry) in [("world", dependence.world), ("body", dependence.body)] {
-                let word = format!("{symmetry:?}");
-                if word != "None" {
-                    claims.push(format!("{part}, turns of the {whose}: {}", &word[..5]));
-                }
-            }
-        }
-        if let Some(flow) = &compiled.equations.flow {
-            claims.extend(
-                flow.describe(compiled.model.motion)
-                    .into_iter()
-                    .map(|line| format!("flow: {line}")),
-            );
-        }
-        for line in &compiled.equations.skipped {
-            if skipped::is_tried(line, body) {
-                let line = kind(line);
-                claims.push(format!("skipped: {line}"));
-            } else if !skipped::is_manner(line) {
-                claims.push(format!("NOT TRIED: {line}"));
-            }
-        }
-        for claim in claims {
-            *self.claims.entry(claim).or_default() += 1;
-        }
-    }
-}
-
-impl fmt::Display for Report {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "{} descriptions, {} refused; {} states, {} left out\n",
-            self.descriptions, self.refused, self.states, self.undecided
-        )?;
-        for (claim, count) in &self.claims {
-            writeln!(f, "{count:>9}  {claim}")?;
-        }
-        for (words, count) in &self.refusals {
-            writeln!(f, "{count:>9}  refused: {words}")?;
-        }
-        writeln!(
-            f,
-            "\n{} descriptions with a claim that a state refutes",
-            self.failures
-        )?;
-        for (kind, count) in &self.kinds {
-            writeln!(f, "{count:>9}  {kind}")?;
-        }
-        Ok(())
-    }
 }

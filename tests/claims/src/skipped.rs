@@ -8,9 +8,9 @@ use crate::oracle::Constants;
 use crate::oracle::loads::acting;
 use crate::oracle::scene::Scene;
 use crate::oracle::vector::Vector;
-use crate::run::{Case, Refuted};
 use crate::samples::{Sample, Source};
 use crate::structure::{EXACT, changed, nothing};
+use crate::trials::{Case, Refuted};
 
 /// Words for parts of the state, and their places in `QUANTITIES`.
 const PARTS: [(&str, usize); 6] = [

@@ -15,7 +15,7 @@ pub fn module(moving: &Moving, index: usize) -> String {
     let description = described(body, outputs);
     let (make, input) = constructed(body, "return");
     let closed = if *has_flow {
-        "ends.tell(\"closed form\", motion().method(ClosedForm).to(end));"
+        "ends.tell(\"closed form\", motion().method(ClosedForm).steps(end));"
     } else {
         ""
     };
@@ -29,9 +29,9 @@ pub fn march(given: &Given, end: f64, ends: &mut Ends) {{
 let start = state(given);
 let motion = || body.integrate(&start).starting_at(given.time).input(input);
 let end = given.time + end;
-ends.tell(\"DOP853\", motion().method(DormandPrince::with_tolerance(1e-12)).to(end));
-ends.tell(\"DOP853, coarser\", motion().method(DormandPrince::with_tolerance(1e-9)).to(end));
-ends.tell(\"series\", motion().method(TaylorSeries::with_tolerance(1e-12)).to(end));
+ends.tell(\"DOP853\", motion().method(DormandPrince::with_tolerance(1e-12)).steps(end));
+ends.tell(\"DOP853, coarser\", motion().method(DormandPrince::with_tolerance(1e-9)).steps(end));
+ends.tell(\"series\", motion().method(TaylorSeries::with_tolerance(1e-12)).steps(end));
 {closed}
 }}
 }}

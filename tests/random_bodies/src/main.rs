@@ -14,9 +14,11 @@
 
 use survey::{Ask, Survey};
 
+#[allow(dead_code, reason = "`tests/claims` draws more")]
 mod description;
 mod given;
 mod motions;
+#[allow(dead_code, reason = "`tests/claims` asks for more")]
 mod oracle;
 mod output;
 mod states;

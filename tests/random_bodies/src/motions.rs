@@ -3,7 +3,7 @@
 use std::fmt;
 
 use fastrand::Rng;
-use newton_euler::integrate::IntegrationError;
+use newton_euler::integrate::{IntegrationError, Sample};
 use newton_euler::state::Coordinates;
 
 use crate::description::body::{Body, Motion};
@@ -21,15 +21,28 @@ pub struct Ends {
     pub list: Vec<(&'static str, Result<Vec<f64>, String>)>,
 }
 
+/// Of a motion that is not stiff, or goes on for ever.
+const STEPS: usize = 20_000;
+
 impl Ends {
+    /// The last of these steps.
     pub fn tell<S: Coordinates<Scalar = f64>>(
         &mut self,
         method: &'static str,
-        end: Result<S, IntegrationError<S>>,
+        steps: impl Iterator<Item = Result<Sample<S>, IntegrationError<S>>>,
     ) {
-        let end = end.map(|state| state.coordinates().as_ref().to_vec());
-        self.list
-            .push((method, end.map_err(|error| error.to_string())));
+        let mut end = Err("no step".to_owned());
+        for (number, step) in steps.enumerate() {
+            end = match step {
+                _ if number > STEPS => Err("too many steps".to_owned()),
+                Ok(sample) => Ok(sample.state.coordinates().as_ref().to_vec()),
+                Err(error) => Err(error.to_string()),
+            };
+            if end.is_err() {
+                break;
+            }
+        }
+        self.list.push((method, end));
     }
 }
 

@@ -174,7 +174,11 @@ impl Draw {
                 let least = both(Binary::Min, a.clone(), b.clone());
                 least + both(Binary::Max, a.clone(), b.clone()) - a - b
             }
-            33 => apply(Unary::Ln, apply(Unary::Exp, scaled.clone())) - scaled,
+            33 => {
+                // doubles hold the exponential
+                let bounded = apply(Unary::Tanh, scaled);
+                apply(Unary::Ln, apply(Unary::Exp, bounded.clone())) - bounded
+            }
             34 => both(Binary::Max, x.clone(), zero.clone()) * both(Binary::Min, x, zero),
             _ => {
                 square(apply(Unary::Cosh, scaled.clone()))

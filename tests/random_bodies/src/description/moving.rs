@@ -189,6 +189,8 @@ impl Draw {
         let x = q.clone() - Scalar::Literal(c);
         let scaled = Scalar::Quotient(Box::new(x.clone()), Box::new(Scalar::Literal(s)));
         match self.random.u32(..6) {
+            // nothing but a shorter step would see a shorter pulse
+            2 if steep < -1 => apply(Unary::Sin, q),
             0 | 1 => number(1) + apply(Unary::Tanh, scaled),
             2 => apply(Unary::Exp, -Scalar::Power(Box::new(scaled), 2)),
             3 => apply(Unary::Sin, q),

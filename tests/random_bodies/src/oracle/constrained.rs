@@ -287,7 +287,7 @@ impl<'a> Problem<'a> {
                         ..Step::default()
                     }
                 };
-                self.value(constraint, axis, &step).value
+                self.value(constraint, axis, &step)
             },
             1,
         )
@@ -301,7 +301,7 @@ impl<'a> Problem<'a> {
             length,
             |length| {
                 let step = self.along(motions, length);
-                self.value(constraint, axis, &step).value
+                self.value(constraint, axis, &step)
             },
             order,
         )
@@ -391,8 +391,10 @@ impl<'a> Problem<'a> {
 }
 
 /// The first or second derivative at zero by differences over lengths that become shorter, until two agree; and by how much they do not.
-fn settled(length: f64, mut value: impl FnMut(f64) -> Wide, order: i32) -> (Wide, f64) {
+fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wide, f64) {
     let here = value(0.0);
+    let mut size = here.size;
+    let here = here.value;
     let mut best = (Wide::ZERO, f64::INFINITY);
     let mut before: Option<Wide> = None;
     for part in [1e-1, 1e-3, 1e-5, 1e-7] {
@@ -400,6 +402,8 @@ fn settled(length: f64, mut value: impl FnMut(f64) -> Wide, order: i32) -> (Wide
         let mut is_bent = false;
         let [near, far] = [length, 2.0 * length].map(|length| {
             let (after, before) = (value(length), value(-length));
+            size = size.max(after.size).max(before.size);
+            let (after, before) = (after.value, before.value);
             let (even, odd) = (after - here * 2.0 + before, after - before);
             is_bent |= even.high.abs() > 0.1 * odd.high.abs();
             match order {
@@ -409,7 +413,7 @@ fn settled(length: f64, mut value: impl FnMut(f64) -> Wide, order: i32) -> (Wide
         });
         let now = extrapolated(near, far, 4.0);
         if let Some(before) = before {
-            let rounding = 1e-30 * here.high.abs() / length.powi(order);
+            let rounding = 1e-30 * size / length.powi(order);
             let apart = (now - before).high.abs() + rounding;
             // a kink looks the same at all lengths
             let is_smooth = order == 2 || !is_bent || now.high == 0.0;

@@ -280,6 +280,18 @@ pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &
         return;
     }
     let graph = &model.frames.graph;
+    let is_undecided = |id: &Id| graph.as_number(*id).is_some_and(Number::is_undecided);
+    if values.iter().any(is_undecided) {
+        errors.push(
+            outline.name.span(),
+            format!(
+                "a constant in the equations of `{}` is zero to thousands of bits, and not proved to be \
+                 zero: write it as a number, or leave it out",
+                outline.name
+            ),
+        );
+        return;
+    }
     let out_of_range = |id: &Id| {
         let number = graph.as_number(*id);
         graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())

@@ -247,3 +247,26 @@ fn what_cancels() {
         assert!(kept.contains("input"), "{value}: {kept}");
     }
 }
+
+/// Equal constants that no identity in use tells to be equal are equal, and what is not known of them is said so.
+#[test]
+fn constants_that_nobody_tells_apart() {
+    for (left, right) in [
+        ("3.sqrt()", "3.powf(0.5)"),
+        ("2.cbrt().powi(3)", "2"),
+        ("2.ln() + 3.ln()", "6.ln()"),
+        ("1 + 2.sqrt()", "(3 + 2 * 2.sqrt()).sqrt()"),
+    ] {
+        for (comparison, holds) in [("==", true), ("!=", false), ("<", false), (">=", true)] {
+            let value = format!("if {left} {comparison} {right} {{ 3 }} else {{ 2 }}");
+            let expected = if holds { "3.0" } else { "2.0" };
+            assert!(folded(&value, "0").contains(expected), "{value}");
+        }
+        let root = format!("forces: [push = world(1 + ({left} - ({right})).sqrt(), 0)]");
+        let said = said_of(&root);
+        assert!(
+            said.iter().any(|text| text.contains("is not known here")),
+            "{said:?}"
+        );
+    }
+}

@@ -81,6 +81,10 @@ fn why_not(word: &str, operands: &[Number]) -> String {
     };
     let of = shown(x);
     match (word, rest) {
+        _ if operands.iter().any(is_nearly_whole) => format!(
+            "`{word}` is not known here: whether its argument is exactly {of} is not told by thousands of \
+             bits; write what it is as a number"
+        ),
         ("/", _) => "this is zero, and nothing can be divided by it".to_owned(),
         ("powf", [y]) if x.is_negative() && !y.is_whole() => format!(
             "`powf` of {of} has no value: negative numbers have whole powers, and this exponent is {}",
@@ -94,4 +98,11 @@ fn why_not(word: &str, operands: &[Number]) -> String {
         }
         _ => format!("`{word}` of {of} has no value"),
     }
+}
+
+/// Whether a number cannot be told from a whole one.
+fn is_nearly_whole(number: &Number) -> bool {
+    [-1, 0, 1]
+        .into_iter()
+        .any(|whole| (number.clone() - Number::integer(whole)).is_undecided())
 }

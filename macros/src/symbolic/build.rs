@@ -194,8 +194,12 @@ impl Graph {
         }
     }
 
+    /// Constants that thousands of bits do not tell apart are taken for equal.
     pub fn compare(&mut self, comparison: Comparison, a: Id, b: Id) -> Id {
         let known = match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) if (x.clone() - y.clone()).is_undecided() => {
+                Some(core::cmp::Ordering::Equal)
+            }
             (Some(x), Some(y)) => Some(x.cmp(y)),
             _ if a == b => Some(core::cmp::Ordering::Equal),
             _ => None,

@@ -12,6 +12,10 @@ use super::taylor::Motion;
 
 /// Taylor series, of the order that belongs to the tolerance: see [`taylor()`](super::taylor()). States between the ends of a step cost next to
 /// nothing.
+///
+/// Steps are held against the equations, and shortened until these agree; over a place where the motion is not smooth, such as rest under drag,
+/// a step of [`DormandPrince`](super::DormandPrince) goes. A smooth load that acts for a short time only, of a step, may still lie between the places
+/// that are looked at: say where, by [`breaks`](super::Integration::breaks) or [`max_step`](super::Integration::max_step).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaylorSeries {
     /// How large the error of a step may be: see [`Tolerant`].

@@ -36,25 +36,22 @@ use core::ops::Range;
 use crate::state::Coordinates;
 use crate::taylor::{Axes, Plain, Series, Taylor, after, increment};
 
-use super::adaptive::first;
-use super::agreement::{Agreement, Seen};
-use super::equations::Equations;
 use super::error::IntegrationError;
 use super::instructions::Expander;
 use super::method::{Method, Run};
-use super::passage::{self, pass};
+use super::passage;
 use super::point::Point;
 use super::series::TaylorSeries;
-use super::size::{finest, larger, relative_size, root};
+use super::size::{finest, relative_size, root};
 use super::step::Step;
 use super::switches::{Stretch, Within};
+
+mod seen;
 
 /// How much of the permitted step is taken: roots are known to a few parts in a hundred.
 const SAFETY: f64 = 0.9;
 /// A step that is longer than the one before by more than this is looked at twice.
 const GROWTH: f64 = 1.5;
-/// How much shorter a step is than those before it, where the motion may not be smooth.
-const SUDDEN: f64 = 1.0 / 8.0;
 
 /// The state at the end of a span of time \[s\], from the state at its start, with the input held and the error of each step below
 /// `tolerance`; time may run backwards.
@@ -256,123 +253,6 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             None => self.follow(permitted, end, input, tolerance)?,
         };
         Ok(Some(self.taken(time, step)))
-    }
-
-    /// Goes along the series for at most so long \[s\], as far as the equations agree; where they do not at all, over the place.
-    #[inline(always)]
-    fn follow(
-        &mut self,
-        mut length: f64,
-        end: f64,
-        input: &B::Input,
-        tolerance: f64,
-    ) -> Result<f64, IntegrationError<B::State>> {
-        let (time, rest, mut is_refused) = (self.now.time, self.now.rest(end), false);
-        loop {
-            let is_last = length >= rest.abs();
-            let step = if is_last { rest } else { length.copysign(rest) };
-            let is_lost = (time + step) - time == 0.0 && !is_last;
-            if is_lost || step.is_nan() {
-                let passed = is_refused.then(|| self.pass(f64::NAN, end, input, tolerance));
-                return passed.flatten().ok_or_else(|| {
-                    let state = self.state();
-                    if step.is_nan() {
-                        IntegrationError::not_finite(time, state)
-                    } else {
-                        IntegrationError::StepTooSmall { time, state, step }
-                    }
-                });
-            }
-            match self.agreed(step, input, tolerance) {
-                Ok(change) => {
-                    self.now.follow(&change, step, is_last.then_some(end));
-                    self.length = step.abs();
-                    self.looked_at = if is_last && self.looked_at > self.length {
-                        self.looked_at
-                    } else {
-                        self.length
-                    };
-                    self.rough = larger(self.rough, SUDDEN * self.length);
-                    return Ok(step);
-                }
-                Err(after) => {
-                    self.doubt = Some(time + after);
-                    let is_finite = self.series.is_finite();
-                    length = if is_finite {
-                        0.5 * step.abs()
-                    } else {
-                        f64::NAN
-                    };
-                    is_refused = true;
-                }
-            }
-        }
-    }
-
-    /// Whether the equations agree to a step, and what that changes; or after what time \[s\] they do not. One that is longer than those
-    /// before it is looked at throughout.
-    #[inline(always)]
-    fn agreed(
-        &self,
-        step: f64,
-        input: &B::Input,
-        tolerance: f64,
-    ) -> Result<<B::State as Coordinates>::Array, f64> {
-        let agreement = Agreement {
-            equations: &Seen {
-                equations: Equations {
-                    body: &self.within,
-                    input,
-                },
-                axes: &self.axes,
-            },
-            start: self.now.time,
-            coefficients: self.series.coefficients(),
-            tolerance,
-        };
-        let is_usual = step.abs() <= GROWTH * self.looked_at;
-        let change = is_usual.then(|| self.expander.holds(&agreement, &self.now, step));
-        match change.flatten() {
-            Some(change) => Ok(change),
-            None => agreement.holds_throughout(&self.now, step),
-        }
-    }
-
-    /// Takes a Runge–Kutta step, where the motion is not smooth: of any length, where series permit no step, or of a multiple of what they do
-    /// permit; none, if that is too long.
-    #[cold]
-    fn pass(&mut self, permitted: f64, end: f64, input: &B::Input, tolerance: f64) -> Option<f64> {
-        let equations = Seen {
-            equations: Equations {
-                body: &self.within,
-                input,
-            },
-            axes: &self.axes,
-        };
-        let rest = self.now.rest(end);
-        let [longest, least] = if permitted > 0.0 {
-            [64.0, 2.0].map(|times| times * permitted)
-        } else {
-            [first(&equations, &self.now, rest, tolerance), 0.0]
-        };
-        let is_last = longest >= rest.abs();
-        let longest = if is_last {
-            rest
-        } else {
-            longest.copysign(rest)
-        };
-        let passage = pass(&equations, &self.now, longest, least, tolerance);
-        let Some(passage) = passage else {
-            self.rough = larger(0.0, SUDDEN * permitted);
-            return None;
-        };
-        let step = passage.step;
-        let end = (is_last && step == rest).then_some(end);
-        self.now.follow(&passage.change, step, end);
-        (self.passage, self.is_passage) = (passage.coefficients, true);
-        (self.length, self.looked_at) = (step.abs(), step.abs());
-        self.rough = 0.5 * step.abs();
-        Some(step)
     }
 
     /// Takes a step of this length \[s\], with the input held, of whatever error.

@@ -160,7 +160,8 @@ fn tensor(case: &Case<'_>, rows: &Rows, refuted: &mut Refuted) {
     let differs = (0..9).any(|n| {
         let (i, j) = (n / 3, n % 3);
         // also where it is not a number
-        !((rows[i][j] - known[i][j].high).abs() <= ROUNDED * size)
+        let apart = (rows[i][j] - known[i][j].high).abs();
+        apart.is_nan() || apart > ROUNDED * size
     });
     if differs {
         refuted.tell(

@@ -4,6 +4,10 @@
 //! alone, so that what was found is found again.
 #![allow(missing_docs, dead_code)]
 #![allow(
+    unfulfilled_lint_expectations,
+    reason = "what is public here is private in the compiler"
+)]
+#![allow(
     clippy::must_use_candidate,
     clippy::missing_panics_doc,
     clippy::return_self_not_must_use,

@@ -126,7 +126,9 @@ mod tests {
     fn all_methods_agree() {
         let motions = moved(6);
         println!("{motions}");
-        assert!(motions.failures.is_empty() && motions.undecided < motions.motions / 10);
+        assert!(motions.failures.is_empty() && motions.undecided < motions.count / 10);
+        // series have no value where an exponential is infinite
+        assert!(motions.unfinished.len() < motions.count / 10);
     }
 
     /// The survey finds what is wrong by more than that.

@@ -94,6 +94,17 @@ pub trait RigidBody {
     /// ```
     fn switches(&self, _input: &Self::Input, _times: &mut Switches) {}
 
+    /// The name of a load that is infinite or not a number in this state, which is what the error of an integration says. None, unless it is said here:
+    /// a body of [`rigid_body!`](crate::rigid_body) names those that it can tell.
+    fn lost_load(
+        &self,
+        _time: Self::Scalar,
+        _state: &Self::State,
+        _input: &Self::Input,
+    ) -> Option<&'static str> {
+        None
+    }
+
     /// The input some time \[s\] after it was given, if a part of it moves: a value with its rate and acceleration goes on with them. None, unless it
     /// is said here: inputs are held.
     fn input_after(&self, _input: &Self::Input, _duration: Self::Scalar) -> Option<Self::Input> {

@@ -105,6 +105,14 @@ fn is_positive(value: f64) -> bool {
     value.is_finite() && value > 0.0
 }
 
+/// The first of these loads of which a component is infinite or not a number.
+#[must_use]
+pub fn lost_load<T: Scalar>(loads: &[(&'static str, &[T])]) -> Option<&'static str> {
+    let is_lost = |part: &T| find(*part, |value| !value.is_finite()).is_some();
+    let lost = loads.iter().find(|(_, parts)| parts.iter().any(is_lost));
+    lost.map(|(name, _)| *name)
+}
+
 /// The reciprocal of the divisor of an unknown, where it depends on the configuration, given the largest of the terms it was
 /// summed from.
 ///

@@ -82,6 +82,8 @@ pub struct Writer<'a> {
     /// Whether the functions return a `Result`, so that a division that cannot be done ends them;
     /// it panics in the others.
     pub is_fallible: bool,
+    /// Whether they compute all that is not stored, for functions that are seldom called.
+    pub is_whole: bool,
     /// Whether the functions are given a state.
     pub has_state: bool,
     /// What the numbers are.
@@ -105,7 +107,11 @@ pub struct Body<'a> {
 
 impl Writer<'_> {
     pub fn schedule(&self, outputs: &[Id]) -> Program {
-        self.model.frames.graph.schedule(outputs, self.stage)
+        let graph = &self.model.frames.graph;
+        if self.is_whole {
+            return graph.schedule_where(outputs, |id| self.fields.get(id).is_none());
+        }
+        graph.schedule(outputs, self.stage)
     }
 
     /// Names that are not there for statements: those of arguments, and those of fields, which are

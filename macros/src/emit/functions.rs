@@ -3,7 +3,9 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::mechanics::{Balance, Equations, Momentum, ReactionExpressions, Resultant, Switch};
+use crate::mechanics::{
+    Balance, Equations, Momentum, Partial, ReactionExpressions, Resultant, Switch,
+};
 use crate::model::{Family, LoadKind, Model, Outline, Output};
 use crate::symbolic::{Components, Cost, Id, Node, Stage};
 
@@ -36,6 +38,8 @@ pub struct Functions {
     pub path_type: TokenStream,
     /// If there are times at which the equations change.
     pub switches: Option<Function>,
+    /// If there are loads that may have no value.
+    pub lost_load: Option<Function>,
     pub violations: Function,
     pub check: Function,
     pub project: Function,
@@ -119,6 +123,7 @@ impl Functions {
             targets: &none,
             stage: Stage::State,
             is_fallible: false,
+            is_whole: false,
             has_state: true,
             scalar: Scalar::of(outline),
             private: private(outline),
@@ -127,15 +132,9 @@ impl Functions {
             acceleration: write_acceleration(&writer, &shapes, equations),
             ..Self::default()
         };
-        if !equations.switches.is_empty() {
-            let without_state = Writer {
-                has_state: false,
-                scalar: Scalar::of(outline),
-                private: private(outline),
-                ..writer
-            };
-            functions.switches = Some(write_switches(&without_state, &equations.switches));
-        }
+        let (partial, switches) = (&equations.partial, &equations.switches);
+        functions.lost_load = (!partial.is_empty()).then(|| write_lost_load(&writer, partial));
+        functions.switches = (!switches.is_empty()).then(|| write_switches(&writer, switches));
         if let Some(energy) = &equations.energy {
             let scalar = |id: Id| Function::write(&writer, &[id], |values| quote!(#(#values)*));
             functions.kinetic_energy = scalar(energy.kinetic);
@@ -233,6 +232,7 @@ impl Functions {
             path: never(),
             path_type: flow::any_path(outline),
             switches: None,
+            lost_load: None,
             violations: never(),
             check: never(),
             project: never(),
@@ -295,6 +295,27 @@ fn write_acceleration(writer: &Writer<'_>, shapes: &Shapes, equations: &Equation
     function
 }
 
+/// `lost_load(&[("drag", &[drag_x, drag_y]), ..])`
+fn write_lost_load(writer: &Writer<'_>, partial: &[Partial]) -> Function {
+    let outputs: Vec<Id> = partial.iter().flat_map(|load| load.parts.clone()).collect();
+    let outline = writer.outline;
+    let writer = Writer {
+        is_whole: true,
+        scalar: Scalar::of(outline),
+        private: private(outline),
+        ..*writer
+    };
+    let private = &writer.private;
+    Function::write(&writer, &outputs, |values| {
+        let loads = partial.iter().map(|load| {
+            let (name, parts) = (&load.name, values.take(load.parts.len()));
+            quote!((#name, &[#(#parts),*]))
+        });
+        let loads: Vec<TokenStream> = loads.collect();
+        quote!(#private::lost_load(&[#(#loads),*]))
+    })
+}
+
 /// `times.at(50.0); times.every(self.start, self.period);`
 fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Function {
     // numbers need no scalar to be made of
@@ -310,8 +331,14 @@ fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Function {
         .copied()
         .filter(|id| number(id).is_none())
         .collect();
-    let times = local("times");
-    Function::write(writer, &open, |values| {
+    let (times, outline) = (local("times"), writer.outline);
+    let writer = Writer {
+        has_state: false,
+        scalar: Scalar::of(outline),
+        private: private(outline),
+        ..*writer
+    };
+    Function::write(&writer, &open, |values| {
         let calls = switches.iter().map(|switch| {
             let name = match switch {
                 Switch::At(..) => quote!(at),

@@ -117,6 +117,16 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, functions: &Functions) ->
         quote!(#lints fn switches(&self, #arguments) { #body })
     });
     let input_after = emit_input_after(outline, shapes);
+    let lost_load = functions.lost_load.as_ref().map(|function| {
+        let name = quote!(::core::option::Option<&'static str>);
+        let method = method(
+            "lost_load",
+            &arguments(outline, shapes, function),
+            &name,
+            function,
+        );
+        quote!(#[cold] #method)
+    });
     // in lanes, all of it has to be compiled for the register
     let inline = if shapes.scalar.is_generic() {
         quote!(#[allow(clippy::inline_always)] #[inline(always)])
@@ -132,6 +142,7 @@ fn emit_rigid_body(outline: &Outline, shapes: &Shapes, functions: &Functions) ->
             #acceleration
             #switches
             #input_after
+            #lost_load
         }
     }
 }

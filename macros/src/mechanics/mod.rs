@@ -24,6 +24,7 @@ mod inverse;
 mod lagrange_top;
 mod momentum;
 mod newton_euler;
+mod partial;
 mod potential;
 mod pushes;
 mod rates;
@@ -51,6 +52,7 @@ pub use energy::Energy;
 pub use flow::{Flow, Turning};
 pub use free_rotation::Free;
 pub use momentum::Momentum;
+pub use partial::Partial;
 pub use reactions::ReactionExpressions;
 pub use structure::{Dependence, QUANTITIES, Structure};
 pub use switches::Switch;
@@ -80,6 +82,8 @@ pub struct Equations {
     pub switches: Vec<Switch>,
     /// How far it may be by rounding is a fraction of these.
     pub reach: Vec<Reach>,
+    /// Loads that may have no value.
+    pub partial: Vec<Partial>,
     /// What kind of body has this inertia, line by line; nothing if it is not constant.
     pub inertia_class: Vec<String>,
     /// Where uniform fields act on constant charges.
@@ -142,6 +146,7 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         constraints,
         switches,
         reach,
+        partial: partial::list_partial(model),
         inertia_class: inertia_class::classify(model),
         charges: charges::list_centers(model),
         structure,

@@ -25,6 +25,11 @@ impl Graph {
     /// a quantity, if it is used more than once, or if the statement it stands in would grow too long.
     /// A condition is no number, so that none is kept from an earlier stage.
     pub fn schedule(&self, outputs: &[Id], stage: Stage) -> Program {
+        self.schedule_where(outputs, |id| self.stage(id) == stage)
+    }
+
+    /// The same of all that `is_due`.
+    pub fn schedule_where(&self, outputs: &[Id], is_due: impl Fn(Id) -> bool) -> Program {
         let is_leaf = |id: Id| {
             matches!(
                 self.node(id),
@@ -37,7 +42,7 @@ impl Graph {
                 Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_)
             )
         };
-        let computed = |id: Id| !is_leaf(id) && (self.stage(id) == stage || is_condition(id));
+        let computed = |id: Id| !is_leaf(id) && (is_due(id) || is_condition(id));
         let reached = self.reachable(outputs, computed);
         let (nodes, rest): (Vec<Id>, Vec<Id>) = reached.into_iter().partition(|id| computed(*id));
         let (symbols, rest): (Vec<Id>, Vec<Id>) = rest

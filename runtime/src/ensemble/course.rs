@@ -91,7 +91,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> Course<'e, B, M, C> {
         }
         if !(self.time.is_finite() && time.is_finite()) {
             let (time, state) = (self.time, self.ensemble.state(0));
-            return Err(at_first(IntegrationError::NotFinite { time, state }));
+            return Err(at_first(IntegrationError::not_finite(time, state)));
         }
         while self.time != time {
             let forwards = time > self.time;

@@ -92,7 +92,7 @@ impl<B: Generic, M: Method<B>> Moves<B> for OneByOne<M> {
         if !(times.start.is_finite() && times.end.is_finite()) {
             return ensemble.states.iter().next().map_or(Ok(()), |state| {
                 let time = times.start;
-                let error = IntegrationError::NotFinite { time, state };
+                let error = IntegrationError::not_finite(time, state);
                 Err(MemberError { index: 0, error })
             });
         }
@@ -164,8 +164,13 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             let state = before.get(index);
             let error = match step {
                 Some(step) => IntegrationError::StepTooSmall { time, state, step },
-                None => IntegrationError::NotFinite { time, state },
+                None => IntegrationError::not_finite(time, state),
             };
+            let (body, input) = (
+                ensemble.members.body(index),
+                ensemble.members.inputs.get(index),
+            );
+            let error = error.named(&body, &input, end >= time);
             Err(MemberError { index, error })
         };
         let is_there = end - time == 0.0;

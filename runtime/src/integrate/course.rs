@@ -130,7 +130,7 @@ where
         let time = self.run.time();
         if !(time.is_finite() && self.end.is_finite()) {
             let state = self.run.state();
-            return Err(IntegrationError::NotFinite { time, state });
+            return Err(IntegrationError::not_finite(time, state));
         }
         let is_given = time == self.held_until;
         if is_given {
@@ -167,7 +167,8 @@ where
             return Ok(false);
         }
         let limit = self.limit()?;
-        self.run.advance(limit, &self.input)?;
+        let reached = self.run.advance(limit, &self.input);
+        self.named(reached)?;
         self.show();
         Ok(true)
     }
@@ -176,15 +177,25 @@ where
     pub(crate) fn seek(&mut self, time: f64) -> Outcome<(), B> {
         while self.is_before(time) || time.is_nan() || !self.run.time().is_finite() {
             let limit = self.limit()?;
-            if self.pace.max_step < f64::INFINITY {
-                self.run.advance(limit, &self.input)?;
+            let reached = if self.pace.max_step < f64::INFINITY {
+                self.run.advance(limit, &self.input)
             } else {
                 let aim = self.nearer(time, limit);
-                self.run.seek(aim, limit, &self.input)?;
-            }
+                self.run.seek(aim, limit, &self.input)
+            };
+            self.named(reached)?;
             self.show();
         }
         Ok(())
+    }
+
+    /// An error with the load that has no value, if there is one.
+    fn named(&self, reached: Outcome<(), B>) -> Outcome<(), B> {
+        reached.map_err(|error| {
+            let (body, since) = (self.run.body(), error.time() - self.stretch.given);
+            let moved = body.input_after(&self.input, since);
+            error.named(body, moved.as_ref().unwrap_or(&self.input), self.forwards)
+        })
     }
 
     /// The state at a time within the step taken last.

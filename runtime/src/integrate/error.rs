@@ -3,7 +3,9 @@
 use core::fmt;
 use core::ops::Range;
 
+use crate::body::RigidBody;
 use crate::constrained::Inconsistent;
+use crate::state::State;
 
 /// The error of an integration, with the last state that is good and its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +17,8 @@ pub enum IntegrationError<S> {
         time: f64,
         /// The state then.
         state: S,
+        /// A load that has no value there, or just behind, if it is known: [`RigidBody::lost_load`].
+        load: Option<&'static str>,
     },
     /// The step that is asked for is lost in the rounding of time, or no number: a singularity is near, the tolerance is below what doubles can
     /// hold, or a step or period that was given is not positive.
@@ -62,8 +66,13 @@ impl<S> IntegrationError<S> {
             let step = period;
             Self::StepTooSmall { time, state, step }
         } else {
-            Self::NotFinite { time, state }
+            Self::not_finite(time, state)
         }
+    }
+
+    pub(crate) fn not_finite(time: f64, state: S) -> Self {
+        let load = None;
+        Self::NotFinite { time, state, load }
     }
 
     /// When the last state was good \[s\].
@@ -94,7 +103,10 @@ impl<S> IntegrationError<S> {
 impl<S> fmt::Display for IntegrationError<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotFinite { time, .. } => write!(f, "the motion is not finite after {time} s"),
+            Self::NotFinite { time, load, .. } => {
+                write!(f, "the motion is not finite after {time} s")?;
+                load.map_or(Ok(()), |load| write!(f, ": `{load}` is not a number"))
+            }
             Self::StepTooSmall { time, step, .. } => write!(
                 f,
                 "at {time} s the step or period is {step:e} s, which is not positive or lost in rounding"
@@ -110,5 +122,45 @@ impl<S> fmt::Display for IntegrationError<S> {
         }
     }
 }
+
+impl<S: State<Scalar = f64>> IntegrationError<S> {
+    /// Says which load of a body has no value, in the last state or where the motion goes from there.
+    #[cold]
+    pub(crate) fn named<B: RigidBody<Scalar = f64, State = S>>(
+        self,
+        body: &B,
+        input: &B::Input,
+        forwards: bool,
+    ) -> Self {
+        let Self::NotFinite {
+            time,
+            state,
+            load: None,
+        } = self
+        else {
+            return self;
+        };
+        let load = body.lost_load(time, &state, input).or_else(|| {
+            let rate = state.rate(&body.acceleration(time, &state, input));
+            let lost = |after: f64| {
+                let there = state.moved(&(rate * after));
+                body.lost_load(time + after, &there, input)
+            };
+            // a rate that is no number leads nowhere
+            if lost(0.0).is_some() {
+                return None;
+            }
+            let nearest = f64::EPSILON * time.abs().max(1e-6);
+            let nearest = if forwards { nearest } else { -nearest };
+            (0..DOUBLINGS)
+                .map(|power| nearest * libm::exp2(f64::from(power)))
+                .find_map(lost)
+        });
+        Self::NotFinite { time, state, load }
+    }
+}
+
+/// How often the time is doubled at which a load is looked for that has no value, from the rounding of time on.
+const DOUBLINGS: i32 = 32;
 
 impl<S: fmt::Debug> core::error::Error for IntegrationError<S> {}

@@ -85,10 +85,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     }
 
     pub(super) fn not_finite(&self) -> IntegrationError<S> {
-        IntegrationError::NotFinite {
-            time: self.time,
-            state: self.state(),
-        }
+        IntegrationError::not_finite(self.time, self.state())
     }
 
     pub(super) fn step_too_small(&self, step: f64) -> IntegrationError<S> {

@@ -74,10 +74,12 @@ pub fn taylor<B: Taylor>(
 ) -> Result<B::State, IntegrationError<B::State>> {
     if !(times.start.is_finite() && times.end.is_finite()) {
         let (time, state) = (times.start, state.clone());
-        return Err(IntegrationError::NotFinite { time, state });
+        return Err(IntegrationError::not_finite(time, state));
     }
     let mut run = TaylorSeries { tolerance }.start(body, times.start, state);
-    run.seek(times.end, times.end, input)?;
+    let reached = run.seek(times.end, times.end, input);
+    let forwards = times.end >= times.start;
+    reached.map_err(|error| error.named(body, input, forwards))?;
     Ok(run.state())
 }
 
@@ -219,7 +221,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         }
         if rest.is_nan() {
             let (time, state) = (self.now.time, self.state());
-            return Err(IntegrationError::NotFinite { time, state });
+            return Err(IntegrationError::not_finite(time, state));
         }
         self.expand(input);
         let (time, tolerance) = (self.now.time, finest(tolerance));
@@ -259,7 +261,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
                 return passed.flatten().ok_or_else(|| {
                     let state = self.state();
                     if step.is_nan() {
-                        IntegrationError::NotFinite { time, state }
+                        IntegrationError::not_finite(time, state)
                     } else {
                         IntegrationError::StepTooSmall { time, state, step }
                     }
@@ -455,6 +457,6 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             return Ok(());
         }
         let (time, state) = (self.now.time, self.state());
-        Err(IntegrationError::NotFinite { time, state })
+        Err(IntegrationError::not_finite(time, state))
     }
 }

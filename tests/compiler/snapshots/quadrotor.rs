@@ -145,6 +145,26 @@ mod equations_of_Quadrotor {
                 angular: [angular_x, angular_y, angular_z].into(),
             }
         }
+        #[cold]
+        fn lost_load(
+            &self,
+            _time: f64,
+            _state: &::newton_euler::private::Spatial,
+            input: &QuadrotorInput,
+        ) -> ::core::option::Option<&'static str> {
+            let QuadrotorParams { drag_ratio, .. } = self.params;
+            let QuadrotorInput { thrust_1, thrust_2, thrust_3, thrust_4 } = *input;
+            let twist = thrust_1 - thrust_2 + thrust_3 - thrust_4;
+            ::newton_euler::private::lost_load(
+                &[
+                    ("lift_1", &[thrust_1]),
+                    ("lift_2", &[thrust_2]),
+                    ("lift_3", &[thrust_3]),
+                    ("lift_4", &[thrust_4]),
+                    ("drag", &[drag_ratio * twist]),
+                ],
+            )
+        }
     }
     impl ::newton_euler::private::Integrate for Quadrotor {
         type Best = ::newton_euler::private::DormandPrince;

@@ -79,6 +79,19 @@ impl ::newton_euler::private::RigidBody for Satellite {
             - 0.02456511058647571 * net_moment_x + 0.4773022725988148 * net_moment_z;
         [angular_x, angular_y, angular_z].into()
     }
+    #[cold]
+    fn lost_load(
+        &self,
+        _time: f64,
+        _state: &::newton_euler::private::Rotation,
+        input: &SatelliteInput,
+    ) -> ::core::option::Option<&'static str> {
+        let SatelliteInput { torque } = *input;
+        let [torque_x, torque_y, torque_z]: [f64; 3] = torque.into();
+        ::newton_euler::private::lost_load(
+            &[("control", &[torque_x, torque_y, torque_z])],
+        )
+    }
 }
 impl ::newton_euler::private::Integrate for Satellite {
     type Best = ::newton_euler::private::DormandPrince;

@@ -1,0 +1,90 @@
+//! Loads that may have no value: those that read what is given at each evaluation, and those that divide by what moves, or have a function
+//! that is not there for all numbers, or soon out of range.
+
+use crate::model::{Meaning, Model};
+use crate::symbolic::{Function, Graph, Id, Node};
+
+/// A load, and all of its components that are not zero.
+pub struct Partial {
+    pub name: String,
+    pub parts: Vec<Id>,
+}
+
+pub fn list_partial(model: &Model) -> Vec<Partial> {
+    let graph = &model.frames.graph;
+    let loads = model.loads.iter().map(|load| {
+        let vectors = [load.force, load.moment];
+        let parts = vectors
+            .iter()
+            .flat_map(|vector| vector.body.into_iter().chain(vector.world));
+        let mut parts: Vec<Id> = parts
+            .chain(load.pull.into_iter().flatten())
+            .filter(|part| !graph.is_early(*part))
+            .collect();
+        parts.sort_unstable();
+        parts.dedup();
+        Partial {
+            name: load.name.to_string(),
+            parts,
+        }
+    });
+    loads
+        .filter(|load| is_partial(model, &load.parts))
+        .collect()
+}
+
+/// Whether numbers made from what is given alone may have no value.
+fn is_partial(model: &Model, parts: &[Id]) -> bool {
+    let graph = &model.frames.graph;
+    let (mut may_fail, mut is_given) = (false, true);
+    for id in graph.reachable(parts, |id| !graph.is_early(id)) {
+        match graph.node(id) {
+            Node::Symbol(symbol) => match model.meanings.of(*symbol) {
+                Meaning::Input(..) => may_fail = true,
+                // what is solved for
+                Meaning::Reaction(..) | Meaning::Virtual => is_given = false,
+                _ => {}
+            },
+            node => may_fail |= has_no_value_somewhere(graph, node),
+        }
+    }
+    may_fail && is_given
+}
+
+/// As that under the root of a length.
+fn is_sum_of_squares(graph: &Graph, sum: Id) -> bool {
+    let mut pending = vec![sum];
+    while let Some(id) = pending.pop() {
+        match *graph.node(id) {
+            Node::Add(a, b) => pending.extend([a, b]),
+            Node::Quantity(a) => pending.push(a),
+            Node::Multiply(a, b) if a == b => {}
+            _ => return false,
+        }
+    }
+    true
+}
+
+fn has_no_value_somewhere(graph: &Graph, node: &Node) -> bool {
+    match *node {
+        Node::Divide(_, divisor) => !graph.is_early(divisor),
+        Node::Pivot(..) => true,
+        Node::Unary(Function::Sqrt, operand) if is_sum_of_squares(graph, operand) => false,
+        Node::Unary(function, operand) => {
+            let is_partial = matches!(
+                function,
+                Function::Sqrt
+                    | Function::Exp
+                    | Function::Ln
+                    | Function::Tan
+                    | Function::Asin
+                    | Function::Acos
+                    | Function::Sinh
+                    | Function::Cosh
+            );
+            is_partial && !graph.is_early(operand)
+        }
+        Node::Binary(function, ..) => function == Function::Powf,
+        _ => false,
+    }
+}

@@ -104,7 +104,7 @@ fn goes_on_with_rate_and_acceleration() {
         pivot_acceleration: Vector2::new(0.0, -9.80665),
     };
     // the pin falls as the body does: nothing holds or turns it
-    let falls = |time: f64| start().position + Vector2::new(0.3, -4.903325 * time) * time;
+    let falls = |time: f64| start().position + Vector2::new(0.3, -4.903_325 * time) * time;
     let motion = || carried.integrate(&start()).input(input);
     let fixed = Projected(Fixed {
         method: Classical4,

@@ -249,7 +249,8 @@ fn inputs() {
                 held,
                 Err(IntegrationError::NotFinite {
                     time: 0.0,
-                    state: start
+                    state: start,
+                    load: Some("push"),
                 })
             );
             let control = |time: f64, _: &Planar| PlankInput {

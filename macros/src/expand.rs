@@ -17,7 +17,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     // what is wrong with a sound description: rank, solvability, range
     let solved = model.filter(|_| errors.is_empty()).and_then(|mut model| {
         let equations = derive_equations(&mut model, &mut errors)?;
-        model::check_range(&mut model, &outline, &equations.roots(), &mut errors);
+        model::check_range(&mut model, &outline, &equations.finite_roots(), &mut errors);
         Some((model, equations))
     });
     match (errors.finish(), solved) {

@@ -234,3 +234,49 @@ fn distances_of_bearings_may_have_branches() {
         assert!((reactions.in_b.y - in_b).abs() < 1e-12 * weight, "{p}");
     }
 }
+
+/// Conditions on time that parameters make hold at no time, or at all times.
+mod never {
+    newton_euler::rigid_body!(Paced {
+        motion: planar_translation,
+        params: [rate = 0[1 / s], bound = 1],
+        mass: 1[kg],
+        forces: [
+            late = if t * rate > bound {
+                world(1[N], 0)
+            } else {
+                world(0, 0)
+            },
+            often = if (t * rate).sin() > bound {
+                world(0, 1[N])
+            } else {
+                world(0, 0)
+            },
+        ],
+    });
+}
+
+#[test]
+fn a_switch_at_no_time_is_none() {
+    let still = PlanarTranslation::default();
+    let end = never::Paced::default().integrate(&still).to(3.0).unwrap();
+    assert_eq!(end, still);
+    for (rate, bound, expected) in [
+        (0.0, 1.0, [0.0, 0.0]),
+        (1e-310, 2.0, [0.0, 0.0]),
+        (0.0, -1.0, [3.0, 3.0]),
+        (0.5, 1.0, [1.0, 0.0]),
+    ] {
+        let body = never::Paced::new(never::PacedParams { rate, bound }).unwrap();
+        let end = body.integrate(&still).to(3.0).unwrap();
+        let found = [end.velocity.x, end.velocity.y];
+        assert!(
+            (found[0] - expected[0]).abs() < 1e-12,
+            "{rate} {bound}: {found:?}"
+        );
+        assert!(
+            (found[1] - expected[1]).abs() < 1e-12,
+            "{rate} {bound}: {found:?}"
+        );
+    }
+}

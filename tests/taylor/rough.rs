@@ -367,3 +367,40 @@ fn what_cannot_be_passed() {
         "{drawn:?}"
     );
 }
+
+stone!(Rest, 0.3);
+
+along_x! {
+    Idle: [-0.3 * (_v * _v).sqrt() * _v - _x];
+    IdlePower: [-(_v * _v).powf(0.75)];
+    IdleRoot: [_x.powf(0.5)];
+}
+
+/// What is at rest at a singular point stays there, however long, and comes to its end.
+#[test]
+fn at_rest_where_there_is_no_series() {
+    for end in [0.3, 1.0, 7.7, 10.0, 1e3, -1.0, -10.0] {
+        for tolerance in [1e-6, 1e-9, 1e-13] {
+            let idle = Translation::default();
+            let ends = [
+                Idle::default()
+                    .integrate(&idle)
+                    .tolerance(tolerance)
+                    .to(end),
+                IdlePower::default()
+                    .integrate(&idle)
+                    .tolerance(tolerance)
+                    .to(end),
+                IdleRoot::default()
+                    .integrate(&idle)
+                    .tolerance(tolerance)
+                    .to(end),
+            ];
+            for found in ends {
+                assert_eq!(found.expect("an end"), idle, "until {end}");
+            }
+        }
+    }
+    let fallen = Rest::default().integrate(&Translation::default()).to(10.0);
+    assert!(fallen.expect("an end").velocity.z < -5.0);
+}

@@ -217,7 +217,8 @@ fn what_is_no_number_ends_the_motion() {
         matches!(error, IntegrationError::NotFinite { time: 0.5, .. }),
         "{error:?}"
     );
-    assert_eq!(error.to_string(), "the motion is not finite after 0.5 s");
+    let message = "the motion is not finite after 0.5 s: `drawn` is not a number";
+    assert_eq!(error.to_string(), message);
     // at the center the force is 0/0
     let center = Translation::default();
     let error = taylor(&scenes::Falling::default(), &center, &(), 0.5..2.0, 1e-9).unwrap_err();

@@ -75,6 +75,12 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
     Fields(fields.collect())
 }
 
+/// What is known early of expressions, as it is stored.
+fn reached(model: &Model, roots: &[Id]) -> Vec<Id> {
+    let graph = &model.frames.graph;
+    graph.reachable(roots, |id| !graph.is_early(id))
+}
+
 /// A constant is called after the parameters that it is computed from.
 fn field_name(outline: &Outline, model: &Model, id: Id) -> String {
     let graph = &model.frames.graph;
@@ -139,9 +145,12 @@ impl Constructor {
             (_, entries) => quote!(#private::check_inertia([#(#entries),*])?;),
         };
         let stored: Vec<Ident> = fields.0.iter().map(|(_, name)| name.clone()).collect();
-        let words = stored.iter().map(ToString::to_string);
-        let derived = (!stored.is_empty())
-            .then(|| quote!(#private::check_finite(&[#((#words, #stored)),*])?;));
+        let finite = reached(model, &equations.finite_roots());
+        let checked = fields.0.iter().filter(|(id, _)| finite.contains(id));
+        let checked: Vec<&Ident> = checked.map(|(_, name)| name).collect();
+        let words = checked.iter().map(ToString::to_string);
+        let derived = (!checked.is_empty())
+            .then(|| quote!(#private::check_finite(&[#((#words, #checked)),*])?;));
         let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
         let set_axes = axes
             .iter()

@@ -210,6 +210,13 @@ fn name_properties(model: &mut Model) {
 impl Equations {
     /// All expressions that code is generated for.
     pub fn roots(&self) -> Vec<Id> {
+        let mut roots = self.finite_roots();
+        roots.extend(self.switches.iter().flat_map(Switch::roots));
+        roots
+    }
+
+    /// Those that have to be finite: a switch that is at no time is none.
+    pub fn finite_roots(&self) -> Vec<Id> {
         let mut roots: Vec<Id> = self.linear.into_iter().chain(self.angular).collect();
         if let Some(energy) = &self.energy {
             roots.extend([energy.kinetic, energy.potential]);
@@ -246,7 +253,6 @@ impl Equations {
         roots.extend(self.flow.iter().flat_map(Flow::roots));
         roots.extend(self.taylor.iter().flat_map(Taylor::roots));
         roots.extend(self.constraints.iter().flat_map(Consistency::roots));
-        roots.extend(self.switches.iter().flat_map(Switch::roots));
         let reach = self.reach.iter();
         roots.extend(reach.flat_map(|reach| reach.position.into_iter().chain([reach.velocity])));
         roots

@@ -10,6 +10,7 @@ use crate::symbolic::{Components, Graph, Id, Node};
 use super::constraints::component_name;
 use super::newton_euler::arm;
 use super::response::response;
+use super::zeros::all_vanish;
 
 /// One unit of an unknown.
 pub struct Push {
@@ -208,41 +209,74 @@ fn parts(load: &Load) -> Vec<Id> {
     [force.body, force.world, moment.body, moment.world].concat()
 }
 
+/// Loads are linear in the reactions they name: each is what it is without them and what its slopes make
+/// of them, proved in all states.
 fn check_linear(model: &mut Model, errors: &mut Errors) -> Option<()> {
-    let is_reaction = |model: &Model, id: Id| match model.frames.graph.node(id) {
-        Node::Symbol(symbol) => matches!(model.meanings.of(*symbol), Meaning::Reaction(..)),
-        _ => false,
-    };
     let mut linear = true;
     for index in 0..model.loads.len() {
         let Some(place) = model.loads[index].mention else {
             continue;
         };
-        let roots = parts(&model.loads[index]);
-        let reached = model.frames.graph.reachable(&roots, |_| true);
-        let symbols: Vec<Id> = reached
-            .into_iter()
-            .filter(|id| is_reaction(model, *id))
-            .collect();
-        for symbol in symbols {
-            let slopes = model.frames.graph.derivative(&roots, symbol);
-            if model
-                .frames
-                .graph
-                .depends_on(&slopes, |id| is_reaction(model, id))
-            {
-                let name = &model.loads[index].name;
-                errors.push(
-                    place,
-                    format!(
-                        "`{name}` is not linear in this unknown reaction: write a multiple of its \
-                         components, such as `-mu * N.in_world().y`"
-                    ),
-                );
-                linear = false;
-                break;
-            }
+        let load = &model.loads[index];
+        let name = load.name.to_string();
+        let roots = parts(load);
+        let place_of_load = match load.point {
+            Point::Body(offset) | Point::World(offset) => offset.to_vec(),
+            Point::Moving(offset) => [offset.body, offset.world].concat(),
+        };
+        if !reactions_in(model, &place_of_load).is_empty() {
+            errors.push(
+                place,
+                format!("where `{name}` acts cannot depend on an unknown reaction"),
+            );
+            linear = false;
+        } else if !is_linear(model, &roots) {
+            errors.push(
+                place,
+                format!(
+                    "`{name}` is not linear in this unknown reaction: write a multiple of its \
+                     components, such as `-mu * N.in_world().y`"
+                ),
+            );
+            linear = false;
         }
     }
     linear.then_some(())
+}
+
+/// The symbols of unknown reactions that expressions contain.
+fn reactions_in(model: &Model, roots: &[Id]) -> Vec<Id> {
+    let graph = &model.frames.graph;
+    let is_reaction = |id: &Id| match graph.node(*id) {
+        Node::Symbol(symbol) => matches!(model.meanings.of(*symbol), Meaning::Reaction(..)),
+        _ => false,
+    };
+    let mut symbols = graph.reachable(roots, |_| true);
+    symbols.retain(is_reaction);
+    symbols
+}
+
+fn is_linear(model: &mut Model, roots: &[Id]) -> bool {
+    let symbols = reactions_in(model, roots);
+    let zero = model.frames.graph.zero();
+    let graph = &mut model.frames.graph;
+    let is_known = |id: Id| symbols.contains(&id).then_some(zero);
+    let without = graph.substitute(roots, is_known);
+    let mut rest: Vec<Id> = roots
+        .iter()
+        .zip(without)
+        .map(|(root, without)| graph.subtract(*root, without))
+        .collect();
+    for symbol in &symbols {
+        let slopes = model.frames.graph.derivative(roots, *symbol);
+        if !reactions_in(model, &slopes).is_empty() {
+            return false;
+        }
+        let graph = &mut model.frames.graph;
+        for (rest, slope) in rest.iter_mut().zip(slopes) {
+            let part = graph.multiply(slope, *symbol);
+            *rest = graph.subtract(*rest, part);
+        }
+    }
+    all_vanish(model, &rest)
 }

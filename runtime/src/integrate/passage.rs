@@ -30,19 +30,23 @@ pub(super) struct Passage<A> {
 }
 
 /// A step of DOP853 of at most `longest` \[s\], which has a sign, and not below `least`, with the error below the tolerance and a polynomial
-/// that the equations agree to.
+/// that the equations agree to. What is left until the end, `is_last`, may be lost in the rounding of time.
 pub(super) fn pass<E: Rates<State: Coordinates<Scalar = f64>>>(
     equations: &E,
     now: &Point<E::State>,
-    longest: f64,
+    (longest, is_last): (f64, bool),
     least: f64,
     tolerance: f64,
 ) -> Option<Passage<<E::State as Coordinates>::Array>> {
     let (start, mut step) = (now.time, longest);
-    while step.abs() >= least && (start + step) - start != 0.0 {
+    let is_lost = |step: f64| (start + step) - start == 0.0 && !(is_last && step == longest);
+    while step.abs() >= least && !is_lost(step) {
         let (mut change, error) = attempt(equations, start, &now.coordinates, step);
-        let mut share = shrunk(tolerance, error).min(1.0);
-        if error <= tolerance && now.moved(&mut change).is_some() {
+        if error > tolerance || error.is_nan() {
+            step *= shrunk(tolerance, error);
+            continue;
+        }
+        if now.moved(&mut change).is_some() {
             let coefficients = polynomial(equations, now, step, &change);
             let agreement = Agreement {
                 equations,
@@ -57,9 +61,8 @@ pub(super) fn pass<E: Rates<State: Coordinates<Scalar = f64>>>(
                     coefficients,
                 });
             }
-            share = 0.5;
         }
-        step *= share;
+        step *= 0.5;
     }
     None
 }

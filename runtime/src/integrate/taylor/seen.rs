@@ -13,6 +13,8 @@ use super::{GROWTH, Motion};
 
 /// How much shorter a step is than those before it, where the motion may not be smooth.
 const SUDDEN: f64 = 1.0 / 8.0;
+/// How much longer a passage may be than the one before.
+const GROW: f64 = 6.0;
 
 impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     /// Goes along the series for at most so long \[s\], as far as the equations agree; where they do not at all, over the place.
@@ -116,7 +118,9 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         let [longest, least] = if permitted > 0.0 {
             [64.0, 2.0].map(|times| times * permitted)
         } else {
-            [first(&equations, &self.now, rest, tolerance), 0.0]
+            // where one passage follows another, steps grow
+            let first = first(&equations, &self.now, rest, tolerance);
+            [larger(first, GROW * self.length), 0.0]
         };
         let is_last = longest >= rest.abs();
         let longest = if is_last {
@@ -124,7 +128,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         } else {
             longest.copysign(rest)
         };
-        let passage = pass(&equations, &self.now, longest, least, tolerance);
+        let passage = pass(&equations, &self.now, (longest, is_last), least, tolerance);
         let Some(passage) = passage else {
             self.rough = larger(0.0, SUDDEN * permitted);
             return None;

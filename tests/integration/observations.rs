@@ -5,8 +5,8 @@ use newton_euler::integrate::{Classical4, Fixed, Held, Integration, Method, Samp
 use newton_euler::prelude::*;
 
 use crate::scenes::{
-    ExactPendulum, HeavyTop, HeldPendulum, Pendulum, SeriesPendulum, Tethered, TetheredInput, ends,
-    error, period,
+    Drifting, ExactPendulum, HeavyTop, HeldPendulum, Pendulum, SeriesPendulum, Tethered,
+    TetheredInput, ends, error, period,
 };
 
 const START: Hinge = Hinge {
@@ -284,4 +284,34 @@ fn best_of_a_symmetric_motion() {
         .to(10.0)
         .unwrap();
     assert!(error(&end, &expected) < 1e-10);
+}
+
+/// A function that becomes zero and stays so: where it does.
+#[test]
+fn events_where_a_function_becomes_zero_and_stays() {
+    let drifting = Drifting::default();
+    let start = Translation {
+        velocity: [1.0, 0.0, 0.0].into(),
+        ..Translation::default()
+    };
+    for place in [0.3_f64, 7.77, 450.0] {
+        let function = |_: f64, state: &Translation| (place - state.position.x).max(0.0);
+        let motion = drifting.integrate(&start);
+        let found: Vec<_> = motion.events(1e3, function).map(Result::unwrap).collect();
+        assert_eq!(found.len(), 1);
+        assert!(
+            (found[0].time - place).abs() < 1e-12 * 1e3,
+            "{}",
+            found[0].time
+        );
+        let timed = drifting
+            .integrate(&start)
+            .events(1e3, |time, _| (place - time).max(0.0));
+        let timed: Vec<_> = timed.map(Result::unwrap).collect();
+        assert!(
+            (timed[0].time - place).abs() < 1e-12 * 1e3,
+            "{}",
+            timed[0].time
+        );
+    }
 }

@@ -78,6 +78,11 @@ rigid_body!(HeldPendulum {
     reactions: [hinge = world(_, _).at(pin)],
 });
 
+rigid_body!(Drifting {
+    motion: translation,
+    mass: 1[kg],
+});
+
 rigid_body!(Cart {
     doc: "A cart that is pushed, in the manner that its parameter says.",
     motion: translation,

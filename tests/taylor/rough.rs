@@ -404,3 +404,62 @@ fn at_rest_where_there_is_no_series() {
     let fallen = Rest::default().integrate(&Translation::default()).to(10.0);
     assert!(fallen.expect("an end").velocity.z < -5.0);
 }
+
+rigid_body!(Parachute {
+    motion: spatial,
+    mass: 2[kg],
+    inertia: principal(0.1, 0.1, 0.2)[kg * m ^ 2],
+    params: [gravity = 9.80665[m / s ^ 2]],
+    inputs: [motor[N]],
+    forces: [
+        drag = -0.3[N * s ^ 2 / m ^ 2] * velocity.norm() * velocity,
+        push = world(motor, 0, 0),
+    ],
+    moments: [brake = -0.02[N * m * s ^ 2] * angular_velocity.norm() * angular_velocity,],
+    fields: [weight = mass * world(0, 0, -gravity)],
+    outputs: [taylor],
+});
+
+/// Norms that are zero and stay so, beside others that are not, and one that a controller switches on.
+#[test]
+fn norms_that_stay_zero() {
+    let thrown = |up: f64, spin: f64| Spatial {
+        velocity: [0.0, 0.0, up].into(),
+        angular_velocity: [0.0, 0.0, spin].into(),
+        ..Spatial::default()
+    };
+    for gravity in [0.0, 9.80665] {
+        let body = Parachute::new(ParachuteParams { gravity }).unwrap();
+        for start in [
+            thrown(0.0, 0.0),
+            thrown(8.0, 0.0),
+            thrown(0.0, 1.0),
+            thrown(-3.0, 0.5),
+        ] {
+            for tolerance in [1e-6, 1e-9, 1e-12] {
+                let series = body.integrate(&start).tolerance(tolerance).to(9.0);
+                let series = series.expect("an end");
+                let other = body
+                    .integrate(&start)
+                    .method(DormandPrince { tolerance: 1e-13 });
+                let other = other.to(9.0).unwrap();
+                let off = (series.velocity - other.velocity).norm()
+                    + (series.angular_velocity - other.angular_velocity).norm();
+                assert!(
+                    off < 100.0 * tolerance,
+                    "{gravity} {start:?} {tolerance}: {off}"
+                );
+            }
+        }
+        let motor = |time: f64, _: &Spatial| ParachuteInput {
+            motor: if time < 1.0 { 0.0 } else { 1.0 },
+        };
+        let start = thrown(0.0, 0.0);
+        let series = body.integrate(&start).control(0.25, motor).to(3.0);
+        let other = body
+            .integrate(&start)
+            .method(DormandPrince { tolerance: 1e-13 });
+        let other = other.control(0.25, motor).to(3.0).unwrap();
+        assert!((series.expect("an end").velocity - other.velocity).norm() < 1e-7);
+    }
+}

@@ -85,11 +85,11 @@ fn bracketed(
     [mut a, mut b]: [f64; 2],
     [mut of_a, mut of_b]: [f64; 2],
 ) -> Result<f64, f64> {
-    if of_b == 0.0 {
-        return Ok(b);
-    }
     let width = (b - a).abs();
     let finest = 0.5 * f64::EPSILON * width;
+    if of_b == 0.0 {
+        return first_zero(value, [a, b], of_a, finest);
+    }
     // what bisection would have left after so many steps, and one more
     let mut permitted = width;
     while (b - a).abs() > 2.0 * finest {
@@ -114,8 +114,11 @@ fn bracketed(
         if of_next.is_nan() {
             return Err(next);
         }
-        if of_next == 0.0 || !is_between {
+        if !is_between {
             return Ok(next);
+        }
+        if of_next == 0.0 {
+            return first_zero(value, [a, next], of_a, finest);
         }
         if (of_next < 0.0) == (of_a < 0.0) {
             (a, of_a) = (next, of_next);
@@ -124,4 +127,29 @@ fn bracketed(
         }
     }
     Ok(0.5 * (a + b))
+}
+
+/// Where a function that is zero at b, and may be so for long before, is no longer as it is at a.
+fn first_zero(
+    value: impl Fn(f64) -> f64,
+    [mut a, mut b]: [f64; 2],
+    of_a: f64,
+    finest: f64,
+) -> Result<f64, f64> {
+    while (b - a).abs() > 2.0 * finest {
+        let middle = 0.5 * (a + b);
+        if middle == a || middle == b {
+            break;
+        }
+        let there = value(middle);
+        if there.is_nan() {
+            return Err(middle);
+        }
+        if there != 0.0 && (there < 0.0) == (of_a < 0.0) {
+            a = middle;
+        } else {
+            b = middle;
+        }
+    }
+    Ok(b)
 }

@@ -259,3 +259,64 @@ fn principal_axes_stay_as_they_are() {
     assert_eq!([across, along], ["3", "1"].map(number));
     assert_eq!(axis, ["0", "1", "0"].map(number));
 }
+
+/// The vector turned about an axis by an angle.
+fn rotated(vector: [f64; 3], axis: [f64; 3], angle: f64) -> [f64; 3] {
+    let vector = nalgebra::Vector3::from(vector);
+    let axis = nalgebra::Unit::new_normalize(nalgebra::Vector3::from(axis));
+    (nalgebra::Rotation3::from_axis_angle(&axis, angle) * vector).into()
+}
+
+/// A solid that is symmetric keeps its axis, turned by any angles, however long the numbers get: its
+/// free rotation is known, and its spin.
+#[test]
+fn turned_solids_keep_their_axis() {
+    let solids = [
+        "cylinder(0.1[m], 0.7[m])",
+        "torus(1.6371[m], 0.36[m])",
+        "disc(0.2[m])",
+    ];
+    let turns: [&[([f64; 3], f64)]; 6] = [
+        &[([1.0, 1.0, -1.0], 1.035)],
+        &[([1.0, 1.0, -1.0], -0.393)],
+        &[([0.0, 1.0, 0.0], 0.7)],
+        &[([3.0, -2.0, 0.7], 2.22)],
+        &[([1.0, 2.0, 3.0], 0.3), ([0.5, 0.0, -1.0], 1.9)],
+        &[
+            ([1.0, 2.0, 3.0], 0.3),
+            ([7.0, 1.0, -1.0], 5.1),
+            ([2.0, 1.0, 1.0], -0.8),
+        ],
+    ];
+    for (solid, turns) in solids
+        .iter()
+        .flat_map(|solid| turns.map(|turns| (solid, turns)))
+    {
+        let mut inertia = (*solid).to_owned();
+        let mut expected = [0.0, 0.0, 1.0];
+        for (axis @ [x, y, z], angle) in turns {
+            inertia += &format!(".turned(body({x:?}, {y:?}, {z:?}), {angle:?})");
+            expected = rotated(expected, *axis, *angle);
+        }
+        let description = format!(
+            "Body {{ motion: rotation, mass: 3[kg], inertia: {inertia}, outputs: [flow] }}"
+        );
+        let tokens = description.parse().expect("tokens");
+        let text = crate::expand_description(tokens)
+            .to_string()
+            .replace(' ', "");
+        let rotation = text.split("symmetric_rotation([").nth(1).expect(&inertia);
+        let axis = rotation.split(['[', ']']).nth(2).expect("an axis");
+        let axis: Vec<f64> = axis.split(',').map(|x| x.parse().expect(&text)).collect();
+        let cosine: f64 = axis.iter().zip(expected).map(|(a, b)| a * b).sum();
+        assert!(
+            (cosine.abs() - 1.0).abs() < 1e-14,
+            "{inertia}: {axis:?}, {expected:?}"
+        );
+        assert!(text.contains("keeps_spin:true"), "{inertia}");
+        assert!(
+            text.contains("nothingturnsthebodyaboutitsaxis"),
+            "{inertia}"
+        );
+    }
+}

@@ -305,3 +305,35 @@ fn exactness_is_given_up_where_it_grows_out_of_proportion() {
     let expected = (65536.0 * 1e-7_f64.ln_1p()).exp();
     assert!((number.to_f64() / expected - 1.0).abs() < 1e-14);
 }
+
+/// What took more operations than are done again is as near as it is: functions of it have values.
+#[test]
+fn functions_of_long_terms_have_values() {
+    let sum = |n: u64| {
+        (1..n).fold(Number::zero(), |sum, k| {
+            let root = Number::apply(Function::Sqrt, &[parse("0.37") + Number::ratio(1, k)]);
+            sum + root.expect("a root") / Number::integer(3)
+        })
+    };
+    for n in [3, 30, 100] {
+        let long = sum(n);
+        for function in [
+            Function::Sqrt,
+            Function::Cbrt,
+            Function::Ln,
+            Function::Sin,
+            Function::Cos,
+            Function::Atan,
+            Function::Abs,
+        ] {
+            let value = Number::apply(function, std::slice::from_ref(&long));
+            let value = value.unwrap_or_else(|| panic!("{function:?} of {n}"));
+            let near = Number::apply(function, &[Number::from_f64(long.to_f64())]);
+            let (value, near) = (value.to_f64(), near.expect("a value").to_f64());
+            assert!(
+                (value - near).abs() <= 1e-12 * near.abs().max(1.0),
+                "{function:?} of {n}: {value}, {near}"
+            );
+        }
+    }
+}

@@ -64,10 +64,10 @@ impl Term {
     fn ball(&self, bits: usize) -> Option<Ball> {
         let exact = match self {
             Self::Pi => return Ball::of_float(Float::pi(bits), NONE, bits),
-            Self::Sum(a, b) => Ball::sum(&a.ball(bits)?, &b.ball(bits)?),
-            Self::Product(a, b) => Ball::product(&a.ball(bits)?, &b.ball(bits)?),
-            Self::Quotient(a, b) => Ball::quotient(&a.ball(bits)?, &b.ball(bits)?)?,
-            Self::Value(function, a) => return a.ball(bits)?.apply(*function, bits),
+            Self::Sum(a, b) => Ball::sum(&a.ball(bits), &b.ball(bits)),
+            Self::Product(a, b) => Ball::product(&a.ball(bits), &b.ball(bits)),
+            Self::Quotient(a, b) => Ball::quotient(&a.ball(bits), &b.ball(bits))?,
+            Self::Value(function, a) => return a.ball(bits).apply(*function, bits),
             Self::Kept => return None,
         };
         Some(Ball::rounded(&exact.value, exact.error, bits))
@@ -259,10 +259,17 @@ impl Number {
         }
     }
 
-    fn ball(&self, bits: usize) -> Option<Ball> {
+    /// To so many bits, if they can be had; else as near as it is.
+    fn ball(&self, bits: usize) -> Ball {
+        let stored = Ball::rounded(&self.value, self.error(), bits);
         match self.known() {
-            Some(known) if self.stored().bits() < bits.cast_signed() => known.term.ball(bits),
-            _ => Some(Ball::rounded(&self.value, self.error(), bits)),
+            Some(known) if self.stored().bits() < bits.cast_signed() => {
+                let again = known.term.ball(bits);
+                again
+                    .filter(|again| again.error < stored.error)
+                    .unwrap_or(stored)
+            }
+            _ => stored,
         }
     }
 }

@@ -63,7 +63,7 @@ fn at_the_start() {
         blamed(ball.integrate(&rest).method(fixed).to(1.0)),
         (0.0, Some("drag"))
     );
-    let mut all = Ensemble::new(&ball, [thrown(), rest.clone(), thrown()]);
+    let mut all = Ensemble::new(&ball, [thrown(), rest, thrown()]);
     let error = all.integrate().to(1.0).unwrap_err();
     assert_eq!(
         (error.index, blamed::<Translation>(Err(error.error))),

@@ -295,7 +295,7 @@ fn turned_solids_keep_their_axis() {
         let mut inertia = (*solid).to_owned();
         let mut expected = [0.0, 0.0, 1.0];
         for (axis @ [x, y, z], angle) in turns {
-            inertia += &format!(".turned(body({x:?}, {y:?}, {z:?}), {angle:?})");
+            inertia = format!("{inertia}.turned(body({x:?}, {y:?}, {z:?}), {angle:?})");
             expected = rotated(expected, *axis, *angle);
         }
         let description = format!(

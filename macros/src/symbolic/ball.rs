@@ -11,6 +11,7 @@ use super::number::Float;
 pub(super) const NONE: isize = isize::MIN / 4;
 
 /// A value, and the power of two by which it is off at most.
+#[derive(Clone, Debug)]
 pub(super) struct Ball {
     pub value: RBig,
     pub error: isize,

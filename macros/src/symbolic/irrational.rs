@@ -7,6 +7,7 @@
 //! and then only where its value may be zero too. A value that has cancelled down to its error, and
 //! is not zero by proof, is computed again with more bits.
 
+use core::cell::RefCell;
 use core::cmp::Ordering;
 use std::rc::Rc;
 
@@ -27,6 +28,8 @@ pub(super) struct Irrational {
     term: Term,
     /// How many operations it takes to compute it again.
     cost: usize,
+    /// What it was, each time it was: with so many bits.
+    again: RefCell<Vec<(usize, Option<Ball>)>>,
 }
 
 /// How a number is computed with more bits.
@@ -57,6 +60,20 @@ impl Term {
             Self::Pi | Self::Kept => 0,
             Self::Sum(a, b) | Self::Product(a, b) | Self::Quotient(a, b) => 1 + a.cost() + b.cost(),
             Self::Value(_, a) => 1 + a.cost(),
+        }
+    }
+
+    /// Whether more bits of what it is computed from may tell more of it.
+    fn may_gain(&self) -> bool {
+        match self {
+            Self::Pi => true,
+            Self::Sum(a, b) => a.may_gain() || b.may_gain(),
+            Self::Product(a, b) | Self::Quotient(a, b) => {
+                let is_told = !a.is_undecided() && !b.is_undecided();
+                is_told && (a.may_gain() || b.may_gain())
+            }
+            Self::Value(_, a) => !a.is_rounded() || a.may_gain(),
+            Self::Kept => false,
         }
     }
 
@@ -92,8 +109,8 @@ impl Number {
     /// The value of one of the functions that others are made of.
     pub(super) fn value_of(function: Function, x: &Self, residue: Option<Residue>) -> Option<Self> {
         let residue = residue.unwrap_or_else(|| Residue::stand_in(&(function, x.residue())));
-        let term = Term::Value(function, x.clone());
-        Self::settled(term.ball(PRECISION), residue, term)
+        let near = Ball::rounded(&x.value, x.error(), PRECISION).apply(function, PRECISION);
+        Self::settled(near, residue, Term::Value(function, x.clone()))
     }
 
     /// What a function was applied to.
@@ -156,8 +173,9 @@ impl Number {
             }
             residue = Residue::stand_in(&ball.value);
         }
+        let may_gain = term.may_gain();
         for bits in MORE {
-            if near.as_ref().is_some_and(|ball| ball.bits() >= ENOUGH) {
+            if !may_gain || near.as_ref().is_some_and(|ball| ball.bits() >= ENOUGH) {
                 break;
             }
             near = term.ball(bits).or(near);
@@ -189,6 +207,7 @@ impl Number {
             error,
             cost: if cost > COST { 0 } else { cost },
             term,
+            again: RefCell::default(),
         };
         Self {
             value,
@@ -259,18 +278,38 @@ impl Number {
         }
     }
 
+    /// Whether it may be had with more bits: not if none were enough to tell it from zero.
+    fn may_gain(&self) -> bool {
+        (self.known())
+            .is_some_and(|known| !matches!(known.term, Term::Kept) && !self.stored().may_be_zero())
+    }
+
     /// To so many bits, if they can be had; else as near as it is.
     fn ball(&self, bits: usize) -> Ball {
         let stored = Ball::rounded(&self.value, self.error(), bits);
         match self.known() {
-            Some(known) if self.stored().bits() < bits.cast_signed() => {
-                let again = known.term.ball(bits);
+            Some(known) if self.may_gain() && self.stored().bits() < bits.cast_signed() => {
+                let again = known.again(bits);
                 again
                     .filter(|again| again.error < stored.error)
                     .unwrap_or(stored)
             }
             _ => stored,
         }
+    }
+}
+
+impl Irrational {
+    /// Computed with so many bits, once.
+    fn again(&self, bits: usize) -> Option<Ball> {
+        let known = self.again.borrow();
+        if let Some((_, ball)) = known.iter().find(|(known, _)| *known == bits) {
+            return ball.clone();
+        }
+        drop(known);
+        let ball = self.term.ball(bits);
+        self.again.borrow_mut().push((bits, ball.clone()));
+        ball
     }
 }
 

@@ -8,13 +8,14 @@
 //! W_l = 1/8 sum over rotations of M x r_l        k_l = W_l . e
 //! ```
 //!
-//! Whether `k x e` is the moment is tried at random states.
+//! Whether `k x e` is the moment is tried at random states; whether it may be, before any number is
+//! computed.
 
 use crate::model::{Attitude, Frame, Model, Vector};
 use crate::symbolic::{Components, Id, Number};
 
 use super::axis_of_symmetry::axes_of_symmetry;
-use super::zeros::all_vanish;
+use super::zeros::{all_vanish, cancels_in_half_turns};
 
 /// What the motion of a top depends on.
 pub struct Top {
@@ -72,6 +73,9 @@ fn arms(model: &mut Model, moment: Components) -> Option<[Components; 3]> {
     let parts = [[scalar].as_slice(), vector.as_slice()].concat();
     let graph = &model.frames.graph;
     if graph.depends_on(&moment, |id| !graph.is_early(id) && !parts.contains(&id)) {
+        return None;
+    }
+    if !cancels_in_half_turns(model, &moment) {
         return None;
     }
     let mut roots = moment.to_vec();

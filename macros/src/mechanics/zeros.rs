@@ -14,6 +14,15 @@ pub fn samples(model: &Model, roots: &[Id]) -> Vec<Sample> {
     model.frames.graph.samples(roots, |id| state.of(model, id))
 }
 
+/// Whether the sums of `roots` over an attitude and its half turns about the axes of the body are proved
+/// to be zero: those of the entries of its matrix are, and of what is linear in them.
+pub fn cancels_in_half_turns(model: &Model, roots: &[Id]) -> bool {
+    let states = [None, Some(0), Some(1), Some(2)].map(|axis| RandomState::draw(0).turned(axis));
+    let places = states.each_ref().map(|state| |id| state.of(model, id));
+    let sums = model.frames.graph.sums(roots, &places);
+    sums.iter().all(Sample::is_zero)
+}
+
 /// A random state. What is not free of it is rational in what is: a unit quaternion and a unit vector by
 /// stereographic projection, the rate of the unit vector as a product with it.
 pub struct RandomState {
@@ -34,6 +43,18 @@ impl RandomState {
             axis,
             axis_rate: cross(axis, [5, 6, 7].map(free)),
         }
+    }
+
+    /// With the attitude half a turn about an axis of the body further: its quaternion times i, j or k.
+    fn turned(self, about: Option<usize>) -> Self {
+        let [s, x, y, z] = self.quaternion;
+        let quaternion = match about {
+            None => [s, x, y, z],
+            Some(0) => [-x, s, z, -y],
+            Some(1) => [-y, -z, s, x],
+            Some(_) => [-z, y, -x, s],
+        };
+        Self { quaternion, ..self }
     }
 
     /// The value of a symbol.

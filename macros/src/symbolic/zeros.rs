@@ -52,12 +52,22 @@ impl Sample {
 impl Graph {
     /// The values of `roots`, from random values of the symbols.
     pub fn samples(&self, roots: &[Id], symbol: impl Fn(Id) -> Residue) -> Vec<Sample> {
+        self.sums(roots, &[symbol])
+    }
+
+    /// The sums of the values of `roots` at several places.
+    pub fn sums(&self, roots: &[Id], places: &[impl Fn(Id) -> Residue]) -> Vec<Sample> {
         let tape = self.tape(roots);
         let is_told = tape.is_told_by_residues();
         let branches = on_branches(|residues| {
-            let values = tape.values(residues, |_, id| Some(symbol(id)));
-            let of = |root: &Id| tape.of(&values, *root).filter(|_| is_told);
-            roots.iter().map(of).collect::<Vec<_>>()
+            let mut sums = vec![Some(Residue::ZERO).filter(|_| is_told); roots.len()];
+            for symbol in places {
+                let values = tape.values(residues, |_, id| Some(symbol(id)));
+                for (sum, root) in sums.iter_mut().zip(roots) {
+                    *sum = sum.zip(*tape.of(&values, *root)).map(|(a, b)| a + b);
+                }
+            }
+            sums
         });
         let of = |index: usize| Sample(branches.iter().map(|values| values[index]).collect());
         (0..roots.len()).map(of).collect()

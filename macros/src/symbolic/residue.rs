@@ -81,16 +81,17 @@ impl Residue {
         (below < DIGITS.unsigned_abs().try_into().ok()?).then(|| Number::ratio(above, below))
     }
 
-    /// `a^exponent` of a real number.
-    fn power(a: u128, exponent: u128) -> u128 {
-        let mut power = 1;
-        for bit in (0..u128::BITS - exponent.leading_zeros()).rev() {
-            power = times(power, power);
-            if exponent >> bit & 1 == 1 {
-                power = times(power, a);
+    /// `a^(PRIME - 2)` of a real number that is not zero: its reciprocal.
+    fn inverse(a: u128) -> u128 {
+        // a^(2^count - 1), by doubling the count or adding one to it, up to 125
+        let (mut power, mut count) = (a, 1);
+        for is_odd in [true, true, true, true, false, true] {
+            (power, count) = (times(squared(power, count), power), 2 * count);
+            if is_odd {
+                (power, count) = (times(squared(power, 1), a), count + 1);
             }
         }
-        power
+        times(squared(power, 2), a)
     }
 
     pub fn reciprocal(self) -> Option<Self> {
@@ -99,10 +100,10 @@ impl Residue {
             return Some(self);
         }
         if imaginary == 0 {
-            return (real != 0).then(|| Self::real(Self::power(real, PRIME - 2)));
+            return (real != 0).then(|| Self::real(Self::inverse(real)));
         }
         let square = plus(times(real, real), times(imaginary, imaginary));
-        let over = Self::real(Self::power(square, PRIME - 2));
+        let over = Self::real(Self::inverse(square));
         (square != 0).then(|| {
             Self {
                 real,
@@ -111,9 +112,9 @@ impl Residue {
         })
     }
 
-    /// Of a real number, if it has one that is real.
+    /// Of a real number, if it has one that is real: `a^((PRIME + 1) / 4)`.
     fn real_root(a: u128) -> Option<u128> {
-        let root = Self::power(a, PRIME.div_ceil(4));
+        let root = squared(a, 125);
         (times(root, root) == a).then_some(root)
     }
 
@@ -132,12 +133,17 @@ impl Residue {
         let half = PRIME.div_ceil(2);
         let squares = [size, minus(size)].map(|size| times(half, plus(real, size)));
         let x = squares.into_iter().find_map(Self::real_root)?;
-        let y = times(imaginary, Self::power(plus(x, x), PRIME - 2));
+        let y = times(imaginary, Self::inverse(plus(x, x)));
         Some(Self {
             real: x,
             imaginary: y,
         })
     }
+}
+
+/// Squared so many times.
+fn squared(a: u128, count: u32) -> u128 {
+    (0..count).fold(a, |power, _| times(power, power))
 }
 
 /// Of any number of 128 bits.

@@ -214,10 +214,8 @@ fn parts(load: &Load) -> Vec<Id> {
 fn check_linear(model: &mut Model, errors: &mut Errors) -> Option<()> {
     let mut linear = true;
     for index in 0..model.loads.len() {
-        let Some(place) = model.loads[index].mention else {
-            continue;
-        };
         let load = &model.loads[index];
+        let place = load.mention.unwrap_or(load.extent);
         let name = load.name.to_string();
         let roots = parts(load);
         let place_of_load = match load.point {
@@ -230,7 +228,7 @@ fn check_linear(model: &mut Model, errors: &mut Errors) -> Option<()> {
                 format!("where `{name}` acts cannot depend on an unknown reaction"),
             );
             linear = false;
-        } else if !is_linear(model, &roots) {
+        } else if model.loads[index].mention.is_some() && !is_linear(model, &roots) {
             errors.push(
                 place,
                 format!(

@@ -27,7 +27,7 @@ const CERTAINTY: f64 = 1_152_921_504_606_846_976.0;
 const PRIME: f64 = CERTAINTY * CERTAINTY * 128.0;
 
 impl Tape<'_> {
-    /// Whether values modulo [`PRIME`](super::residue) tell identities: that one of these expressions is
+    /// Whether values modulo a prime tell identities: that one of these expressions is
     /// zero at a random place, or two of them are equal, while they are not so everywhere.
     pub fn is_told_by_residues(&self) -> bool {
         let degrees = self.values(&mut Degrees, |_, _| UNKNOWN);

@@ -12,7 +12,7 @@ const PRIME: u128 = (1 << 127) - 1;
 /// chance.
 const DIGITS: i128 = 1 << 32;
 
-/// `real + imaginary i`, both modulo [`PRIME`]: numbers among which all that are real have roots.
+/// `real + imaginary i`, both modulo the prime: numbers among which all that are real have roots.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Residue {
     real: u128,

@@ -14,6 +14,7 @@ mod evaluations;
 #[path = "../kinds/mod.rs"]
 mod kinds;
 mod motions;
+mod observations;
 mod singular;
 
 /// What some work gives, if it ends within a time that is a hundred times what it needs.

@@ -1,7 +1,7 @@
 //! What integrates returns errors, soon, for whatever it is given.
 
 use newton_euler::integrate::{
-    Classical4, ClosedForm, DormandPrince, DormandPrince8, Event, Fixed, IntegrationError, Method,
+    Classical4, ClosedForm, DormandPrince, DormandPrince8, Fixed, IntegrationError, Method,
     Midpoint, Motion, Projected, RungeKutta, TaylorSeries, Tsitouras5, Verner9, cf4, taylor,
 };
 use newton_euler::prelude::*;
@@ -89,7 +89,7 @@ where
     bounded(what, all);
 }
 
-fn spun() -> Spatial {
+pub fn spun() -> Spatial {
     Spatial {
         velocity: [1.0, 2.0, 3.0].into(),
         angular_velocity: [0.3, 0.2, 0.5].into(),
@@ -316,127 +316,6 @@ fn inputs() {
                     .is_err()
             );
         }
-    });
-}
-
-/// What `events` and `Step::zeros` give, of bodies by every method.
-fn events_of(function: impl Fn(f64, f64) -> f64 + Copy) -> Vec<Vec<Result<f64, f64>>> {
-    type Found<S> = Result<Event<S>, IntegrationError<S>>;
-    fn time<S>(found: Found<S>) -> Result<f64, f64> {
-        found.map(|event| event.time).map_err(|error| {
-            assert!(matches!(error, IntegrationError::EventNotANumber { .. }));
-            error.time()
-        })
-    }
-    let (body, series, exact) = (Craft::default(), Quadrotor::default(), Brick::default());
-    let along = |time: f64, state: &Spatial| function(time, state.position.x);
-    let mut motion = Motion::<_, 13>::new(&series, 0.0, &spun());
-    let step = motion.step(1.0, &Default::default()).unwrap();
-    vec![
-        body.integrate(&spun())
-            .events(1.0, along)
-            .map(time)
-            .collect(),
-        series
-            .integrate(&spun())
-            .events(1.0, along)
-            .map(time)
-            .collect(),
-        exact
-            .integrate(&spun())
-            .events(1.0, along)
-            .map(time)
-            .collect(),
-        step.zeros(along).map(time).collect(),
-    ]
-}
-
-/// Of infinities there are no zeros, and none of what is always zero; what becomes zero and stays so is one. What is not a number, at once or
-/// later, is an error, and the end.
-#[test]
-fn functions_that_are_no_number() {
-    bounded("events", || {
-        for value in [0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY] {
-            assert!(events_of(|_, _| value).iter().all(Vec::is_empty));
-        }
-        for seen in events_of(|_, _| f64::NAN) {
-            assert_eq!(seen, [Err(0.0)]);
-        }
-        for seen in events_of(|time, _| (0.3 - time).max(0.0)) {
-            assert!(
-                matches!(seen[..], [Ok(time)] if (0.3..0.5).contains(&time)),
-                "{seen:?}"
-            );
-        }
-        for seen in events_of(|time, _| (0.3 - time).sqrt()) {
-            assert!(matches!(seen[..], [Err(time)] if time > 0.3), "{seen:?}");
-        }
-        // a zero before; a sign that is lost between two places
-        for seen in events_of(|time, _| (time - 0.1) * (0.49 - time).sqrt()) {
-            assert!(
-                matches!(seen[..], [Ok(zero), Err(time)] if (zero - 0.1).abs() < 1e-12 && time > 0.49),
-                "{seen:?}"
-            );
-        }
-        let broken = |time: f64| {
-            if (0.41..0.42).contains(&time) {
-                f64::NAN
-            } else {
-                time - 0.415
-            }
-        };
-        for seen in events_of(|time, _| broken(time)) {
-            assert!(
-                matches!(seen[..], [Err(time)] if (0.41..0.42).contains(&time)),
-                "{seen:?}"
-            );
-        }
-    });
-}
-
-/// Signs that change everywhere; samples at no distance are an error.
-#[test]
-fn observations() {
-    bounded("observations", || {
-        let body = Craft::default();
-        // signs that change everywhere, or from one infinity to the other
-        let jumps = |time: f64, _: &Spatial| {
-            if time < 0.3 {
-                f64::NEG_INFINITY
-            } else {
-                f64::INFINITY
-            }
-        };
-        let event = body
-            .integrate(&spun())
-            .events(1.0, jumps)
-            .next()
-            .unwrap()
-            .unwrap();
-        assert!((event.time - 0.3).abs() < 1e-12, "{}", event.time);
-        let wild = |time: f64, _: &Spatial| {
-            if time.to_bits().is_multiple_of(2) {
-                -1.0
-            } else {
-                1.0
-            }
-        };
-        assert!(
-            body.integrate(&spun())
-                .events(1.0, wild)
-                .all(|event| event.is_ok())
-        );
-        for period in [f64::NAN, 0.0, -0.1, 5e-324] {
-            assert!(
-                body.integrate(&spun())
-                    .samples(1.0, period)
-                    .all(|sample| sample.is_err())
-            );
-        }
-        assert_eq!(
-            body.integrate(&spun()).samples(1.0, f64::INFINITY).count(),
-            1
-        );
     });
 }
 

@@ -21,6 +21,9 @@ const UNKNOWN: Degree = Degree {
     below: 2.0,
 };
 
+/// How many times these degrees what is made of the values may have: their changes along a rate, and
+/// determinants of them.
+const MADE: f64 = 64.0;
 /// A proof may fail in one of so many cases: 2^60.
 const CERTAINTY: f64 = 1_152_921_504_606_846_976.0;
 /// 2^127
@@ -33,7 +36,7 @@ impl Tape<'_> {
         let degrees = self.values(&mut Degrees, |_, _| UNKNOWN);
         let sum: f64 = degrees.iter().map(|of| of.above + of.below).sum();
         let count: f64 = degrees.iter().map(|_| 1.0).sum();
-        2.0 * count * sum * CERTAINTY < PRIME
+        MADE * count * sum * CERTAINTY < PRIME
     }
 }
 

@@ -42,7 +42,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates<Scalar = f64>>> Rates for See
 
 /// A motion as a polynomial in the time since its start, which is to obey its equations.
 ///
-/// Looked at are velocities. Positions and attitudes follow from them in every motion alike.
+/// Only velocities are compared: positions and attitudes follow from them in every motion alike.
 pub(super) struct Agreement<'e, E: Rates, const N: usize> {
     pub(super) equations: &'e E,
     pub(super) start: f64,

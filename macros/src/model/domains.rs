@@ -8,7 +8,7 @@ use super::lower::Lowering;
 use super::value::shown;
 
 /// Something that was written and has no value everywhere, and depends on parameters.
-pub struct Partial {
+pub struct Doubtful {
     /// The word of a function; of a quotient, `/`.
     word: String,
     operands: Vec<Id>,
@@ -36,7 +36,7 @@ impl Lowering<'_> {
             return self.report(place, why);
         }
         if graph.is_early(value) && graph.as_number(value).is_none() {
-            self.frames.partial.push(Partial {
+            self.frames.doubtful.push(Doubtful {
                 word: word.to_owned(),
                 operands: operands.to_vec(),
                 value,
@@ -50,12 +50,12 @@ impl Lowering<'_> {
 /// Reports the first part of the description that has no value with the defaults of the parameters.
 pub fn report_without_value(model: &mut Model, errors: &mut Errors) -> bool {
     let graph = &mut model.frames.graph;
-    for partial in &model.frames.partial {
-        let all: Vec<Id> = partial
+    for doubtful in &model.frames.doubtful {
+        let all: Vec<Id> = doubtful
             .operands
             .iter()
             .copied()
-            .chain([partial.value])
+            .chain([doubtful.value])
             .collect();
         let mut values = graph.substitute(&all, |id| model.defaults.get(&id).copied());
         let has_value = values.pop().is_some_and(|value| !graph.is_undefined(value));
@@ -64,9 +64,9 @@ pub fn report_without_value(model: &mut Model, errors: &mut Errors) -> bool {
             continue;
         }
         if let Some(numbers) = numbers.collect::<Option<Vec<_>>>() {
-            let why = why_not(&partial.word, &numbers);
+            let why = why_not(&doubtful.word, &numbers);
             errors.push(
-                partial.place,
+                doubtful.place,
                 format!("with the defaults of the parameters, {why}"),
             );
             return true;

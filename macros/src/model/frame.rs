@@ -8,7 +8,7 @@
 
 use crate::symbolic::{Components, Graph, Id};
 
-use super::domains::Partial;
+use super::domains::Doubtful;
 use super::names::Labels;
 use super::turned_vector::{Turn, Turns};
 
@@ -72,7 +72,7 @@ pub struct Frames {
     /// Of a rod, products `u x b`, and b; world axes.
     pub swept: Vec<(Components, Components)>,
     /// What was written that parameters may leave without a value.
-    pub partial: Vec<Partial>,
+    pub doubtful: Vec<Doubtful>,
 }
 
 impl Frames {

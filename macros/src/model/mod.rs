@@ -174,7 +174,7 @@ pub fn lower_description(
         turns: None,
         turned: Vec::new(),
         swept: Vec::new(),
-        partial: Vec::new(),
+        doubtful: Vec::new(),
     };
     let mut scope = Scope::new(description, repeated);
     let mut lowering = Lowering {

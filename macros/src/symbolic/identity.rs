@@ -1,7 +1,7 @@
 //! Values modulo a prime: an expression that is zero at a random place is zero identically.
 //!
-//! Symbols have random residues. What is not known of a value is a random residue too, the same for
-//! equal arguments: that of a sine by the tangent of half its angle, that of a hyperbolic function by
+//! Symbols have random residues. Values of functions have random residues too, the same for equal
+//! arguments: that of a sine by the tangent of half its angle, that of a hyperbolic function by
 //! the exponential of its argument, that of any other function by itself; a number that is not rational
 //! carries its residue along ([`super::irrational`]). A root has both signs, and a condition both
 //! outcomes: each is a branch of its own. A root of a root may have no residue, and is random too.

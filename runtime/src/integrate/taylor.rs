@@ -10,7 +10,7 @@
 //!
 //! The last coefficients know nothing of what begins later than they see: a wall, a motor that is switched on, a root that changes its sign. So
 //! no step is taken unseen: at its end the derivative of the polynomial is held against the rates that the equations give there, in a step that is
-//! half as long again as those before it in sixteen places. What disagrees by more than the tolerance is halved, and no later step passes by the
+//! half as long again as those before it in sixteen places. A step that disagrees by more than the tolerance is halved, and no later step passes by the
 //! time at which it disagreed without being looked at there. Where a motion has no series (a norm, root or power at zero), or such a place is near,
 //! so that steps shrink to an eighth, a step of DOP853 goes over it, and hands out a polynomial of degree 7 that is held against the
 //! equations alike. What acts for so short a time that no place falls on it is not seen by any such test: say it by
@@ -18,7 +18,7 @@
 //!
 //! The last coefficients know nothing of what begins later than they see: a wall, a motor that is switched on, a root that changes its sign. So
 //! no step is taken unseen: at its end the derivative of the polynomial is held against the rates that the equations give there; in a step that
-//! is half as long again as those before it, in sixteen places. What disagrees by more than the tolerance is halved, and no later
+//! is half as long again as those before it, in sixteen places. A step that disagrees by more than the tolerance is halved, and no later
 //! step passes by the time at which it disagreed. Where a motion has no series (a norm, root or power at zero), or steps shrink to an eighth
 //! since such a place is near, a step of DOP853 goes over it, with a polynomial of degree 7 that is held against the equations alike.
 //! What acts for so short a time that no such place falls on it is not seen by any test of this kind: say it by

@@ -2,7 +2,7 @@
 //!
 //! *Zero* is said of what is proved to be zero in all states, on all branches, for both signs of every
 //! root and at all scales: see [`super::identity`]. All else may be zero somewhere or everywhere, and
-//! is treated as not zero. Values of doubles or of long numbers prove nothing, and are not looked at.
+//! is treated as not zero. Values of doubles or of long numbers prove nothing.
 
 use super::branches::on_branches;
 use super::graph::{Graph, Id, Node};

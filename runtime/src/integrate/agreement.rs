@@ -60,13 +60,24 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
     ) -> Option<<E::State as Coordinates>::Array> {
         let mut change = increment::<E::State>(self.coefficients, step);
         let end = now.moved(&mut change)?;
-        let holds = self.difference(step, &end, step, None) <= END * self.tolerance;
-        holds.then_some(change)
+        let rates = self.equations.rates(self.start + step, &end);
+        self.holds_to(&rates, step, &end).then_some(change)
+    }
+
+    /// Whether these rates at the end of a step \[s\] agree.
+    #[inline(always)]
+    pub(super) fn holds_to(
+        &self,
+        rates: &<E::State as Coordinates>::Array,
+        step: f64,
+        end: &<E::State as Coordinates>::Array,
+    ) -> bool {
+        self.difference(rates, step, end, step, None) <= END * self.tolerance
     }
 
     /// The same, if they agree throughout, on the average of many places and to what rounding leaves of them; or after what time \[s\] they no
     /// longer do.
-    #[cold]
+    #[inline(always)]
     pub(super) fn holds_throughout(
         &self,
         now: &Point<E::State>,
@@ -84,7 +95,8 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
             } else {
                 end
             };
-            sum += self.difference(time, &coordinates, step, Some(&noise));
+            let rates = self.equations.rates(self.start + time, &coordinates);
+            sum += self.difference(&rates, time, &coordinates, step, Some(&noise));
             let holds = sum <= MEAN * exact(PLACES) * self.tolerance;
             if !holds {
                 return Err(time);
@@ -93,24 +105,24 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
         Ok(change)
     }
 
-    /// How far a step of this length \[s\] would go wrong, beside the state, if rates were off throughout by as much as they are after a
+    /// How far a step of this length \[s\] would go wrong, beside the state, if rates were off throughout by as much as these are after a
     /// time \[s\]; but for rounding.
     #[inline(always)]
     fn difference(
         &self,
+        rates: &<E::State as Coordinates>::Array,
         time: f64,
         coordinates: &<E::State as Coordinates>::Array,
         length: f64,
         noise: Option<&<E::State as Coordinates>::Array>,
     ) -> f64 {
-        let rates = self.equations.rates(self.start + time, coordinates);
         let (positions, velocities) = E::State::GROUPS.split_at(E::State::GROUPS.len() / 2);
         let mut first = positions.iter().sum();
         let slopes = slope::<E::State, N>(self.coefficients, time, first);
         let mut largest = 0.0;
         for count in velocities {
             let group = first..first + count;
-            let [rates, slopes] = [&rates, &slopes].map(|list| &list.as_ref()[group.clone()]);
+            let [rates, slopes] = [rates, &slopes].map(|list| &list.as_ref()[group.clone()]);
             let mut difference = 0.0;
             for (rate, slope) in rates.iter().zip(slopes) {
                 difference += (rate - slope).abs();
@@ -132,6 +144,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
 
     /// What rounding leaves of the rates, as far as it shows: at the start, where the polynomial is exact, and at an end that is off by
     /// rounding.
+    #[inline(always)]
     fn noise(
         &self,
         step: f64,

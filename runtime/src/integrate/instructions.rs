@@ -76,32 +76,48 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
         now: &Point<B::State>,
         step: f64,
     ) -> Option<<B::State as Coordinates>::Array> {
+        self.look(Look(
+            #[inline(always)]
+            || agreement.holds(now, step),
+        ))
+    }
+
+    /// As [`Agreement::holds_throughout`].
+    #[cold]
+    pub(super) fn holds_throughout<E: Rates<State = B::State>>(
+        &self,
+        agreement: &Agreement<'_, E, N>,
+        now: &Point<B::State>,
+        step: f64,
+    ) -> Result<<B::State as Coordinates>::Array, f64> {
+        self.look(Look(
+            #[inline(always)]
+            || agreement.holds_throughout(now, step),
+        ))
+    }
+
+    #[inline(always)]
+    fn look<R>(&self, Look(look): Look<impl FnOnce() -> R>) -> R {
         match self {
-            Self::Plain(_) => agreement.holds(now, step),
+            Self::Plain(_) => look(),
             #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-            Self::Wide(proof, _) => Simd::vectorize(*proof, Check(agreement, now, step)),
+            Self::Wide(proof, _) => Simd::vectorize(*proof, Look(look)),
             #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-            Self::Widest(proof, _) => Simd::vectorize(*proof, Check(agreement, now, step)),
+            Self::Widest(proof, _) => Simd::vectorize(*proof, Look(look)),
         }
     }
 }
 
-/// The work of one look at the end of a step.
-#[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-struct Check<'e, E: Rates<State: Coordinates<Scalar = f64>>, const N: usize>(
-    &'e Agreement<'e, E, N>,
-    &'e Point<E::State>,
-    f64,
-);
+/// The work of one look at a step, in a function that is compiled for the instructions.
+struct Look<F>(F);
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
-impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> WithSimd for Check<'_, E, N> {
-    type Output = Option<<E::State as Coordinates>::Array>;
+impl<R, F: FnOnce() -> R> WithSimd for Look<F> {
+    type Output = R;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> Self::Output {
-        let Self(agreement, now, step) = self;
-        agreement.holds(now, step)
+    fn with_simd<S: Simd>(self, _: S) -> R {
+        (self.0)()
     }
 }
 

@@ -62,6 +62,25 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         };
     }
 
+    /// Where that leads, in a step \[s\].
+    #[inline(always)]
+    pub(super) fn after(&self, change: &S::Array, step: f64) -> Self {
+        let Self {
+            time,
+            coordinates,
+            late,
+            lost,
+        } = *self;
+        let mut after = Self {
+            time,
+            coordinates,
+            late,
+            lost,
+        };
+        after.follow(change, step, None);
+        after
+    }
+
     /// Moves on by a change of coordinates in a step \[s\]; if what comes of it is not finite, it stays and says false.
     #[must_use]
     #[inline(always)]

@@ -97,7 +97,7 @@ impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
 
     fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
         let step = with!(&mut self.motion, motion => {
-            let step = motion.step_towards(end, input, self.tolerance)?;
+            let step = motion.advance_towards(end, input, self.tolerance, true)?;
             step.map(|step| (step.start(), step.end() - step.start()))
         });
         if let Some(step) = step {
@@ -108,6 +108,10 @@ impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
 
     fn within(&self, time: f64, _input: &B::Input) -> B::State {
         with!(&self.motion, motion => motion.taken(self.start, self.length).at(time))
+    }
+
+    fn renew(&mut self) {
+        with!(&mut self.motion, motion => motion.renew());
     }
 
     fn enter(&mut self, stretch: Stretch) {

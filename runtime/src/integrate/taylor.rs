@@ -9,14 +9,6 @@
 //! ```
 //!
 //! The last coefficients know nothing of what begins later than they see: a wall, a motor that is switched on, a root that changes its sign. So
-//! no step is taken unseen: at its end the derivative of the polynomial is held against the rates that the equations give there, in a step that is
-//! half as long again as those before it in sixteen places. A step that disagrees by more than the tolerance is halved, and no later step passes by the
-//! time at which it disagreed without being looked at there. Where a motion has no series (a norm, root or power at zero), or such a place is near,
-//! so that steps shrink to an eighth, a step of DOP853 goes over it, and hands out a polynomial of degree 7 that is held against the
-//! equations alike. What acts for so short a time that no place falls on it is not seen by any such test: say it by
-//! [`max_step`](super::Integration::max_step) or [`breaks`](super::Integration::breaks), or as a condition on time.
-//!
-//! The last coefficients know nothing of what begins later than they see: a wall, a motor that is switched on, a root that changes its sign. So
 //! no step is taken unseen: at its end the derivative of the polynomial is held against the rates that the equations give there; in a step that
 //! is half as long again as those before it, in sixteen places. A step that disagrees by more than the tolerance is halved, and no later
 //! step passes by the time at which it disagreed. Where a motion has no series (a norm, root or power at zero), or steps shrink to an eighth
@@ -37,7 +29,6 @@ use crate::state::Coordinates;
 use crate::taylor::{Axes, Plain, Series, Taylor, after, increment};
 
 use super::error::IntegrationError;
-use super::instructions::Expander;
 use super::method::{Method, Run};
 use super::passage;
 use super::point::Point;
@@ -46,7 +37,10 @@ use super::size::{finest, relative_size, root};
 use super::step::Step;
 use super::switches::{Stretch, Within};
 
+mod expansions;
 mod seen;
+
+use expansions::Expansions;
 
 /// How much of the permitted step is taken: roots are known to a few parts in a hundred.
 const SAFETY: f64 = 0.9;
@@ -151,8 +145,7 @@ pub struct Motion<'b, B: Taylor, const N: usize> {
     doubt: Option<f64>,
     /// A step that is shorter than this may be at a place where the motion is not smooth.
     rough: f64,
-    expander: Expander<B, N>,
-    series: Series<B::State, N>,
+    expansions: Expansions<B, N>,
     /// The polynomial of a step over such a place, and whether the last step was one.
     passage: [<B::State as Coordinates>::Array; passage::ROWS],
     is_passage: bool,
@@ -185,8 +178,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             looked_at: 0.0,
             doubt: None,
             rough: 0.0,
-            expander: Expander::best(),
-            series: Series::default(),
+            expansions: Expansions::default(),
             passage: [<B::State as Coordinates>::Array::default(); passage::ROWS],
             is_passage: false,
         }
@@ -198,12 +190,19 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
 
     pub(super) fn enter(&mut self, stretch: Stretch) {
         self.within.enter(stretch);
+        self.renew();
+    }
+
+    /// Hears that equations or state are others than the last step saw at its end.
+    pub(super) fn renew(&mut self) {
+        self.expansions.forget();
     }
 
     /// Goes on from another state at the same time.
     pub(super) fn replace(&mut self, state: &B::State) {
         self.axes = self.body().axes(self.now.time, state);
         self.now.replace(state);
+        self.renew();
     }
 
     /// The time that the motion has come to \[s\].
@@ -228,6 +227,22 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         input: &B::Input,
         tolerance: f64,
     ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
+        // who steps by hand may give another input each time, if there is any
+        let is_held = size_of::<B::Input>() == 0;
+        if !is_held {
+            self.renew();
+        }
+        self.advance_towards(end, input, tolerance, is_held)
+    }
+
+    /// The same, with the input of the step before, or after [`renew`](Self::renew); `is_held` if the next step is likely to have it, too.
+    pub(super) fn advance_towards(
+        &mut self,
+        end: f64,
+        input: &B::Input,
+        tolerance: f64,
+        is_held: bool,
+    ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
         let rest = self.now.rest(end);
         if rest == 0.0 {
             return Ok(None);
@@ -250,7 +265,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         };
         let step = match passed {
             Some(step) => step,
-            None => self.follow(permitted, end, input, tolerance)?,
+            None => self.follow(permitted, end, input, (tolerance, is_held))?,
         };
         Ok(Some(self.taken(time, step)))
     }
@@ -265,8 +280,9 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         input: &B::Input,
     ) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
         let time = self.now.time;
+        self.renew();
         self.expand(input);
-        self.advance(step, None)?;
+        self.advance(step)?;
         Ok(self.taken(time, step))
     }
 
@@ -274,10 +290,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     #[inline(always)]
     fn expand(&mut self, input: &B::Input) {
         self.is_passage = false;
-        let state = B::State::from_coordinates(&self.now.coordinates);
-        let (body, time) = (self.body(), self.within.side(self.now.time));
-        let (expander, series) = (&mut self.expander, &mut self.series);
-        expander.expand(body, time, &state, input, series);
+        self.expansions.expand(&self.within, &self.now, input);
     }
 
     /// The step that was taken last.
@@ -286,7 +299,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         let coefficients = if self.is_passage {
             self.passage.as_slice()
         } else {
-            self.series.coefficients()
+            self.expansions.series().coefficients()
         };
         Step::new(start, length, self.axes, coefficients)
     }
@@ -337,19 +350,15 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     /// The size of a coefficient beside the state.
     #[inline(always)]
     fn relative(&self, order: usize) -> f64 {
-        let coefficients = self.series.coefficients();
+        let coefficients = self.expansions.series().coefficients();
         relative_size::<B::State>(&coefficients[order], &coefficients[0])
     }
 
-    /// Moves on by the series, to a time if it is known.
+    /// Moves on by the series.
     #[inline(always)]
-    fn advance(&mut self, step: f64, end: Option<f64>) -> Result<(), IntegrationError<B::State>> {
-        let change = increment::<B::State>(self.series.coefficients(), step);
-        let is_finite = match end {
-            Some(end) => self.now.arrive(change, end),
-            None => self.now.advance(change, step),
-        };
-        if is_finite {
+    fn advance(&mut self, step: f64) -> Result<(), IntegrationError<B::State>> {
+        let change = increment::<B::State>(self.expansions.series().coefficients(), step);
+        if self.now.advance(change, step) {
             return Ok(());
         }
         let (time, state) = (self.now.time, self.state());

@@ -66,7 +66,7 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
 }
 
 /// The coordinates on a polynomial, so long after its start.
-#[inline]
+#[inline(always)]
 pub(crate) fn after<S: Coordinates<Scalar = f64>>(
     coefficients: &[S::Array],
     time: f64,
@@ -100,22 +100,32 @@ fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) 
     even
 }
 
-/// How fast coordinates change on a polynomial, from a place in their list on; zero before it.
+/// How fast coordinates change on a polynomial, from a place in their list on; zero before it. As in [`evaluate`], neither half waits for the other.
 #[inline(always)]
 pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
     coefficients: &[S::Array; N],
     time: f64,
     place: usize,
 ) -> S::Array {
-    let (mut slope, mut order) = (S::Array::default(), exact(N));
-    for row in coefficients[1..].iter().rev() {
-        order -= 1.0;
-        let sums = slope.as_mut()[place..].iter_mut();
+    let square = time * time;
+    let (mut even, mut odd) = (S::Array::default(), S::Array::default());
+    let climb = |sum: &mut S::Array, row: &S::Array, order: f64| {
+        let sums = sum.as_mut()[place..].iter_mut();
         for (sum, coefficient) in sums.zip(&row.as_ref()[place..]) {
-            *sum = *sum * time + order * coefficient;
+            *sum = *sum * square + order * coefficient;
+        }
+    };
+    for (pair, rows) in coefficients[1..].chunks(2).enumerate().rev() {
+        let order = exact(2 * pair + 1);
+        climb(&mut even, &rows[0], order);
+        if let Some(row) = rows.get(1) {
+            climb(&mut odd, row, order + 1.0);
         }
     }
-    slope
+    for (even, odd) in even.as_mut().iter_mut().zip(odd.as_ref()) {
+        *even += odd * time;
+    }
+    even
 }
 
 /// What a polynomial adds to its start.

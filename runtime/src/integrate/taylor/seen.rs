@@ -6,8 +6,7 @@ use crate::integrate::equations::Equations;
 use crate::integrate::error::IntegrationError;
 use crate::integrate::passage::pass;
 use crate::integrate::size::larger;
-use crate::state::Coordinates;
-use crate::taylor::Taylor;
+use crate::taylor::{Taylor, increment};
 
 use super::{GROWTH, Motion};
 
@@ -24,7 +23,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         mut length: f64,
         end: f64,
         input: &B::Input,
-        tolerance: f64,
+        (tolerance, is_held): (f64, bool),
     ) -> Result<f64, IntegrationError<B::State>> {
         let (time, rest, mut is_refused) = (self.now.time, self.now.rest(end), false);
         loop {
@@ -42,9 +41,9 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
                     }
                 });
             }
-            match self.agreed(step, input, tolerance) {
-                Ok(change) => {
-                    self.now.follow(&change, step, is_last.then_some(end));
+            let goes_on = is_held && !is_last;
+            match self.agreed(step, is_last.then_some(end), input, (tolerance, goes_on)) {
+                Ok(()) => {
                     self.length = step.abs();
                     self.looked_at = if is_last && self.looked_at > self.length {
                         self.looked_at
@@ -56,7 +55,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
                 }
                 Err(after) => {
                     self.doubt = Some(time + after);
-                    let is_finite = self.series.is_finite();
+                    let is_finite = self.expansions.series().is_finite();
                     length = if is_finite {
                         0.5 * step.abs()
                     } else {
@@ -68,15 +67,20 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         }
     }
 
-    /// Whether the equations agree to a step, and what that changes; or after what time \[s\] they do not. One that is longer than those
-    /// before it is looked at throughout.
+    /// Takes a step, to a time if it is known, if the equations agree to it; or says after what time \[s\] they do not. One that is longer than
+    /// those before it is looked at throughout. A step that `goes_on` is held against the rates of the next one.
     #[inline(always)]
     fn agreed(
-        &self,
+        &mut self,
         step: f64,
+        end: Option<f64>,
         input: &B::Input,
-        tolerance: f64,
-    ) -> Result<<B::State as Coordinates>::Array, f64> {
+        (tolerance, goes_on): (f64, bool),
+    ) -> Result<(), f64> {
+        let is_usual = step.abs() <= GROWTH * self.looked_at;
+        if is_usual && goes_on && self.led(step, input, tolerance) {
+            return Ok(());
+        }
         let agreement = Agreement {
             equations: &Seen {
                 equations: Equations {
@@ -86,15 +90,51 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
                 axes: &self.axes,
             },
             start: self.now.time,
-            coefficients: self.series.coefficients(),
+            coefficients: self.expansions.series().coefficients(),
             tolerance,
         };
-        let is_usual = step.abs() <= GROWTH * self.looked_at;
-        let change = is_usual.then(|| self.expander.holds(&agreement, &self.now, step));
-        match change.flatten() {
-            Some(change) => Ok(change),
-            None => agreement.holds_throughout(&self.now, step),
+        let is_seen = is_usual && !goes_on;
+        let change = is_seen.then(|| self.expansions.expander.holds(&agreement, &self.now, step));
+        let change = match change.flatten() {
+            Some(change) => change,
+            None => self
+                .expansions
+                .expander
+                .holds_throughout(&agreement, &self.now, step)?,
+        };
+        self.now.follow(&change, step, end);
+        Ok(())
+    }
+
+    /// Takes a step, if the series from its end on begins with the rates that it ends with.
+    #[inline(always)]
+    fn led(&mut self, step: f64, input: &B::Input, tolerance: f64) -> bool {
+        let mut change = increment::<B::State>(self.expansions.series().coefficients(), step);
+        let Some(end) = self.now.moved(&mut change) else {
+            return false;
+        };
+        let after = self.now.after(&change, step);
+        let [series, ahead] = self.expansions.ahead(&self.within, &after, input);
+        let agreement = Agreement {
+            equations: &Seen {
+                equations: Equations {
+                    body: &self.within,
+                    input,
+                },
+                axes: &self.axes,
+            },
+            start: self.now.time,
+            coefficients: series.coefficients(),
+            tolerance,
+        };
+        let rates = ahead.coefficients().get(1);
+        let holds = rates.is_some_and(|rates| agreement.holds_to(rates, step, &end));
+        if holds {
+            self.now = after;
+        } else {
+            self.expansions.forget();
         }
+        holds
     }
 
     /// Takes a Runge–Kutta step, where the motion is not smooth: of any length, where series permit no step, or of a multiple of what they do

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 
 use crate::errors::Errors;
-use crate::mechanics::derive_equations;
+use crate::mechanics::{derive_equations, with_potentials};
 use crate::{emit, model, syntax};
 
 /// Expands `(runtime) Name { key: value, .. }`.
@@ -15,13 +15,19 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let mut outline = model::outline(&description, &mut errors);
     let model = model::lower_description(&description, &mut outline, &mut errors);
     // what is wrong with a sound description: rank, solvability, range
-    let solved = model.filter(|_| errors.is_empty()).and_then(|mut model| {
-        let equations = derive_equations(&mut model, &mut errors)?;
-        model::check_range(&mut model, &outline, &equations.finite_roots(), &mut errors);
-        Some((model, equations))
-    });
+    let solved = model
+        .filter(|_| errors.is_empty())
+        .and_then(|(model, mut work)| {
+            let model = with_potentials(model, &mut work);
+            let equations = derive_equations(&model, &mut work, &mut errors)?;
+            let roots = equations.finite_roots();
+            model::check_range(&model, &mut work, &outline, &roots, &mut errors);
+            Some((model, work, equations))
+        });
     match (errors.finish(), solved) {
-        (None, Some((model, equations))) => emit::emit_body(&outline, &model, &equations),
+        (None, Some((model, work, equations))) => {
+            emit::emit_body(&outline, &model, &work, &equations)
+        }
         (mistakes, _) => {
             outline.unused.clear();
             let stub = emit::emit_stub(&outline);

@@ -6,7 +6,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::model::{Model, Outline};
+use crate::model::{Model, Outline, Workspace};
 use crate::symbolic::{Comparison, Cost, Function, Id, Node, Program, Stage};
 
 use super::expression::Precedence;
@@ -73,6 +73,7 @@ impl Fields {
 /// Writes the functions of one body that run at one stage.
 pub struct Writer<'a> {
     pub model: &'a Model,
+    pub work: &'a Workspace,
     pub outline: &'a Outline,
     /// What the constructor has stored, to be read.
     pub fields: &'a Fields,
@@ -107,7 +108,7 @@ pub struct Body<'a> {
 
 impl Writer<'_> {
     pub fn schedule(&self, outputs: &[Id]) -> Program {
-        let graph = &self.model.frames.graph;
+        let graph = &self.work.graph;
         if self.is_whole {
             return graph.schedule_where(outputs, |id| self.fields.get(id).is_none());
         }
@@ -152,7 +153,7 @@ impl Writer<'_> {
         }
         let (computed, text) = body.statements(program, |_| true);
         statements.extend(computed);
-        let graph = &self.model.frames.graph;
+        let graph = &self.work.graph;
         let compares_equality = |id: &Id| {
             matches!(
                 graph.node(*id),
@@ -168,7 +169,7 @@ impl Writer<'_> {
             statements,
             output_text: outputs.iter().map(to_text).collect(),
             outputs,
-            cost: self.model.frames.graph.cost(&program.nodes),
+            cost: self.work.graph.cost(&program.nodes),
             has_notes: !body.noted.is_empty(),
             has_pivots: program
                 .nodes
@@ -220,7 +221,7 @@ impl<'a> Body<'a> {
 
     /// What is assigned, and its value; a sine and a cosine of the same angle are computed together.
     fn statement(&mut self, id: Id, name: Ident, program: &Program) -> (TokenStream, TokenStream) {
-        let graph = &self.writer.model.frames.graph;
+        let graph = &self.writer.work.graph;
         let pair = graph
             .other_half(id)
             .filter(|other| program.statements.contains(other));

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use crate::mechanics::{Equations, Flow};
-use crate::model::{Inertia, Meaning, Model, Outline};
+use crate::model::{Inertia, Meaning, Model, Outline, Workspace};
 use crate::symbolic::{Cost, Id, Node, Stage};
 
 use super::code::{Fields, Writer};
@@ -31,10 +31,15 @@ pub struct Constructor {
 }
 
 /// The expressions of the equations that depend on parameters alone, each with the name of its field.
-pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) -> Fields {
+pub fn stored_fields(
+    outline: &Outline,
+    (model, work): (&Model, &Workspace),
+    equations: &Equations,
+) -> Fields {
     let none = Fields::default();
     let writer = Writer {
         model,
+        work,
         outline,
         fields: &none,
         targets: &none,
@@ -53,16 +58,16 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
     let hoisted = writer.schedule(&roots).hoisted;
     let mut taken = vec!["params".to_owned(), PRINCIPAL_AXES.to_owned()];
     let fields = hoisted.into_iter().map(|id| {
-        let labels = &model.frames.labels;
+        let labels = &work.labels;
         let label = labels.get(id).map(str::to_owned);
         let opposite = || {
             Some(format!(
                 "minus_{}",
-                labels.get(model.frames.graph.negation_of(id)?)?
+                labels.get(work.graph.negation_of(id)?)?
             ))
         };
         let wanted = label.or_else(opposite);
-        let wanted = local_name(&wanted.unwrap_or_else(|| field_name(outline, model, id)));
+        let wanted = local_name(&wanted.unwrap_or_else(|| field_name(outline, work, id)));
         let mut name = wanted.clone();
         let mut repeated = 0;
         while taken.contains(&name) {
@@ -76,20 +81,20 @@ pub fn stored_fields(outline: &Outline, model: &Model, equations: &Equations) ->
 }
 
 /// What is known early of expressions, as it is stored.
-fn reached(model: &Model, roots: &[Id]) -> Vec<Id> {
-    let graph = &model.frames.graph;
+fn reached(work: &Workspace, roots: &[Id]) -> Vec<Id> {
+    let graph = &work.graph;
     graph.reachable(roots, |id| !graph.is_early(id))
 }
 
 /// A constant is called after the parameters that it is computed from.
-fn field_name(outline: &Outline, model: &Model, id: Id) -> String {
-    let graph = &model.frames.graph;
+fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
+    let graph = &work.graph;
     let mut words: Vec<String> = Vec::new();
     for symbol in graph.reachable(&[id], |_| true) {
         let Node::Symbol(symbol) = graph.node(symbol) else {
             continue;
         };
-        if let Meaning::Param(index, _) = model.meanings.of(*symbol) {
+        if let Meaning::Param(index, _) = work.meanings.of(*symbol) {
             words.push(outline.params[index].name.to_string());
         }
     }
@@ -100,11 +105,17 @@ fn field_name(outline: &Outline, model: &Model, id: Id) -> String {
 
 impl Constructor {
     /// `new` checks the parameters, and computes and stores what depends on them alone.
-    pub fn write(outline: &Outline, model: &Model, equations: &Equations, fields: &Fields) -> Self {
+    pub fn write(
+        outline: &Outline,
+        (model, work): (&Model, &Workspace),
+        equations: &Equations,
+        fields: &Fields,
+    ) -> Self {
         let private = private(outline);
         let none = Fields::default();
         let writer = Writer {
             model,
+            work,
             outline,
             fields: &none,
             targets: fields,
@@ -115,7 +126,7 @@ impl Constructor {
             scalar: Scalar::of(outline),
             private: private.clone(),
         };
-        let is_open = |id: &Id| model.frames.graph.stage(*id) == Stage::Parameter;
+        let is_open = |id: &Id| work.graph.stage(*id) == Stage::Parameter;
         let mass: Vec<Id> = model.mass.into_iter().filter(is_open).collect();
         let inertia = if model.inertia_entries().iter().any(is_open) {
             model.inertia_entries()
@@ -145,7 +156,7 @@ impl Constructor {
             (_, entries) => quote!(#private::check_inertia([#(#entries),*])?;),
         };
         let stored: Vec<Ident> = fields.0.iter().map(|(_, name)| name.clone()).collect();
-        let finite = reached(model, &equations.finite_roots());
+        let finite = reached(work, &equations.finite_roots());
         let checked = fields.0.iter().filter(|(id, _)| finite.contains(id));
         let checked: Vec<&Ident> = checked.map(|(_, name)| name).collect();
         let words = checked.iter().map(ToString::to_string);

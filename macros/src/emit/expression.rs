@@ -24,7 +24,7 @@ pub enum Precedence {
 impl Body<'_> {
     /// The right-hand side of a statement.
     pub fn definition(&self, id: Id) -> TokenStream {
-        match *self.writer.model.frames.graph.node(id) {
+        match *self.writer.work.graph.node(id) {
             Node::Quantity(inner) => self.expression(inner, Precedence::Lowest),
             _ => self.operation(id).0,
         }
@@ -47,7 +47,7 @@ impl Body<'_> {
         if let Some(field) = self.writer.fields.get(id) {
             return (quote!(self.#field), Precedence::Atom);
         }
-        match self.writer.model.frames.graph.node(id) {
+        match self.writer.work.graph.node(id) {
             // another name for what is a statement already
             Node::Quantity(inner) => self.operand(*inner),
             _ => self.operation(id),
@@ -61,7 +61,7 @@ impl Body<'_> {
                 tokens.extend([operator, self.expression(b, tighter)]);
                 (tokens, precedence)
             };
-        let graph = &self.writer.model.frames.graph;
+        let graph = &self.writer.work.graph;
         if let Some(choice) = self.choice_of_any_scalar(id) {
             return choice;
         }
@@ -154,7 +154,7 @@ impl Body<'_> {
             let [a, b] = [a, b].map(|id| self.expression(id, Precedence::Sign));
             Some((quote!(#a #operator #b), Precedence::Or))
         };
-        match *self.writer.model.frames.graph.node(id) {
+        match *self.writer.work.graph.node(id) {
             _ if !self.is_generic => None,
             Node::Compare(comparison, a, b) => {
                 let compared = |name: &str| self.method(name, &[a, b]);
@@ -182,7 +182,7 @@ impl Body<'_> {
     /// In a sum of which the order does not matter: what is known early stands last, and what is
     /// itself a sum stands first, so that it needs no parentheses.
     fn comes_second(&self, a: Id, b: Id) -> bool {
-        let graph = &self.writer.model.frames.graph;
+        let graph = &self.writer.work.graph;
         let is_sum = |id: Id| {
             !self.names.contains_key(&id)
                 && matches!(graph.node(id), Node::Add(..) | Node::Subtract(..))
@@ -196,7 +196,7 @@ impl Body<'_> {
 
     /// `Body.normal`: the unknown that a guarded reciprocal gives.
     fn unknown(&self, reciprocal: Id) -> String {
-        let unknown = self.writer.model.frames.labels.unknown(reciprocal);
+        let unknown = self.writer.work.labels.unknown(reciprocal);
         format!("{}.{unknown}", self.writer.outline.name)
     }
 

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::mechanics::{
     Balance, Equations, Momentum, Partial, ReactionExpressions, Resultant, Switch,
 };
-use crate::model::{Family, LoadKind, Model, Outline, Output};
+use crate::model::{Family, LoadKind, Model, Outline, Output, Workspace};
 use crate::symbolic::{Components, Cost, Id, Node, Stage};
 
 use super::code::{Fields, Source, Writer};
@@ -113,11 +113,17 @@ impl Function {
 }
 
 impl Functions {
-    pub fn write(outline: &Outline, model: &Model, equations: &Equations, fields: &Fields) -> Self {
+    pub fn write(
+        outline: &Outline,
+        (model, work): (&Model, &Workspace),
+        equations: &Equations,
+        fields: &Fields,
+    ) -> Self {
         let shapes = Shapes::of(outline);
         let none = Fields::default();
         let writer = Writer {
             model,
+            work,
             outline,
             fields,
             targets: &none,
@@ -319,7 +325,7 @@ fn write_lost_load(writer: &Writer<'_>, partial: &[Partial]) -> Function {
 /// `times.at(50.0); times.every(self.start, self.period);`
 fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Function {
     // numbers need no scalar to be made of
-    let graph = &writer.model.frames.graph;
+    let graph = &writer.work.graph;
     let number = |id: &Id| {
         graph
             .as_number(*id)
@@ -392,9 +398,9 @@ fn write_open(
 
 /// A `Result` where the configuration may leave drives undetermined.
 fn write_inverse(writer: &Writer<'_>, shapes: &Shapes, solved: &[ReactionExpressions]) -> Function {
-    let Writer { outline, model, .. } = *writer;
+    let Writer { outline, work, .. } = *writer;
     let roots: Vec<Id> = solved.iter().flat_map(|drive| drive.vector).collect();
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     let is_pivot = |id: &Id| matches!(graph.node(*id), Node::Pivot(..));
     let guarded = Writer {
         is_fallible: graph.reachable(&roots, |_| true).iter().any(is_pivot),

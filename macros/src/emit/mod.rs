@@ -29,16 +29,22 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::mechanics::Equations;
-use crate::model::{Model, Outline};
+use crate::model::{Model, Outline, Workspace};
 
 use constructor::Constructor;
 use functions::Functions;
 
 /// The type of a body, its parameters and inputs, and all that it implements.
-pub fn emit_body(outline: &Outline, model: &Model, equations: &Equations) -> TokenStream {
-    let fields = constructor::stored_fields(outline, model, equations);
-    let functions = Functions::write(outline, model, equations, &fields);
-    let constructor = Constructor::write(outline, model, equations, &fields);
+pub fn emit_body(
+    outline: &Outline,
+    model: &Model,
+    work: &Workspace,
+    equations: &Equations,
+) -> TokenStream {
+    let meant = (model, work);
+    let fields = constructor::stored_fields(outline, meant, equations);
+    let functions = Functions::write(outline, meant, equations, &fields);
+    let constructor = Constructor::write(outline, meant, equations, &fields);
     let documentation = docs::Documentation::write(outline, &functions, &constructor, equations);
     let items = items::emit_items(outline, &constructor, &documentation);
     let implementations = implementations::emit_implementations(outline, &functions);

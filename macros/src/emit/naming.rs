@@ -56,7 +56,7 @@ impl Body<'_> {
     }
 
     pub fn statement_name(&mut self, id: Id) -> Ident {
-        let frames = &self.writer.model.frames;
+        let frames = &self.writer.work;
         let inner = match frames.graph.node(id) {
             Node::Quantity(inner) => *inner,
             _ => id,
@@ -89,7 +89,7 @@ impl Body<'_> {
 
     /// A name made of what is computed.
     pub fn describe(&self, id: Id) -> String {
-        let graph = &self.writer.model.frames.graph;
+        let graph = &self.writer.work.graph;
         let operand = |id: Id| self.names.get(&id).map(ToString::to_string);
         let (name, kind) = match *graph.node(id) {
             Node::Multiply(a, b) if a == b => {
@@ -122,7 +122,7 @@ impl Body<'_> {
 
     /// What the group of a name is, where its first member is computed.
     pub fn note(&mut self, name: &Ident) -> Option<&'static str> {
-        let (group, note) = self.writer.model.frames.labels.note(&name.to_string())?;
+        let (group, note) = self.writer.work.labels.note(&name.to_string())?;
         self.noted.insert(group).then_some(note)
     }
 }

@@ -7,9 +7,9 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use crate::model::{AXES, Declared, LoadKind, Meaning, Motion};
-use crate::symbolic::{Id, Node, Number, Program, Stage};
+use crate::symbolic::{Id, Number, Program, Stage};
 
-use super::code::{Body, Source};
+use super::code::{Body, Source, Writer};
 use super::naming::local;
 
 /// The component that a meaning stands for, if it is one of those of a place.
@@ -107,11 +107,8 @@ fn places(motion: Motion) -> Vec<Place> {
 impl Body<'_> {
     /// Reads the symbols of `program`, and gives them names.
     pub fn read(&mut self, program: &Program) -> TokenStream {
-        let model = self.writer.model;
-        let meaning = |id: Id| match model.frames.graph.node(id) {
-            Node::Symbol(symbol) => Some((id, model.meanings.of(*symbol))),
-            _ => None,
-        };
+        let Writer { model, work, .. } = self.writer;
+        let meaning = |id: Id| Some((id, work.meaning(id)?));
         let symbols: Vec<(Id, Meaning)> = program
             .symbols
             .iter()
@@ -143,7 +140,7 @@ impl Body<'_> {
 
     /// The constants of a generic body, each made from a value at hand.
     pub fn constants(&mut self, constants: &BTreeSet<Id>) -> TokenStream {
-        let graph = &self.writer.model.frames.graph;
+        let graph = &self.writer.work.graph;
         let numbers: Vec<(Id, Number)> = constants
             .iter()
             .filter_map(|id| Some((*id, graph.as_number(*id)?.clone())))

@@ -46,7 +46,7 @@ impl Expansion {
         let recurrences = &taylor.recurrences;
         let batches = batches(&recurrences.sums);
         let width = batches.last().map_or(0, Batch::end);
-        let held = held(&writer.model.frames.graph, recurrences);
+        let held = held(&writer.work.graph, recurrences);
 
         let mut body = Body::new(writer, false);
         body.taken.extend(TAKEN.map(str::to_owned));
@@ -64,7 +64,7 @@ impl Expansion {
         };
         statements.extend(orders(&mut body, taylor, &batches));
 
-        let graph = &writer.model.frames.graph;
+        let graph = &writer.work.graph;
         let has_equality = |id: &Id| matches!(graph.node(*id), Node::Compare(..));
         let roots = graph.reachable(&recurrences.roots(), |id| !graph.is_early(id));
         body.reads.push(Source::State);
@@ -206,7 +206,7 @@ fn coordinates(body: &Body<'_>, rates: &[Id]) -> Vec<TokenStream> {
 /// The loop over the orders.
 fn orders(body: &mut Body<'_>, taylor: &Taylor, batches: &[Batch<'_>]) -> TokenStream {
     let recurrences = &taylor.recurrences;
-    let graph = &body.writer.model.frames.graph;
+    let graph = &body.writer.work.graph;
     let program = graph.schedule(&of_each_order(recurrences), Stage::State);
     let levels = levels(graph, recurrences, &program);
     let level = |id: Id| levels.get(&id).copied().unwrap_or(0);

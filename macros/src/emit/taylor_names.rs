@@ -11,7 +11,7 @@ use super::code::{Body, Fields};
 
 /// The n-th coefficients of quotients and functions are called after these.
 pub fn name_results(body: &mut Body<'_>, recurrences: &Recurrences) -> Fields {
-    let graph = &body.writer.model.frames.graph;
+    let graph = &body.writer.work.graph;
     let results = recurrences.results.iter();
     let computed = results.filter(|(_, next)| !matches!(graph.node(*next), Node::Symbol(_)));
     let named = computed.map(|(result, next)| (*next, name_after(body, *result, "n")));
@@ -79,7 +79,7 @@ pub fn name_sums(
 /// A sum is called after the coordinate that it is the rate of, or after what it was written for.
 fn name_sum(body: &mut Body<'_>, taylor: &Taylor, sum: &Sum) -> Ident {
     let Recurrences { rates, results, .. } = &taylor.recurrences;
-    let graph = &body.writer.model.frames.graph;
+    let graph = &body.writer.work.graph;
     let (of, word, is_whole) = match sum.of {
         Origin::Rate(place) => (taylor.symbols[place], "rate_", rates[place] == sum.value),
         Origin::Result(of) => (of, "", results.contains(&(of, sum.value))),

@@ -1,6 +1,6 @@
 //! Motions about an axis in closed form: with constant acceleration, or as a pendulum, `w' = a sin theta + b cos theta`.
 
-use crate::model::Model;
+use crate::model::{Model, Workspace};
 use crate::symbolic::{Function, Id};
 
 use super::flow::{Contribution, Turning, dependence};
@@ -17,39 +17,40 @@ enum Kind {
 
 /// The motion about an axis, or what is in its way.
 pub fn about_axis(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     acceleration: Id,
     contributions: &[Contribution],
     obstacles: &mut Vec<String>,
 ) -> Option<Turning> {
-    if model.frames.graph.is_early(acceleration) {
+    if work.graph.is_early(acceleration) {
         return Some(Turning::Uniform(acceleration));
     }
-    if let Some((sine, cosine)) = swinging(model, acceleration) {
-        let graph = &mut model.frames.graph;
+    if let Some((sine, cosine)) = swinging(work, acceleration) {
+        let graph = &mut work.graph;
         let square = graph.apply(Function::Hypot, &[sine, cosine]);
         let rate = graph.apply(Function::Sqrt, &[square]);
         let opposite = graph.negate(sine);
         let hanging = graph.apply(Function::Atan2, &[cosine, opposite]);
-        let labels = &mut model.frames.labels;
+        let labels = &mut work.labels;
         labels.name(rate, "swing_rate");
         labels.name(hanging, "hanging");
         return Some(Turning::Pendulum { rate, hanging });
     }
-    let axis = match model.hinge() {
+    let axis = match model.hinge(&mut work.graph) {
         Some(axis) => axis,
-        None => [0, 0, 1].map(|component| model.frames.graph.integer(component)),
+        None => [0, 0, 1].map(|component| work.graph.integer(component)),
     };
     let kinds: Vec<(&Contribution, Id, Kind)> = contributions
         .iter()
         .filter_map(|load| {
-            let moment = model.frames.graph.dot(axis, load.moment);
-            if model.frames.graph.is_zero(moment) {
+            let moment = work.graph.dot(axis, load.moment);
+            if work.graph.is_zero(moment) {
                 return None;
             }
-            let kind = if model.frames.graph.is_early(moment) {
+            let kind = if work.graph.is_early(moment) {
                 Kind::Constant
-            } else if swinging(model, moment).is_some() {
+            } else if swinging(work, moment).is_some() {
                 Kind::Swinging
             } else {
                 Kind::Other
@@ -63,7 +64,7 @@ pub fn about_axis(
             "the moment of `{}` depends on {}, and is neither constant nor that of forces that are constant in \
              world axes",
             load.name,
-            dependence(model, &[*moment])
+            dependence(work, &[*moment])
         )
     });
     let before = obstacles.len();
@@ -83,9 +84,9 @@ pub fn about_axis(
 }
 
 /// `(a, b)` of `a sin theta + b cos theta`.
-fn swinging(model: &mut Model, expression: Id) -> Option<(Id, Id)> {
-    let angle = model.angle()?;
-    let graph = &mut model.frames.graph;
+fn swinging(work: &mut Workspace, expression: Id) -> Option<(Id, Id)> {
+    let angle = work.angle()?;
+    let graph = &mut work.graph;
     let of_late = |id: Id| !graph.is_early(id) && id != angle;
     if graph.depends_on(&[expression], of_late) {
         return None;
@@ -99,5 +100,5 @@ fn swinging(model: &mut Model, expression: Id) -> Option<(Id, Id)> {
     let (first, second) = (graph.multiply(a, sine), graph.multiply(b, cosine));
     let harmonic = graph.add(first, second);
     let rest = graph.subtract(expression, harmonic);
-    all_vanish(model, &[rest]).then_some((a, b))
+    all_vanish(work, &[rest]).then_some((a, b))
 }

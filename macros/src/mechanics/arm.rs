@@ -5,11 +5,11 @@
 
 use std::collections::HashSet;
 
-use crate::model::Frames;
+use crate::model::Workspace;
 use crate::symbolic::{Components, Graph, Id, Node};
 
 /// `r x slope` as a factor and a vector.
-pub fn moment(frames: &mut Frames, r: Components, slope: Components) -> (Id, Components) {
+pub fn moment(frames: &mut Workspace, r: Components, slope: Components) -> (Id, Components) {
     let (mut factor, mut rest) = (frames.graph.one(), slope);
     while let Some((part, others)) = frames.common_factor(rest) {
         factor = frames.graph.multiply(factor, part);

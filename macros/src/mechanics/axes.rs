@@ -15,7 +15,7 @@
 //! sigma = s - beta / 2 = s (1 - J_e / (tr J - J_e))
 //! ```
 
-use crate::model::{Attitude, Inertia, Model};
+use crate::model::{Attitude, Inertia, Model, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 use super::newton_euler::inertia_about_center;
@@ -33,15 +33,15 @@ pub struct Axes {
     e: Components,
 }
 
-pub fn derive_axes(model: &mut Model, structure: &Structure) -> Option<Axes> {
+pub fn derive_axes(model: &Model, work: &mut Workspace, structure: &Structure) -> Option<Axes> {
     let direction = structure.spin_axis.clone()?;
-    let Attitude::Quaternion { .. } = model.frames.attitude else {
+    let Attitude::Quaternion { .. } = work.attitude else {
         return None;
     };
-    let Inertia::Spatial(rows) = inertia_about_center(model) else {
+    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
         return None;
     };
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let e = direction.clone().map(|part| graph.number(part));
     let of_e = graph.transform(&rows, e);
     let along = graph.dot(e, of_e);
@@ -53,7 +53,7 @@ pub fn derive_axes(model: &mut Model, structure: &Structure) -> Option<Axes> {
     let rest = graph.subtract(one, part);
     let whole = graph.dot(e, model.state.angular_velocity);
     let [axes_spin, spin] = [part, rest].map(|part| graph.multiply(part, whole));
-    let labels = &mut model.frames.labels;
+    let labels = &mut work.labels;
     labels.name(axes_spin, "axes_spin");
     labels.name(spin, "spin");
     let whole = graph.scale_vector(whole, e);
@@ -70,8 +70,13 @@ pub fn derive_axes(model: &mut Model, structure: &Structure) -> Option<Axes> {
 
 impl Axes {
     /// The rate of w in them: `alpha + sigma e x w`, without what vanishes along e.
-    pub fn acceleration(&self, model: &mut Model, angular: &Components) -> Components {
-        let graph = &mut model.frames.graph;
+    pub fn acceleration(
+        &self,
+        model: &Model,
+        work: &mut Workspace,
+        angular: &Components,
+    ) -> Components {
+        let graph = &mut work.graph;
         let swept = graph.cross(self.e, model.state.angular_velocity);
         let swept = graph.scale_vector(self.spin, swept);
         let along = graph.dot(self.e, *angular);

@@ -1,6 +1,6 @@
 //! A constant moment N e along the axis of symmetry of a body.
 
-use crate::model::Model;
+use crate::model::{Model, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::axis_of_symmetry::axes_of_symmetry;
@@ -23,18 +23,22 @@ impl AxialTorque {
 }
 
 /// The axis and the torque along it, if the moment, body axes, is constant and is along an axis of symmetry.
-pub fn axial_torque(model: &mut Model, moment: Components) -> Option<AxialTorque> {
-    if !model.frames.graph.are_early(&moment) {
+pub fn axial_torque(
+    model: &Model,
+    work: &mut Workspace,
+    moment: Components,
+) -> Option<AxialTorque> {
+    if !work.graph.are_early(&moment) {
         return None;
     }
-    axes_of_symmetry(model, &[moment])
+    axes_of_symmetry(model, work, &[moment])
         .into_iter()
         .find_map(|(moments, axis)| {
-            let graph = &mut model.frames.graph;
+            let graph = &mut work.graph;
             let torque = graph.dot(moment, axis);
             let along = graph.scale_vector(torque, axis);
             let across = [0, 1, 2].map(|i| graph.subtract(moment[i], along[i]));
-            let is_axial = all_vanish(model, &across);
+            let is_axial = all_vanish(work, &across);
             is_axial.then_some(AxialTorque {
                 moments,
                 axis,

@@ -1,6 +1,6 @@
 //! Axes about which the inertia of a body is symmetric.
 
-use crate::model::{Inertia, Model};
+use crate::model::{Inertia, Model, Workspace};
 use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
 use super::free_rotation::unit;
@@ -10,17 +10,18 @@ use super::zeros::all_vanish;
 /// Moments of inertia across and along axes about which the body is symmetric, and unit vectors along them: of a spherical one, along one of
 /// these directions, if it is known, and the axes of the body.
 pub fn axes_of_symmetry(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     directions: &[Components],
 ) -> Vec<([Id; 2], Components)> {
-    let Inertia::Spatial(rows) = inertia_about_center(model) else {
+    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
         return Vec::new();
     };
-    let units = model.frames.graph.unit_vectors();
-    let moments = match model.frames.graph.spectrum(&rows) {
+    let units = work.graph.unit_vectors();
+    let moments = match work.graph.spectrum(&rows) {
         None => {
             let axes: Vec<usize> = (0..3)
-                .filter(|axis| is_symmetric(model, &rows, *axis))
+                .filter(|axis| is_symmetric(work, &rows, *axis))
                 .collect();
             if axes.len() < 2 {
                 let across = |axis: usize| rows[(axis + 1) % 3][(axis + 1) % 3];
@@ -31,14 +32,14 @@ pub fn axes_of_symmetry(
         }
         Some(Spectrum::General(_)) => return Vec::new(),
         Some(Spectrum::Symmetric(symmetry)) => {
-            let graph = &mut model.frames.graph;
+            let graph = &mut work.graph;
             let moments =
                 [&symmetry.across, &symmetry.along].map(|moment| graph.number(moment.clone()));
             return vec![(moments, unit(graph, &symmetry.axis))];
         }
-        Some(Spectrum::Spherical(moment)) => [model.frames.graph.number(moment); 2],
+        Some(Spectrum::Spherical(moment)) => [work.graph.number(moment); 2],
     };
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let known = directions
         .iter()
         .find_map(|vector| known_direction(graph, vector));
@@ -50,11 +51,11 @@ pub fn axes_of_symmetry(
 }
 
 /// Of a tensor of parameters, whether it is symmetric about a coordinate axis.
-fn is_symmetric(model: &mut Model, rows: &[Components; 3], axis: usize) -> bool {
+fn is_symmetric(work: &mut Workspace, rows: &[Components; 3], axis: usize) -> bool {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-    let difference = model.frames.graph.subtract(rows[i][i], rows[j][j]);
+    let difference = work.graph.subtract(rows[i][i], rows[j][j]);
     let roots = [difference, rows[0][1], rows[1][2], rows[2][0]];
-    all_vanish(model, &roots)
+    all_vanish(work, &roots)
 }
 
 /// The unit vector along a vector of numbers that is not zero.

@@ -1,6 +1,6 @@
 //! The balances as they are written, for inspection: given loads, resultants, residuals.
 
-use crate::model::{Family, Frame, Inertia, LoadKind, Model, Point, Vector};
+use crate::model::{Family, Frame, Inertia, LoadKind, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::newton_euler::{arm, moments_about, resultant};
@@ -32,26 +32,26 @@ pub struct LoadExpressions {
     pub moment: Components,
 }
 
-pub fn derive_balance(model: &mut Model) -> Balance {
-    let force = resultant(model);
-    let center = Point::Body(model.frames.graph.zeros());
-    let moments = moments_about(model, center);
-    let moment = model.frames.sum(moments);
-    let applied = in_world(model, force, moment);
+pub fn derive_balance(model: &Model, work: &mut Workspace) -> Balance {
+    let force = resultant(work, &model.loads);
+    let center = Point::Body(work.graph.zeros());
+    let moments = moments_about(model, work, &model.loads, center);
+    let moment = work.sum(moments);
+    let applied = in_world(work, force, moment);
 
-    let (force, moment) = with_reactions(model, force, moment);
+    let (force, moment) = with_reactions(model, work, force, moment);
     // (1.3): sum of F - m a = 0
-    let inertial_force = inertial_force(model);
-    let force = model.frames.add(force, inertial_force);
+    let inertial_force = inertial_force(model, work);
+    let force = work.add(force, inertial_force);
     // (1.4): sum of M_G + M_iG + (G - O) x (sum of F - m a) = 0
-    let inertial_moment = inertial_moment(model);
-    let about_center = model.frames.add(moment, inertial_moment);
-    let from_pole = from_pole(model);
-    let transport = model.frames.cross(from_pole, force);
-    let about_pole = model.frames.add(about_center, transport);
-    let residual = in_world(model, force, about_pole);
+    let inertial_moment = inertial_moment(model, work);
+    let about_center = work.add(moment, inertial_moment);
+    let from_pole = from_pole(model, work);
+    let transport = work.cross(from_pole, force);
+    let about_pole = work.add(about_center, transport);
+    let residual = in_world(work, force, about_pole);
 
-    let loads = list_loads(model);
+    let loads = list_loads(model, work);
     Balance {
         applied,
         residual,
@@ -60,7 +60,12 @@ pub fn derive_balance(model: &mut Model) -> Balance {
 }
 
 /// Puts the reactions that were solved for into the given loads that depend on them.
-pub fn solve_loads(model: &mut Model, balance: &mut Balance, solved: &[ReactionExpressions]) {
+pub fn solve_loads(
+    model: &Model,
+    work: &mut Workspace,
+    balance: &mut Balance,
+    solved: &[ReactionExpressions],
+) {
     let symbols = model
         .reactions
         .iter()
@@ -69,7 +74,7 @@ pub fn solve_loads(model: &mut Model, balance: &mut Balance, solved: &[ReactionE
         .zip(solved)
         .flat_map(|(symbols, value)| symbols.into_iter().zip(value.vector))
         .collect();
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let own = [&mut balance.applied.force, &mut balance.applied.moment];
     let listed = balance.loads.iter_mut();
     let all = own
@@ -80,29 +85,27 @@ pub fn solve_loads(model: &mut Model, balance: &mut Balance, solved: &[ReactionE
     }
 }
 
-fn in_world(model: &mut Model, force: Vector, moment: Vector) -> Resultant {
-    let force = model.frames.components(force, Frame::World);
-    let moment = model.frames.components(moment, Frame::World);
-    model
-        .frames
-        .labels
+fn in_world(work: &mut Workspace, force: Vector, moment: Vector) -> Resultant {
+    let force = work.components(force, Frame::World);
+    let moment = work.components(moment, Frame::World);
+    work.labels
         .describe("force", "sum of the forces, world axes");
-    model
-        .frames
-        .labels
+    work.labels
         .describe("moment", "sum of the moments, world axes");
-    let (force, moment) = (
-        model.frames.graph.results(force),
-        model.frames.graph.results(moment),
-    );
-    model.frames.labels.vector("force", force);
-    model.frames.labels.vector("moment", moment);
+    let (force, moment) = (work.graph.results(force), work.graph.results(moment));
+    work.labels.vector("force", force);
+    work.labels.vector("moment", moment);
     Resultant { force, moment }
 }
 
 /// The given loads together with the reactions, as they are handed in; moment about G.
-fn with_reactions(model: &mut Model, force: Vector, moment: Vector) -> (Vector, Vector) {
-    let center = Point::Body(model.frames.graph.zeros());
+fn with_reactions(
+    model: &Model,
+    work: &mut Workspace,
+    force: Vector,
+    moment: Vector,
+) -> (Vector, Vector) {
+    let center = Point::Body(work.graph.zeros());
     let reactions: Vec<(LoadKind, Point, Vector)> = model
         .reactions
         .iter()
@@ -111,60 +114,60 @@ fn with_reactions(model: &mut Model, force: Vector, moment: Vector) -> (Vector, 
     let (mut forces, mut moments) = (vec![force], vec![moment]);
     for (kind, point, vector) in reactions {
         if kind == LoadKind::Force {
-            let arm = arm(model, point, center);
+            let arm = arm(model, work, point, center);
             forces.push(vector);
-            moments.push(model.frames.cross(arm, vector));
+            moments.push(work.cross(arm, vector));
         } else {
             moments.push(vector);
         }
     }
-    (model.frames.sum(forces), model.frames.sum(moments))
+    (work.sum(forces), work.sum(moments))
 }
 
 /// `G - O`, of the pole O.
-pub fn from_pole(model: &mut Model) -> Vector {
-    let (center, pole) = (Point::Body(model.frames.graph.zeros()), model.pole);
-    arm(model, center, pole)
+pub fn from_pole(model: &Model, work: &mut Workspace) -> Vector {
+    let (center, pole) = (Point::Body(work.graph.zeros()), model.pole);
+    arm(model, work, center, pole)
 }
 
 /// (1.8): `F_iG = -m a`.
-fn inertial_force(model: &mut Model) -> Vector {
+fn inertial_force(model: &Model, work: &mut Workspace) -> Vector {
     let Some(mass) = model.mass else {
-        return model.frames.zero_vector();
+        return work.zero_vector();
     };
     let acceleration = model.state.acceleration;
-    let rate = model.frames.scale(mass, acceleration);
-    model.frames.negate(rate)
+    let rate = work.scale(mass, acceleration);
+    work.negate(rate)
 }
 
 /// (1.9), completed: `M_i = -(J w' + w x J w)`.
-fn inertial_moment(model: &mut Model) -> Vector {
+fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
     let (w, rate) = (
         model.state.angular_velocity,
         model.state.angular_acceleration,
     );
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let change = match model.inertia {
         Inertia::Absent => graph.zeros(),
         Inertia::Scalar(inertia) => graph.scale_vector(inertia, rate),
         Inertia::Spatial(rows) => {
             let momentum = graph.transform(&rows, w);
             let momentum = graph.quantities(momentum);
-            model.frames.labels.describe("momentum", "J w, body axes");
-            model.frames.labels.vector("momentum", momentum);
+            work.labels.describe("momentum", "J w, body axes");
+            work.labels.vector("momentum", momentum);
             let gyroscopic = graph.cross(w, momentum);
             let driven = graph.transform(&rows, rate);
             graph.add_vectors(driven, gyroscopic)
         }
     };
     let moment = graph.negate_vector(change);
-    model.frames.vector(Frame::Body, moment)
+    work.vector(Frame::Body, moment)
 }
 
 /// What is spread over the body is listed at G.
-fn list_loads(model: &mut Model) -> Vec<LoadExpressions> {
-    let center = Point::Body(model.frames.graph.zeros());
-    let about_center = moments_about(model, center);
+fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
+    let center = Point::Body(work.graph.zeros());
+    let about_center = moments_about(model, work, &model.loads, center);
     let mut list = Vec::new();
     for (index, about_center) in about_center.into_iter().enumerate() {
         let load = &model.loads[index];
@@ -177,15 +180,15 @@ fn list_loads(model: &mut Model) -> Vec<LoadExpressions> {
         list.push(LoadExpressions {
             name,
             family,
-            force: model.frames.components(force, Frame::World),
-            point: position(model, point),
-            moment: model.frames.components(moment, Frame::World),
+            force: work.components(force, Frame::World),
+            point: position(model, work, point),
+            moment: work.components(moment, Frame::World),
         });
     }
     list
 }
 
-fn position(model: &mut Model, point: Point) -> Components {
-    let position = model.state.place(&mut model.frames, point);
-    model.frames.components(position, Frame::World)
+fn position(model: &Model, work: &mut Workspace, point: Point) -> Components {
+    let position = model.state.place(work, point);
+    work.components(position, Frame::World)
 }

@@ -6,7 +6,7 @@
 //! What rounding makes of a constraint is told by the same metric, as `|A q| <= sqrt(S) |q|`: a state has rounded coordinates, of the
 //! size of the radius of inertia of its mass about the origin, and velocities of the size of its kinetic energy.
 
-use crate::model::{Inertia, Model};
+use crate::model::{Inertia, Model, Workspace};
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
 use super::constraints::Constrained;
@@ -44,18 +44,26 @@ impl Consistency {
     }
 }
 
-pub fn derive_consistency(model: &mut Model, constraints: &[Constrained]) -> Vec<Consistency> {
+pub fn derive_consistency(
+    model: &Model,
+    work: &mut Workspace,
+    constraints: &[Constrained],
+) -> Vec<Consistency> {
     let directions: Vec<(Components, Components)> = constraints
         .iter()
         .map(|constraint| {
-            let (linear, angular) =
-                response(model, constraint.rates.linear, constraint.rates.angular);
-            let graph = &mut model.frames.graph;
+            let (linear, angular) = response(
+                model,
+                work,
+                constraint.rates.linear,
+                constraint.rates.angular,
+            );
+            let graph = &mut work.graph;
             (graph.results(linear), graph.results(angular))
         })
         .collect();
     let list = constraints.iter().enumerate().map(|(row, constraint)| {
-        let graph = &mut model.frames.graph;
+        let graph = &mut work.graph;
         let angular = constraint.rates.angular;
         let coupling = directions.iter().map(|(by_linear, by_angular)| {
             let first = graph.dot(constraint.rates.linear, *by_linear);
@@ -75,7 +83,7 @@ pub fn derive_consistency(model: &mut Model, constraints: &[Constrained]) -> Vec
             velocity,
             linear: directions[row].0,
             angular: match model.state.axis {
-                Some(axis) => turned_by(model, axis, directions[row].1),
+                Some(axis) => turned_by(work, axis, directions[row].1),
                 None => directions[row].1,
             },
             coupling,
@@ -91,12 +99,16 @@ pub struct Reach {
 }
 
 /// Of each constraint.
-pub fn derive_reach(model: &mut Model, constraints: &[Consistency]) -> Vec<Reach> {
+pub fn derive_reach(
+    model: &Model,
+    work: &mut Workspace,
+    constraints: &[Consistency],
+) -> Vec<Reach> {
     if constraints.is_empty() {
         return Vec::new();
     }
-    let (spread, motion) = (spread(model), twice_kinetic(model));
-    let graph = &mut model.frames.graph;
+    let (spread, motion) = (spread(model, work), twice_kinetic(model, work));
+    let graph = &mut work.graph;
     let list = constraints.iter().enumerate().map(|(row, constraint)| {
         let mut reach = |size: Id, of_state: Id| {
             let square = graph.multiply(constraint.coupling[row], of_state);
@@ -112,8 +124,8 @@ pub fn derive_reach(model: &mut Model, constraints: &[Consistency]) -> Vec<Reach
 }
 
 /// `m r^2 + tr J`: an attitude is known to the rounding of one radian.
-fn spread(model: &mut Model) -> Id {
-    let graph = &mut model.frames.graph;
+fn spread(model: &Model, work: &mut Workspace) -> Id {
+    let graph = &mut work.graph;
     let turning = match &model.inertia {
         Inertia::Absent => graph.zero(),
         Inertia::Scalar(moment) => *moment,
@@ -122,8 +134,8 @@ fn spread(model: &mut Model) -> Id {
     let Some(mass) = model.mass.filter(|_| model.motion.translates()) else {
         return turning;
     };
-    let square = model.frames.norm_squared(model.state.position);
-    let graph = &mut model.frames.graph;
+    let square = work.norm_squared(model.state.position);
+    let graph = &mut work.graph;
     let moving = graph.multiply(mass, square);
     graph.add(moving, turning)
 }

@@ -13,7 +13,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::model::{AXES, Frame, Level, LoadKind, Model};
+use crate::model::{Frame, Level, Model, Workspace};
 use crate::symbolic::{Components, Elimination, Function, Id, Residue, Row, Sample, Size};
 
 use super::active::active;
@@ -47,42 +47,46 @@ pub struct Solved {
 }
 
 /// Accelerations and reactions of a body with constraints.
-pub fn derive_constrained(model: &mut Model, errors: &mut Errors) -> Option<Solved> {
-    let constraints = differentiate(model);
-    check_independent(model, &constraints, errors)?;
-    let pushes = pushes(model, errors)?;
+pub fn derive_constrained(
+    model: &Model,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<Solved> {
+    let constraints = differentiate(model, work);
+    check_independent(work, &constraints, errors)?;
+    let pushes = pushes(model, work, errors)?;
     if let Some(axis) = model.state.axis {
-        rod::check_pushes(model, axis, &pushes, errors)?;
+        rod::check_pushes(model, work, axis, &pushes, errors)?;
     }
-    let (free_linear, free_angular, moment) = unconstrained(model, errors)?;
+    let (free_linear, free_angular, moment) = unconstrained(model, work, errors)?;
     let mut rows = Vec::new();
     for constraint in &constraints {
         rows.push(constraint_row(
-            model,
+            work,
             constraint,
             &pushes,
             (free_linear, free_angular),
         ));
     }
     if !model.motion.has_attitude() {
-        rows.extend(moment_rows(model, &pushes, moment, errors)?);
+        rows.extend(moment_rows(model, work, &pushes, moment, errors)?);
     }
-    let rows = sampled(model, rows, &constraints, &pushes);
-    let elimination = model.frames.graph.solve_guarded(rows, pushes.len());
+    let rows = sampled(model, work, rows, &constraints, &pushes);
+    let elimination = work.graph.solve_guarded(rows, pushes.len());
     check_elimination(model, &constraints, &pushes, &elimination, errors)?;
-    name_unknowns(model, &pushes, &elimination);
-    let linear = pushed(model, free_linear, &pushes, &elimination.values, |push| {
+    name_unknowns(model, work, &pushes, &elimination);
+    let linear = pushed(work, free_linear, &pushes, &elimination.values, |push| {
         push.linear
     });
-    let angular = pushed(model, free_angular, &pushes, &elimination.values, |push| {
+    let angular = pushed(work, free_angular, &pushes, &elimination.values, |push| {
         push.angular
     });
     let angular = match model.state.axis {
-        Some(axis) => rod::of_angular(model, axis, angular),
+        Some(axis) => rod::of_angular(work, axis, angular),
         None => angular,
     };
-    name_accelerations(model, linear, angular);
-    let reactions = assemble(model, &pushes, &elimination.values);
+    name_accelerations(model, work, linear, angular);
+    let reactions = assemble(model, work, &pushes, &elimination.values);
     Some(Solved {
         linear,
         angular,
@@ -92,7 +96,7 @@ pub fn derive_constrained(model: &mut Model, errors: &mut Errors) -> Option<Solv
 }
 
 /// Each constraint with what it says of velocities and accelerations.
-fn differentiate(model: &mut Model) -> Vec<Constrained> {
+fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
     let written: Vec<_> = model
         .constraints
         .iter()
@@ -107,7 +111,7 @@ fn differentiate(model: &mut Model) -> Vec<Constrained> {
         .collect();
     let constraints = written.into_iter().map(|(name, place, level, value)| {
         let (position, velocity) = match level {
-            Level::Position => (Some(value), rates(model, value).rate),
+            Level::Position => (Some(value), rates(model, work, value).rate),
             Level::Velocity => (None, value),
         };
         Constrained {
@@ -115,7 +119,7 @@ fn differentiate(model: &mut Model) -> Vec<Constrained> {
             place,
             position,
             velocity,
-            rates: rates(model, velocity),
+            rates: rates(model, work, velocity),
         }
     });
     constraints.collect()
@@ -123,24 +127,24 @@ fn differentiate(model: &mut Model) -> Vec<Constrained> {
 
 /// The accelerations by the given loads alone, and their moment about G in world axes.
 fn unconstrained(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     errors: &mut Errors,
 ) -> Option<(Components, Components, Components)> {
-    let given = given_loads(model);
-    let loads = core::mem::replace(&mut model.loads, given);
+    let loads = given_loads(model, work);
     if let Some(axis) = model.state.axis {
-        rod::check_loads(model, axis, errors)?;
+        rod::check_loads(model, work, &loads, axis, errors)?;
     }
-    let (linear, angular) = solve_balances(model, Vec::new(), ["free", "free_angular"]);
-    let center = model.state.center(&mut model.frames);
-    let moments = moments_about(model, center);
-    let moment = model.frames.sum(moments);
+    let (linear, angular) =
+        solve_balances(model, work, &loads, Vec::new(), ["free", "free_angular"]);
+    let center = model.state.center(work);
+    let moments = moments_about(model, work, &loads, center);
+    let moment = work.sum(moments);
     let moment = if model.motion.has_attitude() {
-        model.frames.graph.zeros()
+        work.graph.zeros()
     } else {
-        model.frames.components(moment, Frame::World)
+        work.components(moment, Frame::World)
     };
-    model.loads = loads;
     Some((linear, angular, moment))
 }
 
@@ -149,7 +153,7 @@ type Equation = (Vec<Id>, Id);
 
 /// `sum of (A . D_j) u_j = -(A . q''_0 + b)`
 fn constraint_row(
-    model: &mut Model,
+    work: &mut Workspace,
     constraint: &Constrained,
     pushes: &[Push],
     free: (Components, Components),
@@ -159,7 +163,7 @@ fn constraint_row(
         linear,
         angular,
     } = constraint.rates;
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let mut along = |a: Components, b: Components| {
         let (first, second) = (graph.dot(linear, a), graph.dot(angular, b));
         graph.add(first, second)
@@ -175,7 +179,8 @@ fn constraint_row(
 
 /// Of a body that does not turn: the moments about G sum to zero.
 fn moment_rows(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     pushes: &[Push],
     given: Components,
     errors: &mut Errors,
@@ -184,20 +189,19 @@ fn moment_rows(
     let mut rows = Vec::new();
     for axis in axes {
         let coefficients: Vec<Id> = pushes.iter().map(|push| push.moment[axis]).collect();
-        let is_empty = coefficients
-            .iter()
-            .all(|id| model.frames.graph.is_zero(*id));
+        let is_empty = coefficients.iter().all(|id| work.graph.is_zero(*id));
         if !is_empty {
-            rows.push((coefficients, model.frames.graph.negate(given[axis])));
-        } else if !model.frames.graph.is_zero(given[axis]) {
-            check_moment_free(model, errors)?;
+            rows.push((coefficients, work.graph.negate(given[axis])));
+        } else if !work.graph.is_zero(given[axis]) {
+            check_moment_free(model, work, &model.loads, errors)?;
         }
     }
     Some(rows)
 }
 
 fn sampled(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     rows: Vec<Equation>,
     constraints: &[Constrained],
     pushes: &[Push],
@@ -206,11 +210,11 @@ fn sampled(
         .iter()
         .flat_map(|(coefficients, _)| coefficients.clone())
         .collect();
-    let mut values = samples(model, &all).into_iter();
+    let mut values = samples(work, &all).into_iter();
     let mut sampled = Vec::new();
     for (index, (coefficients, right)) in rows.into_iter().enumerate() {
         let sizes = pushes.iter().map(|push| match constraints.get(index) {
-            Some(constraint) => size(model, constraint, push),
+            Some(constraint) => size(model, work, constraint, push),
             None => Size::Terms,
         });
         sampled.push(Row {
@@ -218,7 +222,7 @@ fn sampled(
             sample: values.by_ref().take(coefficients.len()).collect(),
             active: constraints
                 .get(index)
-                .and_then(|constraint| active(model, constraint)),
+                .and_then(|constraint| active(work, constraint)),
             coefficients,
             right,
         });
@@ -229,19 +233,19 @@ fn sampled(
 /// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. Where the
 /// load pushes along the gradient it is a sum of squares; else it is at most the product of their
 /// lengths, and vanishes where they are perpendicular.
-fn size(model: &mut Model, constraint: &Constrained, push: &Push) -> Size {
+fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Push) -> Size {
     let Rates {
         linear, angular, ..
     } = constraint.rates;
     let gradient = [linear, angular].concat();
     let load = [push.force, push.body_moment].concat();
-    let values = samples(model, &[gradient, load].concat());
+    let values = samples(work, &[gradient, load].concat());
     let (a, b) = values.split_at(values.len() / 2);
     if !push.is_followed && are_parallel(a, b) {
         return Size::Squares;
     }
-    let by_gradient = response(model, linear, angular);
-    let graph = &mut model.frames.graph;
+    let by_gradient = response(model, work, linear, angular);
+    let graph = &mut work.graph;
     let mut product = |a: [Components; 2], b: [Components; 2]| {
         let (first, second) = (graph.dot(a[0], b[0]), graph.dot(a[1], b[1]));
         graph.add(first, second)
@@ -271,13 +275,13 @@ fn are_parallel(a: &[Sample], b: &[Sample]) -> bool {
 
 /// `q''_0 + sum of u_j D_j`
 fn pushed(
-    model: &mut Model,
+    work: &mut Workspace,
     free: Components,
     pushes: &[Push],
     values: &[Id],
     part: fn(&Push) -> Components,
 ) -> Components {
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let sum = pushes.iter().zip(values).fold(free, |sum, (push, value)| {
         let change = graph.scale_vector(*value, part(push));
         graph.add_vectors(sum, change)
@@ -285,9 +289,9 @@ fn pushed(
     graph.results(sum)
 }
 
-fn name_unknowns(model: &mut Model, pushes: &[Push], elimination: &Elimination) {
+fn name_unknowns(model: &Model, work: &mut Workspace, pushes: &[Push], elimination: &Elimination) {
     let names: Vec<String> = pushes.iter().map(|push| push.name(model)).collect();
-    let labels = &mut model.frames.labels;
+    let labels = &mut work.labels;
     for (name, value) in names.iter().zip(&elimination.values) {
         labels.name(*value, name.replace('.', "_"));
     }
@@ -296,9 +300,14 @@ fn name_unknowns(model: &mut Model, pushes: &[Push], elimination: &Elimination) 
     }
 }
 
-fn name_accelerations(model: &mut Model, linear: Components, angular: Components) {
+fn name_accelerations(
+    model: &Model,
+    work: &mut Workspace,
+    linear: Components,
+    angular: Components,
+) {
     let scalar = model.motion.is_planar();
-    let labels = &mut model.frames.labels;
+    let labels = &mut work.labels;
     labels.describe("linear", "(1.3) with the reactions, world axes");
     labels.vector("linear", linear);
     labels.describe("angular", "(1.4) with the reactions, body axes");
@@ -309,36 +318,29 @@ fn name_accelerations(model: &mut Model, linear: Components, angular: Components
 }
 
 /// The reactions of a body with constraints: what is given, and the unknowns along their directions.
-fn assemble(model: &mut Model, pushes: &[Push], values: &[Id]) -> Vec<ReactionExpressions> {
+fn assemble(
+    model: &Model,
+    work: &mut Workspace,
+    pushes: &[Push],
+    values: &[Id],
+) -> Vec<ReactionExpressions> {
     let mut vectors = Vec::new();
     for index in 0..model.reactions.len() {
         let reaction = &model.reactions[index];
         let (frame, given, name) = (reaction.frame, reaction.given, reaction.name.to_string());
-        let mut whole = vec![model.frames.vector(frame, given)];
+        let mut whole = vec![work.vector(frame, given)];
         let own = pushes
             .iter()
             .zip(values)
             .filter(|(push, _)| push.reaction == index);
         for (push, value) in own {
-            whole.push(model.frames.scale(*value, push.direction));
+            whole.push(work.scale(*value, push.direction));
         }
-        let whole = model.frames.sum(whole);
-        let vector = model.frames.components(whole, Frame::World);
-        let vector = model.frames.graph.results(vector);
-        model.frames.labels.vector(&name, vector);
+        let whole = work.sum(whole);
+        let vector = work.components(whole, Frame::World);
+        let vector = work.graph.results(vector);
+        work.labels.vector(&name, vector);
         vectors.push(ReactionExpressions { vector });
     }
     vectors
-}
-
-/// `normal` of one unknown, `pin.x` of one of several.
-pub fn component_name(model: &Model, reaction: usize, axis: usize) -> String {
-    let load = &model.reactions[reaction];
-    let is_scalar =
-        load.along.is_some() || (load.kind == LoadKind::Moment && model.motion.is_planar());
-    if is_scalar {
-        load.name.to_string()
-    } else {
-        format!("{}.{}", load.name, AXES[axis])
-    }
 }

@@ -13,18 +13,17 @@
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Frame, LoadKind, Model, Vector};
+use crate::model::{Frame, LoadKind, Model, Reaction, Vector, Workspace};
 use crate::symbolic::{self, Components, Elimination, Id, Size};
 
-use super::constraints::component_name;
 use super::newton_euler::arm;
-use super::reactions::{Row, balances_without_unknowns, list_unknowns};
+use super::reactions::{Row, balances_without_unknowns};
 use super::response::response;
 use super::zeros::{all_vanish, samples};
 
 /// One unit of an unknown.
-struct Column {
-    drive: usize,
+struct Column<'m> {
+    drive: &'m Reaction,
     axis: usize,
     place: Extent,
     /// In the axes in which it is written.
@@ -41,25 +40,25 @@ struct Equation {
     right: Id,
 }
 
-/// Solves for the drives, which stand behind `first` reactions in the model. `rows` are the balances
+/// Solves for the drives of the model. `rows` are the balances
 /// along the directions in which the body moves freely.
 pub fn solve_drives(
-    model: &mut Model,
-    first: usize,
+    model: &Model,
+    work: &mut Workspace,
     rows: &[Row],
     (linear, angular): (&Components, &Components),
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
-    let columns = columns(model, first);
-    let rest = balances_without_unknowns(model, linear, angular);
-    let equations = match as_many(model, rows, &columns, rest) {
+    let columns = columns(model, work);
+    let rest = balances_without_unknowns(model, work, linear, angular);
+    let equations = match as_many(model, work, rows, &columns, rest) {
         Some(equations) => equations,
-        None => nearest(model, &columns, rest),
+        None => nearest(model, work, &columns, rest),
     };
-    let elimination = eliminate(model, equations, columns.len());
+    let elimination = eliminate(work, equations, columns.len());
     let names: Vec<String> = columns
         .iter()
-        .map(|column| component_name(model, column.drive, column.axis))
+        .map(|column| column.drive.component_name(model.motion, column.axis))
         .collect();
     for column in &elimination.undetermined {
         let name = &names[*column];
@@ -76,7 +75,7 @@ pub fn solve_drives(
     if !elimination.undetermined.is_empty() {
         return None;
     }
-    let labels = &mut model.frames.labels;
+    let labels = &mut work.labels;
     for (name, value) in names.iter().zip(&elimination.values) {
         labels.name(*value, name.replace('.', "_"));
     }
@@ -84,56 +83,50 @@ pub fn solve_drives(
         labels.divide_for(*reciprocal, names[*column].clone());
     }
     let mut vectors = Vec::new();
-    for drive in first..model.reactions.len() {
-        let mut whole = model.frames.zero_vector();
+    for drive in &model.drives {
+        let mut whole = work.zero_vector();
         let own = columns.iter().zip(&elimination.values);
-        for (column, value) in own.filter(|(column, _)| column.drive == drive) {
-            let part = model.frames.scale(*value, column.direction);
-            whole = model.frames.add(whole, part);
+        for (column, value) in own.filter(|(column, _)| column.drive.name == drive.name) {
+            let part = work.scale(*value, column.direction);
+            whole = work.add(whole, part);
         }
         vectors.push(whole);
     }
     Some(vectors)
 }
 
-fn columns(model: &mut Model, first: usize) -> Vec<Column> {
-    let center = model.state.center(&mut model.frames);
+fn columns<'m>(model: &'m Model, work: &mut Workspace) -> Vec<Column<'m>> {
+    let center = model.state.center(work);
     let mut columns = Vec::new();
-    for unknown in list_unknowns(model) {
-        let drive = &model.reactions[unknown.reaction];
-        let (kind, point, frame, along) = (drive.kind, drive.point, drive.frame, drive.along);
-        if unknown.reaction < first {
-            continue;
+    for drive in &model.drives {
+        for (axis, place) in &drive.unknown {
+            let direction = drive.direction(work, *axis);
+            let (force, moment) = match drive.kind {
+                LoadKind::Moment => (work.zero_vector(), direction),
+                LoadKind::Force => {
+                    let arm = arm(model, work, drive.point, center);
+                    (direction, work.cross(arm, direction))
+                }
+            };
+            columns.push(Column {
+                drive,
+                axis: *axis,
+                place: *place,
+                direction,
+                force,
+                moment,
+            });
         }
-        let unit = [0, 1, 2].map(|axis| {
-            let component = i64::from(axis == unknown.axis);
-            model.frames.graph.integer(component)
-        });
-        let direction = along.unwrap_or_else(|| model.frames.vector(frame, unit));
-        let (force, moment) = match kind {
-            LoadKind::Moment => (model.frames.zero_vector(), direction),
-            LoadKind::Force => {
-                let arm = arm(model, point, center);
-                (direction, model.frames.cross(arm, direction))
-            }
-        };
-        columns.push(Column {
-            drive: unknown.reaction,
-            axis: unknown.axis,
-            place: unknown.place,
-            direction,
-            force,
-            moment,
-        });
     }
     columns
 }
 
 /// The balances in which unknowns have a part, if there are as many along some axes.
 fn as_many(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     rows: &[Row],
-    columns: &[Column],
+    columns: &[Column<'_>],
     rest: (Vector, Vector),
 ) -> Option<Vec<Equation>> {
     use Frame::{Body, World};
@@ -143,28 +136,28 @@ fn as_many(
         if is_hinged && of_moments == World {
             continue;
         }
-        let along = |model: &mut Model, row: &Row, force: Vector, moment: Vector| {
+        let along = |work: &mut Workspace, row: &Row, force: Vector, moment: Vector| {
             let (vector, frame) = match row.kind {
                 LoadKind::Force => (force, of_forces),
                 LoadKind::Moment => (moment, of_moments),
             };
-            let components = model.frames.components(vector, frame);
-            model.frames.graph.dot(row.direction, components)
+            let components = work.components(vector, frame);
+            work.graph.dot(row.direction, components)
         };
         let mut equations = Vec::new();
         for row in rows {
             let each = columns.iter();
             let coefficients: Vec<Id> = each
-                .map(|column| along(model, row, column.force, column.moment))
+                .map(|column| along(work, row, column.force, column.moment))
                 .collect();
-            if all_vanish(model, &coefficients) {
+            if all_vanish(work, &coefficients) {
                 continue;
             }
-            let rest = along(model, row, rest.0, rest.1);
+            let rest = along(work, row, rest.0, rest.1);
             equations.push(Equation {
                 sizes: vec![Size::Terms; coefficients.len()],
                 coefficients,
-                right: model.frames.graph.negate(rest),
+                right: work.graph.negate(rest),
             });
         }
         if equations.len() <= columns.len() {
@@ -175,28 +168,33 @@ fn as_many(
 }
 
 /// Gauss's principle.
-fn nearest(model: &mut Model, columns: &[Column], rest: (Vector, Vector)) -> Vec<Equation> {
-    let graph = &model.frames.graph;
-    let is_in_body = |column: &Column| graph.is_zero_vector(&column.force.world);
+fn nearest(
+    model: &Model,
+    work: &mut Workspace,
+    columns: &[Column<'_>],
+    rest: (Vector, Vector),
+) -> Vec<Equation> {
+    let graph = &work.graph;
+    let is_in_body = |column: &Column<'_>| graph.is_zero_vector(&column.force.world);
     // a mass is the same in all axes
     let of_forces = if model.motion.has_attitude() && columns.iter().all(is_in_body) {
         Frame::Body
     } else {
         Frame::World
     };
-    let in_axes = |model: &mut Model, force: Vector, moment: Vector| {
-        let force = model.frames.components(force, of_forces);
-        (force, model.frames.components(moment, Frame::Body))
+    let in_axes = |work: &mut Workspace, force: Vector, moment: Vector| {
+        let force = work.components(force, of_forces);
+        (force, work.components(moment, Frame::Body))
     };
     let loads: Vec<(Components, Components)> = columns
         .iter()
-        .map(|column| in_axes(model, column.force, column.moment))
+        .map(|column| in_axes(work, column.force, column.moment))
         .collect();
-    let rest = in_axes(model, rest.0, rest.1);
+    let rest = in_axes(work, rest.0, rest.1);
     let mut equations = Vec::new();
     for (row, (force, moment)) in loads.iter().enumerate() {
-        let (linear, angular) = response(model, *force, *moment);
-        let graph = &mut model.frames.graph;
+        let (linear, angular) = response(model, work, *force, *moment);
+        let graph = &mut work.graph;
         let mut power = |(force, moment): (Components, Components)| {
             let (first, second) = (graph.dot(linear, force), graph.dot(angular, moment));
             graph.add(first, second)
@@ -213,18 +211,18 @@ fn nearest(model: &mut Model, columns: &[Column], rest: (Vector, Vector)) -> Vec
         equations.push(Equation {
             sizes: (0..coefficients.len()).map(size).collect(),
             coefficients,
-            right: model.frames.graph.negate(rest),
+            right: work.graph.negate(rest),
         });
     }
     equations
 }
 
-fn eliminate(model: &mut Model, equations: Vec<Equation>, unknowns: usize) -> Elimination {
+fn eliminate(work: &mut Workspace, equations: Vec<Equation>, unknowns: usize) -> Elimination {
     let all: Vec<Id> = equations
         .iter()
         .flat_map(|equation| equation.coefficients.clone())
         .collect();
-    let mut values = samples(model, &all).into_iter();
+    let mut values = samples(work, &all).into_iter();
     let rows = equations.into_iter().map(|equation| symbolic::Row {
         sample: values.by_ref().take(unknowns).collect(),
         coefficients: equation.coefficients,
@@ -233,5 +231,5 @@ fn eliminate(model: &mut Model, equations: Vec<Equation>, unknowns: usize) -> El
         right: equation.right,
     });
     let rows = rows.collect();
-    model.frames.graph.solve_guarded(rows, unknowns)
+    work.graph.solve_guarded(rows, unknowns)
 }

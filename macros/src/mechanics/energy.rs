@@ -1,6 +1,6 @@
 //! Kinetic energy, and the energy of potentials and uniform fields.
 
-use crate::model::{Family, Inertia, Load, Meaning, Model, Point, Vector};
+use crate::model::{Family, Inertia, Load, Meaning, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 use super::dyadic::quadratic;
@@ -14,46 +14,46 @@ pub struct Energy {
     pub potential: Id,
 }
 
-pub fn derive_energy(model: &mut Model) -> Energy {
+pub fn derive_energy(model: &Model, work: &mut Workspace) -> Energy {
     Energy {
-        kinetic: kinetic(model),
-        potential: potential(model),
+        kinetic: kinetic(model, work),
+        potential: potential(model, work),
     }
 }
 
 /// Of a body with a support, `w . J_P w / 2` about the point that is held.
-fn kinetic(model: &mut Model) -> Id {
-    let twice = twice_kinetic(model);
-    let graph = &mut model.frames.graph;
+fn kinetic(model: &Model, work: &mut Workspace) -> Id {
+    let twice = twice_kinetic(model, work);
+    let graph = &mut work.graph;
     let half = graph.number(Number::ratio(1, 2));
     graph.distribute(half, twice)
 }
 
 /// `m v^2 + w . J w`
-pub fn twice_kinetic(model: &mut Model) -> Id {
+pub fn twice_kinetic(model: &Model, work: &mut Workspace) -> Id {
     let translation = match model.mass {
         Some(mass) if model.motion.translates() => {
-            let square = model.frames.norm_squared(model.state.velocity);
-            model.frames.graph.multiply(mass, square)
+            let square = work.norm_squared(model.state.velocity);
+            work.graph.multiply(mass, square)
         }
-        _ => model.frames.graph.zero(),
+        _ => work.graph.zero(),
     };
-    let inertia = inertia_about_center(model);
+    let inertia = inertia_about_center(model, work);
     let w = model.state.angular_velocity;
-    let rotation = match (&inertia, model.hinge()) {
-        (Inertia::Absent, _) => model.frames.graph.zero(),
+    let rotation = match (&inertia, model.hinge(&mut work.graph)) {
+        (Inertia::Absent, _) => work.graph.zero(),
         (Inertia::Scalar(moment), _) => {
-            let graph = &mut model.frames.graph;
+            let graph = &mut work.graph;
             let square = graph.norm_squared(model.state.turning());
             graph.multiply(*moment, square)
         }
-        (Inertia::Spatial(rows), _) => quadratic(&mut model.frames.graph, rows, w),
+        (Inertia::Spatial(rows), _) => quadratic(&mut work.graph, rows, w),
     };
-    model.frames.graph.add(translation, rotation)
+    work.graph.add(translation, rotation)
 }
 
-fn potential(model: &mut Model) -> Id {
-    let graph = &mut model.frames.graph;
+fn potential(model: &Model, work: &mut Workspace) -> Id {
+    let graph = &mut work.graph;
     let potentials: Vec<Id> = model
         .loads
         .iter()
@@ -63,24 +63,24 @@ fn potential(model: &mut Model) -> Id {
     let fields: Vec<(Vector, Components)> = model
         .loads
         .iter()
-        .filter_map(|load| Some((load.force, uniform_field(model, load)?)))
+        .filter_map(|load| Some((load.force, uniform_field(model, work, load)?)))
         .collect();
     for (force, offset) in fields {
         // where the motion of G is not modelled, positions count from G
-        let position = model.state.place(&mut model.frames, Point::Body(offset));
-        let work = model.frames.dot(force, position);
-        potential = model.frames.graph.subtract(potential, work);
+        let position = model.state.place(work, Point::Body(offset));
+        let done = work.dot(force, position);
+        potential = work.graph.subtract(potential, done);
     }
     potential
 }
 
 /// The point of the body at which a uniform field acts: a field force that is fixed in world axes and
 /// is the same for every position, attitude and velocity.
-pub fn uniform_field(model: &Model, load: &Load) -> Option<Components> {
-    let graph: &Graph = &model.frames.graph;
+pub fn uniform_field(model: &Model, work: &Workspace, load: &Load) -> Option<Components> {
+    let graph: &Graph = &work.graph;
     let of_state = |id: Id| match graph.node(id) {
         Node::Symbol(symbol) => !matches!(
-            model.meanings.of(*symbol),
+            work.meanings.of(*symbol),
             Meaning::Time | Meaning::Param(..) | Meaning::Input(..)
         ),
         _ => false,
@@ -91,7 +91,7 @@ pub fn uniform_field(model: &Model, load: &Load) -> Option<Components> {
     let force = load.force;
     let is_uniform = load.family == Family::Field
         && load.potential.is_none()
-        && model.frames.is_zero_vector(load.moment)
+        && work.is_zero_vector(load.moment)
         && (graph.is_zero_vector(&force.body) || !model.motion.has_attitude())
         && !graph.depends_on(&[force.body, force.world].concat(), of_state);
     is_uniform.then_some(offset)

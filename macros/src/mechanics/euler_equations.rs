@@ -1,7 +1,7 @@
 //! Euler's equations `J w' = M - w x J w`, solved for `w'` in the form that takes the fewest
 //! operations. All of them are exact; a tensor of numbers has forms that one of parameters has not.
 
-use crate::model::{AXES, Labels, Model};
+use crate::model::{AXES, Labels, Model, Workspace};
 use crate::symbolic::{Components, Graph, Number, PrincipalAxes, Spectrum, scaled};
 
 use super::dyadic::Dyadic;
@@ -21,10 +21,15 @@ struct Turning<'a> {
 }
 
 /// `w' = J^-1 (M - w x J w)`; of forms that cost the same, the first.
-pub fn solve_euler(model: &mut Model, rows: &[Components; 3], moment: Components) -> Components {
+pub fn solve_euler(
+    model: &Model,
+    work: &mut Workspace,
+    rows: &[Components; 3],
+    moment: Components,
+) -> Components {
     let mut turning = Turning {
         w: model.state.angular_velocity,
-        graph: &mut model.frames.graph,
+        graph: &mut work.graph,
         rows,
         moment,
     };
@@ -47,7 +52,7 @@ pub fn solve_euler(model: &mut Model, rows: &[Components; 3], moment: Components
             }
         })
     };
-    model.frames.labels.adopt(form.labels);
+    work.labels.adopt(form.labels);
     form.angular
 }
 

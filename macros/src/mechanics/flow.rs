@@ -12,7 +12,7 @@
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Frame, Inertia, Meaning, Model, Motion, Vector};
+use crate::model::{Frame, Inertia, Meaning, Model, Motion, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::about_axis::about_axis;
@@ -106,7 +106,8 @@ impl Turning {
 
 /// The closed form. All that is in its way is reported at the place where it is asked for.
 pub fn derive_flow(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     place: Extent,
     linear: &Components,
     angular: &Components,
@@ -120,12 +121,12 @@ pub fn derive_flow(
         );
         return None;
     }
-    let contributions = contributions(model);
+    let contributions = contributions(model, work);
     let mut obstacles = Vec::new();
-    if !model.frames.graph.are_early(linear) {
-        obstacles.extend(unsteady_forces(model, &contributions));
+    if !work.graph.are_early(linear) {
+        obstacles.extend(unsteady_forces(work, &contributions));
     }
-    let turning = turning(model, angular, &contributions, &mut obstacles);
+    let turning = turning(model, work, angular, &contributions, &mut obstacles);
     obstacles.dedup();
     for obstacle in &obstacles {
         errors.push(
@@ -149,15 +150,15 @@ pub struct Contribution {
     pub moment: Components,
 }
 
-fn contributions(model: &mut Model) -> Vec<Contribution> {
-    let center = model.state.center(&mut model.frames);
-    let moments = moments_about(model, center);
+fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
+    let center = model.state.center(work);
+    let moments = moments_about(model, work, &model.loads, center);
     let loads = model.loads.iter().zip(moments);
     let loads: Vec<(String, Vector, Vector)> = loads
         .map(|(load, moment)| (load.name.to_string(), load.force, moment))
         .collect();
     let given = if model.motion.has_attitude() {
-        given_parts(model, center)
+        given_parts(model, work, center)
     } else {
         Vec::new()
     };
@@ -173,20 +174,20 @@ fn contributions(model: &mut Model) -> Vec<Contribution> {
     let all = loads.into_iter().chain(reactions);
     all.map(|(name, force, moment)| Contribution {
         name,
-        force: model.frames.components(force, Frame::World),
-        moment: model.frames.components(moment, frame),
+        force: work.components(force, Frame::World),
+        moment: work.components(moment, frame),
     })
     .collect()
 }
 
 /// The forces that are not constant in world axes.
-fn unsteady_forces(model: &Model, contributions: &[Contribution]) -> Vec<String> {
+fn unsteady_forces(work: &Workspace, contributions: &[Contribution]) -> Vec<String> {
     let unsteady = contributions
         .iter()
-        .filter(|load| !model.frames.graph.are_early(&load.force));
+        .filter(|load| !work.graph.are_early(&load.force));
     unsteady
         .map(|load| {
-            let reason = dependence(model, &load.force);
+            let reason = dependence(work, &load.force);
             format!(
                 "the force `{}` depends on {reason}, and is not constant in world axes",
                 load.name
@@ -196,13 +197,13 @@ fn unsteady_forces(model: &Model, contributions: &[Contribution]) -> Vec<String>
 }
 
 /// What expressions depend on: of several things, the one that is furthest from a constant.
-pub fn dependence(model: &Model, roots: &[Id]) -> &'static str {
-    let graph = &model.frames.graph;
+pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
+    let graph = &work.graph;
     let causes = graph
         .reachable(roots, |_| true)
         .into_iter()
         .filter_map(|id| match graph.node(id) {
-            Node::Symbol(symbol) => cause(model.meanings.of(*symbol)),
+            Node::Symbol(symbol) => cause(work.meanings.of(*symbol)),
             _ => None,
         });
     causes.min().map_or("the state", |(_, word)| word)
@@ -223,7 +224,8 @@ fn cause(meaning: Meaning) -> Option<(u8, &'static str)> {
 }
 
 fn turning(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     angular: &Components,
     contributions: &[Contribution],
     obstacles: &mut Vec<String>,
@@ -232,62 +234,67 @@ fn turning(
         return Some(Turning::None);
     }
     if model.motion.is_planar() || model.motion.is_hinged() {
-        return about_axis(model, angular[2], contributions, obstacles);
+        return about_axis(model, work, angular[2], contributions, obstacles);
     }
     let moments: Vec<Components> = contributions.iter().map(|load| load.moment).collect();
-    let zeros = model.frames.graph.zeros();
-    let total = moments.into_iter().fold(zeros, |sum, moment| {
-        model.frames.graph.add_vectors(sum, moment)
-    });
-    let is_free = all_vanish(model, &total);
+    let zeros = work.graph.zeros();
+    let total = moments
+        .into_iter()
+        .fold(zeros, |sum, moment| work.graph.add_vectors(sum, moment));
+    let is_free = all_vanish(work, &total);
     if model.motion == Motion::Rod {
         if is_free {
             return Some(Turning::GreatCircle);
         }
     } else if is_free {
-        return free(model).map(Turning::Free);
-    } else if let Some(turning) = symmetric(model, total) {
+        return free(model, work).map(Turning::Free);
+    } else if let Some(turning) = symmetric(model, work, total) {
         return Some(turning);
     }
-    report_moments(model, contributions, obstacles);
+    report_moments(model, work, contributions, obstacles);
     None
 }
 
 /// How a symmetric body turns under a moment.
-fn symmetric(model: &mut Model, moment: Components) -> Option<Turning> {
-    if let Some(top) = lagrange_top(model, moment) {
+fn symmetric(model: &Model, work: &mut Workspace, moment: Components) -> Option<Turning> {
+    if let Some(top) = lagrange_top(model, work, moment) {
         return Some(Turning::Top(top));
     }
-    axial_torque(model, moment).map(Turning::Axial)
+    axial_torque(model, work, moment).map(Turning::Axial)
 }
 
 /// What is in the way of free rotation, and does not make a top or a spin that is linear in time either.
-fn report_moments(model: &mut Model, contributions: &[Contribution], obstacles: &mut Vec<String>) {
+fn report_moments(
+    model: &Model,
+    work: &mut Workspace,
+    contributions: &[Contribution],
+    obstacles: &mut Vec<String>,
+) {
     let center = if model.motion.is_supported() {
         "the point that is held"
     } else {
         "G"
     };
     let is_rod = model.motion == Motion::Rod;
-    let is_symmetric = !is_rod && !axes_of_symmetry(model, &[]).is_empty();
+    let is_symmetric = !is_rod && !axes_of_symmetry(model, work, &[]).is_empty();
     let (mut harmless, before) = (Vec::new(), obstacles.len());
     for load in contributions {
-        if all_vanish(model, &load.moment) {
+        if all_vanish(work, &load.moment) {
             continue;
         }
-        if !is_rod && symmetric(model, load.moment).is_some() {
+        if !is_rod && symmetric(model, work, load.moment).is_some() {
             harmless.push(format!("`{}`", load.name));
             continue;
         }
-        let is_constant = model.frames.graph.are_early(&load.moment);
+        let is_constant = work.graph.are_early(&load.moment);
         let manner = if is_constant {
             "is constant in the body".to_owned()
         } else {
-            format!("depends on {}", dependence(model, &load.moment))
+            format!("depends on {}", dependence(work, &load.moment))
         };
         let reason = match (is_symmetric, is_constant) {
             _ if is_rod => "and a rod has one without moments only",
-            (false, _) if is_known(model) => {
+            (false, _) if is_known(model, work) => {
                 "and the body is not symmetric about an axis through it"
             }
             (false, _) => {
@@ -312,9 +319,9 @@ fn report_moments(model: &mut Model, contributions: &[Contribution], obstacles: 
 }
 
 /// Whether all moments of inertia are numbers.
-fn is_known(model: &Model) -> bool {
+fn is_known(model: &Model, work: &Workspace) -> bool {
     match &model.inertia {
-        Inertia::Spatial(rows) => model.frames.graph.constant_matrix(rows).is_some(),
+        Inertia::Spatial(rows) => work.graph.constant_matrix(rows).is_some(),
         _ => true,
     }
 }

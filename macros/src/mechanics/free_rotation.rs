@@ -1,6 +1,6 @@
 //! Free rotation in closed form: by the moments of inertia, where these are known.
 
-use crate::model::{Inertia, Model};
+use crate::model::{Inertia, Model, Workspace};
 use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
 use super::newton_euler::inertia_about_center;
@@ -31,11 +31,11 @@ impl Free {
 }
 
 /// The principal axes of a tensor of numbers are found here, at any precision.
-pub fn free(model: &mut Model) -> Option<Free> {
-    let Inertia::Spatial(rows) = inertia_about_center(model) else {
+pub fn free(model: &Model, work: &mut Workspace) -> Option<Free> {
+    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
         return None;
     };
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let Some(spectrum) = graph.spectrum(&rows) else {
         let [xx, yy, zz] = [0, 1, 2].map(|i| rows[i][i]);
         if [rows[0][1], rows[1][2], rows[2][0]]

@@ -1,6 +1,6 @@
 //! What kind of body has a constant tensor, in the words of the runtime's `Symmetry` and `Extent`.
 
-use crate::model::{Inertia, Model, is_flat, shown};
+use crate::model::{Inertia, Model, Workspace, is_flat, shown};
 use crate::symbolic::{Function, Number, Spectrum, Symmetry};
 
 /// A principal moment and the unit vector of its axis.
@@ -8,14 +8,14 @@ type Moment = (Number, [Number; 3]);
 
 /// Principal moments and axes about G, in body axes, and what they say about the body; nothing unless
 /// the body turns in space and its tensor is known.
-pub fn classify(model: &mut Model) -> Vec<String> {
+pub fn classify(model: &Model, work: &mut Workspace) -> Vec<String> {
     let Inertia::Spatial(rows) = model.inertia else {
         return Vec::new();
     };
     if model.motion.is_hinged() {
         return Vec::new();
     }
-    let Some(spectrum) = model.frames.graph.spectrum(&rows) else {
+    let Some(spectrum) = work.graph.spectrum(&rows) else {
         return Vec::new();
     };
     match spectrum {
@@ -26,7 +26,7 @@ pub fn classify(model: &mut Model) -> Vec<String> {
         Spectrum::General(principal) => {
             let [x, y, z] = principal.moments;
             let [along_x, along_y, along_z] = principal.axes;
-            let matrix = model.frames.graph.constant_matrix(&rows);
+            let matrix = work.graph.constant_matrix(&rows);
             let is_flat = matrix.is_some_and(|matrix| is_flat(&matrix));
             general([(x, along_x), (y, along_y), (z, along_z)], is_flat)
         }

@@ -6,7 +6,7 @@
 //! fewer than the balances they have a part in, [`super::drives`] solves for them.
 
 use crate::errors::Errors;
-use crate::model::{Frame, LoadKind, Meaning, Model, Output, Vector};
+use crate::model::{LoadKind, Meaning, Model, Output, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;
@@ -16,63 +16,57 @@ use super::reactions::{
 use super::solvability::check_determined;
 
 /// Solves for the drives, each in the axes in which it is written.
-pub fn derive_inverse(model: &mut Model, errors: &mut Errors) -> Option<Vec<ReactionExpressions>> {
+pub fn derive_inverse(
+    model: &Model,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<Vec<ReactionExpressions>> {
     if !model.outputs.contains(&Output::Inverse) {
         return Some(Vec::new());
     }
-    let mut rows = free_balances(model);
+    let mut rows = free_balances(model, work);
     if !model.reactions.is_empty() {
-        rows.extend(balances_left(model));
+        rows.extend(balances_left(model, work));
     }
-    let (linear, angular) = given_accelerations(model);
-    let reactions = model.reactions.len();
-    let mut drives = std::mem::take(&mut model.drives);
-    model.reactions.append(&mut drives);
-    let solved = solve(model, reactions, rows, (&linear, &angular), errors);
-    model.drives = model.reactions.split_off(reactions);
-    let solved = solved?;
-    let frames: Vec<Frame> = model.drives.iter().map(|drive| drive.frame).collect();
-    let names: Vec<String> = model
-        .drives
-        .iter()
-        .map(|drive| drive.name.to_string())
-        .collect();
-    let in_own_axes = solved.into_iter().zip(frames.into_iter().zip(names));
-    let drives = in_own_axes.map(|(vector, (frame, name))| {
-        let components = model.frames.components(vector, frame);
-        let vector = model.frames.graph.results(components);
-        model.frames.labels.vector(&name, vector);
+    let (linear, angular) = given_accelerations(model, work);
+    let solved = solve(model, work, rows, (&linear, &angular), errors)?;
+    let drives = model.drives.iter().zip(solved).map(|(drive, vector)| {
+        let components = work.components(vector, drive.frame);
+        let vector = work.graph.results(components);
+        work.labels.vector(&drive.name.to_string(), vector);
         ReactionExpressions { vector }
     });
     Some(drives.collect())
 }
 
-/// The drives, which stand behind `first` reactions in the model: with constant coefficients where
-/// there are axes in which they are, and there are as many as they have balances.
+/// The drives: with constant coefficients where there are axes in which they are, and there are as
+/// many as they have balances.
 fn solve(
-    model: &mut Model,
-    first: usize,
+    model: &Model,
+    work: &mut Workspace,
     rows: Vec<Row>,
     motion: (&Components, &Components),
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
-    let free = free_balances(model);
-    let solved = solve_unknowns(model, rows, motion.0, motion.1, Unmoved::Ignored);
+    let free = free_balances(model, work);
+    let unknown: Vec<&Reaction> = model.reactions.iter().chain(&model.drives).collect();
+    let solved = solve_unknowns(model, work, &unknown, rows, motion, Unmoved::Ignored);
     match solved {
         Ok(solved) if solved.is_constant && !solved.solution.undetermined.is_empty() => {
-            check_determined(model, &solved, errors)?;
+            check_determined(model, work, &solved, errors)?;
             None
         }
         Ok(solved) if solved.is_constant && solved.solution.unbalanced.is_empty() => {
-            Some(assemble(model, &solved).split_off(first))
+            let drives = model.drives.iter();
+            Some(drives.map(|drive| assemble(work, &solved, drive)).collect())
         }
-        _ => solve_drives(model, first, &free, motion, errors),
+        _ => solve_drives(model, work, &free, motion, errors),
     }
 }
 
 /// The balances along the directions in which the body moves freely.
-fn free_balances(model: &mut Model) -> Vec<Row> {
-    let graph = &mut model.frames.graph;
+fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
+    let graph = &mut work.graph;
     let (zero, one) = (graph.zero(), graph.one());
     let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
     let along = |kind: LoadKind, direction: Components| Row::new("the balances", kind, direction);
@@ -80,7 +74,7 @@ fn free_balances(model: &mut Model) -> Vec<Row> {
     if model.motion.translates() {
         rows.extend((0..model.motion.axes()).map(|axis| along(LoadKind::Force, unit(axis))));
     }
-    if let Some(d) = model.hinge() {
+    if let Some(d) = model.hinge(&mut work.graph) {
         rows.push(along(LoadKind::Moment, d));
     } else if model.motion.has_attitude() {
         let axes = if model.motion.is_planar() { 2..3 } else { 0..3 };
@@ -90,7 +84,7 @@ fn free_balances(model: &mut Model) -> Vec<Row> {
 }
 
 /// The symbols of the accelerations; that of a hinge stands in the place of z.
-fn given_accelerations(model: &mut Model) -> (Components, Components) {
+fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Components) {
     let state = &model.state;
     let roots = [
         state.acceleration.body,
@@ -98,14 +92,14 @@ fn given_accelerations(model: &mut Model) -> (Components, Components) {
         state.angular_acceleration,
     ]
     .concat();
-    let zeros = model.frames.graph.zeros();
+    let zeros = work.graph.zeros();
     let (mut linear, mut angular) = (zeros, zeros);
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     for id in graph.reachable(&roots, |_: Id| true) {
         let Node::Symbol(symbol) = graph.node(id) else {
             continue;
         };
-        match model.meanings.of(*symbol) {
+        match work.meanings.of(*symbol) {
             Meaning::LinearAcceleration(axis) => linear[axis] = id,
             Meaning::AngularAcceleration(axis) => angular[axis] = id,
             _ => {}

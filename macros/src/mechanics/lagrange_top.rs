@@ -11,7 +11,7 @@
 //! Whether `k x e` is the moment is tried at random states; whether it may be, before any number is
 //! computed.
 
-use crate::model::{Attitude, Frame, Model, Vector};
+use crate::model::{Attitude, Frame, Model, Vector, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 use super::axis_of_symmetry::axes_of_symmetry;
@@ -34,15 +34,15 @@ impl Top {
 }
 
 /// The top that a body is under a moment, body axes; none if it is no top.
-pub fn lagrange_top(model: &mut Model, moment: Components) -> Option<Top> {
-    let arms = arms(model, moment)?;
-    for (moments, axis) in axes_of_symmetry(model, &arms) {
-        let couple = model.frames.graph.transform(&arms, axis);
-        let expected = couple_on(model, couple, axis);
-        let graph = &mut model.frames.graph;
+pub fn lagrange_top(model: &Model, work: &mut Workspace, moment: Components) -> Option<Top> {
+    let arms = arms(work, moment)?;
+    for (moments, axis) in axes_of_symmetry(model, work, &arms) {
+        let couple = work.graph.transform(&arms, axis);
+        let expected = couple_on(work, couple, axis);
+        let graph = &mut work.graph;
         let rest = [0, 1, 2].map(|i| graph.subtract(moment[i], expected[i]));
-        if all_vanish(model, &rest) {
-            model.frames.labels.vector("couple", couple);
+        if all_vanish(work, &rest) {
+            work.labels.vector("couple", couple);
             return Some(Top {
                 moments,
                 axis,
@@ -54,35 +54,35 @@ pub fn lagrange_top(model: &mut Model, moment: Components) -> Option<Top> {
 }
 
 /// `k x e` in body axes.
-fn couple_on(model: &mut Model, couple: Components, axis: Components) -> Components {
-    let seen = seen_from_body(model, couple);
-    model.frames.graph.cross(seen, axis)
+fn couple_on(work: &mut Workspace, couple: Components, axis: Components) -> Components {
+    let seen = seen_from_body(work, couple);
+    work.graph.cross(seen, axis)
 }
 
 /// A vector in world axes, in those of the body.
-fn seen_from_body(model: &mut Model, world: Components) -> Components {
-    let body = model.frames.graph.zeros();
-    model.frames.components(Vector { body, world }, Frame::Body)
+fn seen_from_body(work: &mut Workspace, world: Components) -> Components {
+    let body = work.graph.zeros();
+    work.components(Vector { body, world }, Frame::Body)
 }
 
 /// The vectors `W_l`, if the moment depends on nothing but the attitude.
-fn arms(model: &mut Model, moment: Components) -> Option<[Components; 3]> {
-    let Attitude::Quaternion { scalar, vector } = model.frames.attitude else {
+fn arms(work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
+    let Attitude::Quaternion { scalar, vector } = work.attitude else {
         return None;
     };
     let parts = [[scalar].as_slice(), vector.as_slice()].concat();
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     if graph.depends_on(&moment, |id| !graph.is_early(id) && !parts.contains(&id)) {
         return None;
     }
-    if !cancels_in_half_turns(model, &moment) {
+    if !cancels_in_half_turns(work, &moment) {
         return None;
     }
     let mut roots = moment.to_vec();
-    for axis in model.frames.graph.unit_vectors() {
-        roots.extend(seen_from_body(model, axis));
+    for axis in work.graph.unit_vectors() {
+        roots.extend(seen_from_body(work, axis));
     }
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let mut arms = [graph.zeros(); 3];
     for quaternion in tetrahedral() {
         let values = quaternion.map(|part| graph.number(part));

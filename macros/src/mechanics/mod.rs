@@ -42,7 +42,7 @@ mod taylor;
 mod zeros;
 
 use crate::errors::Errors;
-use crate::model::{Model, Output};
+use crate::model::{Model, Output, Workspace};
 use crate::symbolic::{Components, Id};
 
 pub use axes::Axes;
@@ -53,6 +53,7 @@ pub use flow::{Flow, Turning};
 pub use free_rotation::Free;
 pub use momentum::Momentum;
 pub use partial::Partial;
+pub use potential::with_potentials;
 pub use reactions::ReactionExpressions;
 pub use structure::{Dependence, QUANTITIES, Structure};
 pub use switches::Switch;
@@ -95,30 +96,34 @@ pub struct Equations {
 }
 
 /// Derives the equations of motion and the outputs.
-pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equations> {
-    name_properties(model);
-    potential::derive_potentials(model);
+pub fn derive_equations(
+    model: &Model,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<Equations> {
     let asked = |output: Output, model: &Model| model.outputs.contains(&output);
     let Motion {
         linear,
         angular,
         reactions: solved,
         constraints,
-    } = derive_motion(model, errors)?;
-    let drives = inverse::derive_inverse(model, errors)?;
+    } = derive_motion(model, work, errors)?;
+    let drives = inverse::derive_inverse(model, work, errors)?;
     let flow = match model.flow {
-        Some(place) => Some(flow::derive_flow(model, place, &linear, &angular, errors)?),
+        Some(place) => Some(flow::derive_flow(
+            model, work, place, &linear, &angular, errors,
+        )?),
         None => None,
     };
-    let structure = structure::derive_structure(model, &linear, &angular);
-    let taylor = taylor::derive_taylor(model, &linear, &angular, &structure, errors);
-    let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model));
-    let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model));
-    let mut balance = asked(Output::Balance, model).then(|| balance::derive_balance(model));
+    let structure = structure::derive_structure(model, work, &linear, &angular);
+    let taylor = taylor::derive_taylor(model, work, &linear, &angular, &structure, errors);
+    let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model, work));
+    let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model, work));
+    let mut balance = asked(Output::Balance, model).then(|| balance::derive_balance(model, work));
     if let Some(balance) = &mut balance
         && !constraints.is_empty()
     {
-        balance::solve_loads(model, balance, &solved);
+        balance::solve_loads(model, work, balance, &solved);
     }
     let reactions = if asked(Output::Reactions, model) {
         solved
@@ -130,9 +135,9 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         .chain(angular)
         .chain(constraints.iter().flat_map(Consistency::roots))
         .collect();
-    let switches = switches::derive_switches(model, &acting);
-    let reach = consistency::derive_reach(model, &constraints);
-    let skipped = skipped::list_skipped(model, &linear, &angular, &structure);
+    let switches = switches::derive_switches(model, work, &acting);
+    let reach = consistency::derive_reach(model, work, &constraints);
+    let skipped = skipped::list_skipped(model, work, &linear, &angular, &structure);
     Some(Equations {
         linear,
         angular,
@@ -146,9 +151,9 @@ pub fn derive_equations(model: &mut Model, errors: &mut Errors) -> Option<Equati
         constraints,
         switches,
         reach,
-        partial: partial::list_partial(model),
-        inertia_class: inertia_class::classify(model),
-        charges: charges::list_centers(model),
+        partial: partial::list_partial(model, work),
+        inertia_class: inertia_class::classify(model, work),
+        charges: charges::list_centers(model, work),
         structure,
         skipped,
     })
@@ -162,10 +167,10 @@ struct Motion {
     constraints: Vec<Consistency>,
 }
 
-fn derive_motion(model: &mut Model, errors: &mut Errors) -> Option<Motion> {
+fn derive_motion(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<Motion> {
     if model.constraints.is_empty() {
-        let (linear, angular) = newton_euler::derive_accelerations(model, errors)?;
-        let reactions = reactions::derive_reactions(model, &linear, &angular, errors)?;
+        let (linear, angular) = newton_euler::derive_accelerations(model, work, errors)?;
+        let reactions = reactions::derive_reactions(model, work, &linear, &angular, errors)?;
         return Some(Motion {
             linear,
             angular,
@@ -173,38 +178,13 @@ fn derive_motion(model: &mut Model, errors: &mut Errors) -> Option<Motion> {
             constraints: Vec::new(),
         });
     }
-    let solved = constraints::derive_constrained(model, errors)?;
+    let solved = constraints::derive_constrained(model, work, errors)?;
     Some(Motion {
         linear: solved.linear,
         angular: solved.angular,
         reactions: solved.reactions,
-        constraints: consistency::derive_consistency(model, &solved.constraints),
+        constraints: consistency::derive_consistency(model, work, &solved.constraints),
     })
-}
-
-/// Mass and inertia are called what they are, where they are computed.
-fn name_properties(model: &mut Model) {
-    let names = [
-        "inertia_xx",
-        "inertia_yy",
-        "inertia_zz",
-        "inertia_xy",
-        "inertia_yz",
-        "inertia_zx",
-    ];
-    let entries = model.inertia_entries();
-    let names = if entries.len() == 1 {
-        &["inertia"][..]
-    } else {
-        &names[..]
-    };
-    let labels = &mut model.frames.labels;
-    for (id, name) in entries.into_iter().zip(names) {
-        labels.name(id, *name);
-    }
-    if let Some(mass) = model.mass {
-        labels.name(mass, "mass");
-    }
 }
 
 impl Equations {

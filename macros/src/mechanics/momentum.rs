@@ -1,6 +1,6 @@
 //! Linear and angular momentum, in world axes.
 
-use crate::model::{Frame, Inertia, Model};
+use crate::model::{Frame, Inertia, Model, Workspace};
 use crate::symbolic::Components;
 
 use super::balance::from_pole;
@@ -16,25 +16,25 @@ pub struct Momentum {
     pub about_pole: Components,
 }
 
-pub fn derive_momentum(model: &mut Model) -> Momentum {
+pub fn derive_momentum(model: &Model, work: &mut Workspace) -> Momentum {
     let w = model.state.angular_velocity;
     let moving = match model.mass {
-        Some(mass) => model.frames.scale(mass, model.state.velocity),
-        None => model.frames.zero_vector(),
+        Some(mass) => work.scale(mass, model.state.velocity),
+        None => work.zero_vector(),
     };
-    let linear = model.frames.components(moving, Frame::World);
-    let graph = &mut model.frames.graph;
+    let linear = work.components(moving, Frame::World);
+    let graph = &mut work.graph;
     let spin = match model.inertia {
         Inertia::Absent => graph.zeros(),
         Inertia::Scalar(inertia) => graph.scale_vector(inertia, w),
         Inertia::Spatial(rows) => transform(graph, &rows, w),
     };
-    let spin = model.frames.vector(Frame::Body, spin);
-    let angular = model.frames.components(spin, Frame::World);
-    let arm = from_pole(model);
-    let orbital = model.frames.cross(arm, moving);
-    let orbital = model.frames.components(orbital, Frame::World);
-    let about_pole = model.frames.graph.add_vectors(angular, orbital);
+    let spin = work.vector(Frame::Body, spin);
+    let angular = work.components(spin, Frame::World);
+    let arm = from_pole(model, work);
+    let orbital = work.cross(arm, moving);
+    let orbital = work.components(orbital, Frame::World);
+    let about_pole = work.graph.add_vectors(angular, orbital);
     Momentum {
         linear,
         angular,

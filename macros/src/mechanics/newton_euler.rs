@@ -6,7 +6,7 @@
 //! ```
 
 use crate::errors::Errors;
-use crate::model::{Frame, Inertia, Load, Model, Point, Vector};
+use crate::model::{Frame, Inertia, Load, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::euler_equations::solve_euler;
@@ -16,29 +16,28 @@ use super::rod;
 /// Linear acceleration of G in world axes and angular acceleration in body axes, as far as the motion
 /// has them; that of a hinge stands in the place of z, that of the axis of a rod in the place of all.
 pub fn derive_accelerations(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     errors: &mut Errors,
 ) -> Option<(Components, Components)> {
-    model
-        .frames
-        .labels
+    work.labels
         .describe("linear", "(1.3), world axes: a = sum of F / m");
     if let Some(axis) = model.state.axis {
-        rod::check_loads(model, axis, errors)?;
-        let linear = linear_acceleration(model, "linear");
-        return Some((linear, rod::axis_acceleration(model, axis)));
+        rod::check_loads(model, work, &model.loads, axis, errors)?;
+        let linear = linear_acceleration(model, work, &model.loads, "linear");
+        return Some((linear, rod::axis_acceleration(model, work, axis)));
     }
-    let center = model.state.center(&mut model.frames);
+    let center = model.state.center(work);
     let given = if model.motion.has_attitude() {
-        given_parts(model, center)
+        given_parts(model, work, center)
     } else {
         // where moments are unknown, whether they can balance these is found with them
         if model.reactions.is_empty() {
-            check_moment_free(model, errors)?;
+            check_moment_free(model, work, &model.loads, errors)?;
         }
         Vec::new()
     };
-    let labels = &mut model.frames.labels;
+    let labels = &mut work.labels;
     if model.motion.is_planar() || model.motion.is_hinged() {
         labels.describe("angular", "(1.4): w' = M / J");
     }
@@ -46,121 +45,134 @@ pub fn derive_accelerations(
     let given = given.into_iter().map(|(_, moment)| moment);
     Some(solve_balances(
         model,
+        work,
+        &model.loads,
         given.collect(),
         ["linear", "angular"],
     ))
 }
 
-/// The accelerations that the loads of the model and further moments make, under these names.
+/// The accelerations that loads and further moments make, under these names.
 pub fn solve_balances(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
     further: Vec<Vector>,
     names: [&str; 2],
 ) -> (Components, Components) {
-    let linear = linear_acceleration(model, names[0]);
-    let center = model.state.center(&mut model.frames);
-    let mut moments = moments_about(model, center);
+    let linear = linear_acceleration(model, work, loads, names[0]);
+    let center = model.state.center(work);
+    let mut moments = moments_about(model, work, loads, center);
     let angular = if model.motion.has_attitude() {
         moments.extend(further);
-        angular_acceleration(model, moments, names[1])
+        angular_acceleration(model, work, moments, names[1])
     } else {
-        model.frames.graph.zeros()
+        work.graph.zeros()
     };
     (linear, angular)
 }
 
 /// (1.3): `a = F / m`. All that is fixed in the body is added before it is turned.
-fn linear_acceleration(model: &mut Model, name: &str) -> Components {
+fn linear_acceleration(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    name: &str,
+) -> Components {
     let (true, Some(mass)) = (model.motion.translates(), model.mass) else {
-        return model.frames.graph.zeros();
+        return work.graph.zeros();
     };
-    let resultant = resultant(model);
-    let one = model.frames.graph.one();
-    let inverse_mass = model.frames.graph.divide(one, mass);
-    model.frames.labels.name(inverse_mass, "inverse_mass");
-    let mut specific = |force: Components| {
-        force.map(|component| model.frames.graph.distribute(inverse_mass, component))
-    };
+    let resultant = resultant(work, loads);
+    let one = work.graph.one();
+    let inverse_mass = work.graph.divide(one, mass);
+    work.labels.name(inverse_mass, "inverse_mass");
+    let mut specific =
+        |force: Components| force.map(|component| work.graph.distribute(inverse_mass, component));
     let specific = Vector {
         body: specific(resultant.body),
         world: specific(resultant.world),
     };
-    model.frames.labels.describe(
+    work.labels.describe(
         "specific_force",
         "what is fixed in the body: sum of F / m, body axes",
     );
-    model.frames.labels.vector("specific_force", specific.body);
-    let acceleration = model.frames.components(specific, Frame::World);
-    let acceleration = model.frames.graph.results(acceleration);
-    model.frames.labels.vector(name, acceleration);
+    work.labels.vector("specific_force", specific.body);
+    let acceleration = work.components(specific, Frame::World);
+    let acceleration = work.graph.results(acceleration);
+    work.labels.vector(name, acceleration);
     acceleration
 }
 
 /// The sum of all forces.
-pub fn resultant(model: &mut Model) -> Vector {
-    let forces: Vec<Vector> = model.loads.iter().map(|load| load.force).collect();
-    model.frames.sum(forces)
+pub fn resultant(work: &mut Workspace, loads: &[Load]) -> Vector {
+    work.sum(loads.iter().map(|load| load.force))
 }
 
 /// The moment of each load about `pole`.
-pub fn moments_about(model: &mut Model, pole: Point) -> Vec<Vector> {
-    let loads: Vec<(Vector, Point, Vector)> = model
-        .loads
-        .iter()
-        .map(|load| (load.force, load.point, load.moment))
-        .collect();
-    loads
-        .into_iter()
-        .map(|(force, point, moment)| {
-            if model.frames.is_zero_vector(force) {
-                return moment;
-            }
-            let arm = arm(model, point, pole);
-            let turning = model.frames.cross(arm, force);
-            model.frames.add(turning, moment)
-        })
-        .collect()
+pub fn moments_about(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    pole: Point,
+) -> Vec<Vector> {
+    let moment = |load: &Load| {
+        if work.is_zero_vector(load.force) {
+            return load.moment;
+        }
+        let arm = arm(model, work, load.point, pole);
+        let turning = work.cross(arm, load.force);
+        work.add(turning, load.moment)
+    };
+    loads.iter().map(moment).collect()
 }
 
 /// `P - O`, from the pole O to the point P.
-pub fn arm(model: &mut Model, point: Point, pole: Point) -> Vector {
-    let from_center = |model: &mut Model, point: Point| match point {
-        Point::Body(offset) => Some(model.frames.fixed_in_body(offset)),
+pub fn arm(model: &Model, work: &mut Workspace, point: Point, pole: Point) -> Vector {
+    let from_center = |work: &mut Workspace, point: Point| match point {
+        Point::Body(offset) => Some(work.fixed_in_body(offset)),
         Point::Moving(offset) => Some(offset),
         Point::World(_) => None,
     };
-    if let (Some(end), Some(start)) = (from_center(model, point), from_center(model, pole)) {
-        let backwards = model.frames.negate(start);
-        return model.frames.add(end, backwards);
+    if let (Some(end), Some(start)) = (from_center(work, point), from_center(work, pole)) {
+        let backwards = work.negate(start);
+        return work.add(end, backwards);
     }
-    let end = model.state.place(&mut model.frames, point);
-    let start = model.state.place(&mut model.frames, pole);
-    let backwards = model.frames.negate(start);
-    model.frames.add(end, backwards)
+    let end = model.state.place(work, point);
+    let start = model.state.place(work, pole);
+    let backwards = work.negate(start);
+    work.add(end, backwards)
 }
 
 /// (1.4) about G, or about the point that is held, whose reaction has no moment there:
 /// `w' = J^-1 (M - w x J w)`.
-fn angular_acceleration(model: &mut Model, moments: Vec<Vector>, name: &str) -> Components {
-    let moment = model.frames.sum(moments);
-    let moment = model.frames.components(moment, Frame::Body);
-    let angular = match (inertia_about_center(model), model.hinge()) {
-        (Inertia::Absent, _) => model.frames.graph.zeros(),
-        (inertia, Some(axis)) => about_axis(model, &inertia, axis, moment),
+fn angular_acceleration(
+    model: &Model,
+    work: &mut Workspace,
+    moments: Vec<Vector>,
+    name: &str,
+) -> Components {
+    let moment = work.sum(moments);
+    let moment = work.components(moment, Frame::Body);
+    let angular = match (
+        inertia_about_center(model, work),
+        model.hinge(&mut work.graph),
+    ) {
+        (Inertia::Absent, _) => work.graph.zeros(),
+        (inertia, Some(axis)) => about_axis(work, &inertia, axis, moment),
         (Inertia::Scalar(inertia), None) if model.state.axis.is_some() => {
-            let graph = &mut model.frames.graph;
+            let graph = &mut work.graph;
             let one = graph.one();
             let inverse = graph.divide(one, inertia);
             moment.map(|part| graph.distribute(inverse, part))
         }
         (Inertia::Scalar(inertia), None) => {
-            let axis = [0, 0, 1].map(|component| model.frames.graph.integer(component));
-            about_axis(model, &Inertia::Scalar(inertia), axis, moment)
+            let axis = [0, 0, 1].map(|component| work.graph.integer(component));
+            about_axis(work, &Inertia::Scalar(inertia), axis, moment)
         }
-        (Inertia::Spatial(rows), None) => solve_euler(model, &rows, moment),
+        (Inertia::Spatial(rows), None) => solve_euler(model, work, &rows, moment),
     };
-    let angular = model.frames.graph.results(angular);
-    let labels = &mut model.frames.labels;
+    let angular = work.graph.results(angular);
+    let labels = &mut work.labels;
     if model.motion.is_planar() || model.motion.is_hinged() {
         labels.name(angular[2], name);
     }
@@ -170,24 +182,24 @@ fn angular_acceleration(model: &mut Model, moments: Vec<Vector>, name: &str) -> 
 
 /// About one axis d, `w x J w` has no part along it: `w' = d.M / d.J d`.
 fn about_axis(
-    model: &mut Model,
+    work: &mut Workspace,
     inertia: &Inertia,
     d: Components,
     moment: Components,
 ) -> Components {
-    let about_axis = moment_of_inertia(model, inertia, d);
-    let graph = &mut model.frames.graph;
+    let about_axis = moment_of_inertia(work, inertia, d);
+    let graph = &mut work.graph;
     let one = graph.one();
     let inverse = graph.divide(one, about_axis);
     let driving = graph.dot(d, moment);
-    model.frames.labels.name(inverse, "inverse_inertia");
+    work.labels.name(inverse, "inverse_inertia");
     let zero = graph.zero();
     [zero, zero, graph.distribute(inverse, driving)]
 }
 
 /// `d.J d`, of a unit vector d; in the plane, the moment of inertia.
-pub fn moment_of_inertia(model: &mut Model, inertia: &Inertia, d: Components) -> Id {
-    let graph = &mut model.frames.graph;
+pub fn moment_of_inertia(work: &mut Workspace, inertia: &Inertia, d: Components) -> Id {
+    let graph = &mut work.graph;
     match inertia {
         Inertia::Absent => graph.zero(),
         Inertia::Scalar(moment) => *moment,
@@ -199,33 +211,37 @@ pub fn moment_of_inertia(model: &mut Model, inertia: &Inertia, d: Components) ->
 }
 
 /// The inertia about G, or about the point that is held: `J_P = J_G + m (c^2 1 - c c)`, `c = G - P`.
-pub fn inertia_about_center(model: &mut Model) -> Inertia {
+pub fn inertia_about_center(model: &Model, work: &mut Workspace) -> Inertia {
     let (Some(support), Some(mass)) = (model.state.support, model.mass) else {
         return model.inertia;
     };
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let inertia = model.inertia.displaced(graph, mass, support.offset);
     match inertia {
-        Inertia::Scalar(moment) => model.frames.labels.name(moment, "inertia_about_support"),
-        Inertia::Spatial(rows) => model.frames.labels.matrix("inertia_about_support", &rows),
+        Inertia::Scalar(moment) => work.labels.name(moment, "inertia_about_support"),
+        Inertia::Spatial(rows) => work.labels.matrix("inertia_about_support", &rows),
         Inertia::Absent => {}
     }
     inertia
 }
 
 /// A body that does not turn needs a moment balance of its own: nothing else could hold it.
-pub fn check_moment_free(model: &mut Model, errors: &mut Errors) -> Option<()> {
-    let center = model.state.center(&mut model.frames);
-    let moments = moments_about(model, center);
-    let total = model.frames.sum(moments.iter().copied());
-    if model.frames.is_zero_vector(total) {
+pub fn check_moment_free(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    errors: &mut Errors,
+) -> Option<()> {
+    let center = model.state.center(work);
+    let moments = moments_about(model, work, loads, center);
+    let total = work.sum(moments.iter().copied());
+    if work.is_zero_vector(total) {
         return Some(());
     }
-    let unbalanced: Vec<&Load> = model
-        .loads
+    let unbalanced: Vec<&Load> = loads
         .iter()
         .zip(&moments)
-        .filter(|(_, moment)| !model.frames.is_zero_vector(**moment))
+        .filter(|(_, moment)| !work.is_zero_vector(**moment))
         .map(|(load, _)| load)
         .collect();
     for load in unbalanced {

@@ -1,7 +1,7 @@
 //! Loads that may have no value: those that read what is given at each evaluation, and those that divide by what moves, or have a function
 //! that is not there for all numbers, or soon out of range.
 
-use crate::model::{Meaning, Model};
+use crate::model::{Meaning, Model, Workspace};
 use crate::symbolic::{Function, Graph, Id, Node};
 
 /// A load, and all of its components that are not zero.
@@ -10,8 +10,8 @@ pub struct Partial {
     pub parts: Vec<Id>,
 }
 
-pub fn list_partial(model: &Model) -> Vec<Partial> {
-    let graph = &model.frames.graph;
+pub fn list_partial(model: &Model, work: &Workspace) -> Vec<Partial> {
+    let graph = &work.graph;
     let loads = model.loads.iter().map(|load| {
         let vectors = [load.force, load.moment];
         let parts = vectors
@@ -28,18 +28,16 @@ pub fn list_partial(model: &Model) -> Vec<Partial> {
             parts,
         }
     });
-    loads
-        .filter(|load| is_partial(model, &load.parts))
-        .collect()
+    loads.filter(|load| is_partial(work, &load.parts)).collect()
 }
 
 /// Whether numbers made from what is given alone may have no value.
-fn is_partial(model: &Model, parts: &[Id]) -> bool {
-    let graph = &model.frames.graph;
+fn is_partial(work: &Workspace, parts: &[Id]) -> bool {
+    let graph = &work.graph;
     let (mut may_fail, mut is_given) = (false, true);
     for id in graph.reachable(parts, |id| !graph.is_early(id)) {
         match graph.node(id) {
-            Node::Symbol(symbol) => match model.meanings.of(*symbol) {
+            Node::Symbol(symbol) => match work.meanings.of(*symbol) {
                 Meaning::Input(..) => may_fail = true,
                 // what is solved for
                 Meaning::Reaction(..) | Meaning::Virtual => is_given = false,

@@ -13,7 +13,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::model::{Attitude, Family, Form, Frame, Load, Model, Turn, Vector};
+use crate::model::{Attitude, Family, Form, Frame, Load, Model, Turn, Vector, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 use super::arm;
@@ -32,32 +32,32 @@ struct Derived {
 type Slopes = HashMap<Id, Id>;
 
 /// The potentials become loads, in the form that makes the fewest operations.
-pub fn derive_potentials(model: &mut Model) {
-    let forms = core::mem::take(&mut model.potentials.forms);
+pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
     let mut best: Option<(u32, Vec<Derived>)> = None;
-    for form in &forms {
+    for form in &model.potentials.forms {
         let derived: Vec<Derived> = form
             .energies
             .iter()
-            .map(|energy| derive(model, form, *energy))
+            .map(|energy| derive(work, form, *energy))
             .collect();
-        let derived = expand(model, form, &derived);
-        let cost = cost(model, &derived);
+        let derived = expand(&model, work, form, &derived);
+        let cost = cost(&model, work, &derived);
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, derived));
         }
     }
     let derived = best.map_or_else(Vec::new, |(_, derived)| derived);
     for (index, derived) in derived.into_iter().enumerate() {
-        let load = load(model, index, &derived);
+        let load = load(&model, work, index, &derived);
         let place = model.potentials.list[index].place;
         model.loads.insert(place.min(model.loads.len()), load);
     }
+    model
 }
 
-fn load(model: &mut Model, index: usize, derived: &Derived) -> Load {
+fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) -> Load {
     let name = model.potentials.list[index].name.clone();
-    let labels = &mut model.frames.labels;
+    let labels = &mut work.labels;
     labels.vector(&format!("{name}_force"), derived.force.world);
     let moment = format!("{name}_moment");
     if model.motion.is_planar() {
@@ -65,14 +65,14 @@ fn load(model: &mut Model, index: usize, derived: &Derived) -> Load {
     } else {
         labels.vector(&moment, derived.moment);
     }
-    let center = model.state.center(&mut model.frames);
+    let center = model.state.center(work);
     Load {
         extent: name.span().into(),
         name,
         family: Family::Field,
         force: derived.force,
         point: center,
-        moment: model.frames.vector(Frame::Body, derived.moment),
+        moment: work.vector(Frame::Body, derived.moment),
         pull: model.state.axis.map(|_| derived.pull),
         potential: Some(derived.energy),
         mention: None,
@@ -80,67 +80,67 @@ fn load(model: &mut Model, index: usize, derived: &Derived) -> Load {
 }
 
 /// Late operations of what enters the accelerations.
-fn cost(model: &mut Model, derived: &[Derived]) -> u32 {
+fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
     let mut roots = Vec::new();
     if model.motion.translates() {
-        let force = model.frames.sum(derived.iter().map(|one| one.force));
-        roots.extend(model.frames.turn(force.body, Frame::World));
+        let force = work.sum(derived.iter().map(|one| one.force));
+        roots.extend(work.turn(force.body, Frame::World));
         roots.extend(force.world);
     }
     if model.motion.has_attitude() {
         roots.extend(derived.iter().flat_map(|one| one.moment));
     }
-    model.frames.graph.late_cost(&roots).total()
+    work.graph.late_cost(&roots).total()
 }
 
 /// Force and moment, made of turned vectors that are still kept apart.
-fn derive(model: &mut Model, form: &Form, energy: Id) -> Derived {
-    let place = symbols_of_place(model, form);
-    let one = model.frames.graph.one();
+fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
+    let place = symbols_of_place(work, form);
+    let one = work.graph.one();
     let mut slopes = Slopes::new();
-    descend(model, &place, &[(energy, one)], &mut slopes);
-    let mut moment = model.frames.graph.zeros();
-    let mut in_body = model.frames.graph.zeros();
+    descend(work, &place, &[(energy, one)], &mut slopes);
+    let mut moment = work.graph.zeros();
+    let mut in_body = work.graph.zeros();
     // each vector is made of those that were turned before it
     for turn in form.turns.iter().rev() {
-        let slope = along(model, &slopes, turn.turned);
-        if model.frames.graph.is_zero_vector(&slope) {
+        let slope = along(work, &slopes, turn.turned);
+        if work.graph.is_zero_vector(&slope) {
             continue;
         }
-        let turning = turning(model, turn, slope);
-        moment = model.frames.graph.add_vectors(moment, turning);
-        if let Some(slope) = carried(model, form, turn, &place, slope) {
-            in_body = model.frames.graph.add_vectors(in_body, slope);
-        } else if depends_on_place(model, turn, &place) {
-            let back = model.frames.turn(slope, turn.to.other());
+        let turning = turning(work, turn, slope);
+        moment = work.graph.add_vectors(moment, turning);
+        if let Some(slope) = carried(work, form, turn, &place, slope) {
+            in_body = work.graph.add_vectors(in_body, slope);
+        } else if depends_on_place(work, turn, &place) {
+            let back = work.turn(slope, turn.to.other());
             let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();
-            descend(model, &place, &weighted, &mut slopes);
+            descend(work, &place, &weighted, &mut slopes);
         }
     }
-    let direct = attitude_moment(model, &slopes);
-    let pull = pull(model, &slopes);
-    let force = along(model, &slopes, form.displacement);
+    let direct = attitude_moment(work, &slopes);
+    let pull = pull(work, &slopes);
+    let force = along(work, &slopes, form.displacement);
     let slope = Vector {
         body: in_body,
         world: force,
     };
     Derived {
         energy,
-        force: model.frames.negate(slope),
-        moment: model.frames.graph.add_vectors(moment, direct),
+        force: work.negate(slope),
+        moment: work.graph.add_vectors(moment, direct),
         pull,
     }
 }
 
-fn depends_on_place(model: &Model, turn: &Turn, place: &HashSet<Id>) -> bool {
-    let graph = &model.frames.graph;
+fn depends_on_place(work: &Workspace, turn: &Turn, place: &HashSet<Id>) -> bool {
+    let graph = &work.graph;
     graph.depends_on(&turn.vector, |id| place.contains(&id))
 }
 
 /// The slope along the position, in body axes, where what was turned into them is the position, or
 /// a distance from it: forces of one body are added before they are turned.
 fn carried(
-    model: &mut Model,
+    work: &mut Workspace,
     form: &Form,
     turn: &Turn,
     place: &HashSet<Id>,
@@ -149,30 +149,30 @@ fn carried(
     if turn.to == Frame::World {
         return None;
     }
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let factor = arm::common_rate(graph, turn.vector, form.displacement, place)?;
     Some(graph.scale_vector(factor, slope))
 }
 
 /// The moment that a slope along a turned vector amounts to.
-fn turning(model: &mut Model, turn: &Turn, slope: Components) -> Components {
+fn turning(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
     match turn.to {
         Frame::World => {
-            let back = model.frames.turn(slope, Frame::Body);
-            model.frames.graph.cross(back, turn.vector)
+            let back = work.turn(slope, Frame::Body);
+            work.graph.cross(back, turn.vector)
         }
         Frame::Body => {
-            let (factor, moment) = arm::moment(&mut model.frames, turn.turned, slope);
-            model.frames.graph.scale_vector(factor, moment)
+            let (factor, moment) = arm::moment(work, turn.turned, slope);
+            work.graph.scale_vector(factor, moment)
         }
     }
 }
 
 /// The symbols that say where the body is: of the displacement, the attitude and turned vectors.
-fn symbols_of_place(model: &Model, form: &Form) -> HashSet<Id> {
+fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
     let mut symbols: HashSet<Id> = form.displacement.into_iter().collect();
     symbols.extend(form.turns.iter().flat_map(|turn| turn.turned));
-    match model.frames.attitude {
+    match work.attitude {
         Attitude::Fixed => {}
         Attitude::Axis { angle, .. } => symbols.extend([angle]),
         Attitude::Quaternion { scalar, vector } => {
@@ -185,8 +185,8 @@ fn symbols_of_place(model: &Model, form: &Form) -> HashSet<Id> {
 }
 
 /// Adds the slopes of the weighted sum.
-fn descend(model: &mut Model, place: &HashSet<Id>, weighted: &[(Id, Id)], slopes: &mut Slopes) {
-    let graph = &mut model.frames.graph;
+fn descend(work: &mut Workspace, place: &HashSet<Id>, weighted: &[(Id, Id)], slopes: &mut Slopes) {
+    let graph = &mut work.graph;
     for (symbol, slope) in graph.gradient(weighted, |id| place.contains(&id)) {
         let sum = match slopes.get(&symbol) {
             Some(known) => graph.add(*known, slope),
@@ -197,19 +197,19 @@ fn descend(model: &mut Model, place: &HashSet<Id>, weighted: &[(Id, Id)], slopes
 }
 
 /// The slopes along the components of a vector.
-fn along(model: &mut Model, slopes: &Slopes, symbols: Components) -> Components {
-    let zero = model.frames.graph.zero();
+fn along(work: &mut Workspace, slopes: &Slopes, symbols: Components) -> Components {
+    let zero = work.graph.zero();
     symbols.map(|symbol| slopes.get(&symbol).copied().unwrap_or(zero))
 }
 
 /// The moment of an energy that was written in terms of the attitude itself: `-dU/dangle` about the
 /// axis, or `K_i = -1/2 dU/dq . (q e_i)`, body axes; of a rod `-u x dU/du`.
-fn attitude_moment(model: &mut Model, slopes: &Slopes) -> Components {
-    let pull = pull(model, slopes);
-    let graph = &mut model.frames.graph;
+fn attitude_moment(work: &mut Workspace, slopes: &Slopes) -> Components {
+    let pull = pull(work, slopes);
+    let graph = &mut work.graph;
     let zero = graph.zero();
     let slope = |symbol: Id| slopes.get(&symbol).copied().unwrap_or(zero);
-    match model.frames.attitude {
+    match work.attitude {
         Attitude::Fixed => graph.zeros(),
         Attitude::Line { axis, .. } => graph.cross(axis, pull),
         Attitude::Axis { angle, direction } => {
@@ -231,27 +231,25 @@ fn attitude_moment(model: &mut Model, slopes: &Slopes) -> Components {
 }
 
 /// `-dU/du` of the axis of a rod.
-fn pull(model: &mut Model, slopes: &Slopes) -> Components {
-    let Attitude::Line { axis, .. } = model.frames.attitude else {
-        return model.frames.graph.zeros();
+fn pull(work: &mut Workspace, slopes: &Slopes) -> Components {
+    let Attitude::Line { axis, .. } = work.attitude else {
+        return work.graph.zeros();
     };
-    let slope = along(model, slopes, axis);
-    model.frames.graph.negate_vector(slope)
+    let slope = along(work, slopes, axis);
+    work.graph.negate_vector(slope)
 }
 
 /// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where the
 /// position is no coordinate. Names go with what they name.
-fn expand(model: &mut Model, form: &Form, derived: &[Derived]) -> Vec<Derived> {
+fn expand(model: &Model, work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = HashMap::new();
-    let zero = model.frames.graph.zero();
+    let zero = work.graph.zero();
     if !model.motion.translates() {
         values.extend(form.displacement.map(|symbol| (symbol, zero)));
     }
     for turn in &form.turns {
-        let vector = replace(model, &turn.vector, &values);
-        let turned = model
-            .frames
-            .turn([vector[0], vector[1], vector[2]], turn.to);
+        let vector = replace(work, &turn.vector, &values);
+        let turned = work.turn([vector[0], vector[1], vector[2]], turn.to);
         values.extend(turn.turned.into_iter().zip(turned));
     }
     let roots: Vec<Id> = derived
@@ -263,7 +261,7 @@ fn expand(model: &mut Model, form: &Form, derived: &[Derived]) -> Vec<Derived> {
                 .chain([body, world, one.moment, one.pull].concat())
         })
         .collect();
-    let images = replace(model, &roots, &values);
+    let images = replace(work, &roots, &values);
     let vector = |parts: &[Id]| [parts[0], parts[1], parts[2]];
     images
         .chunks(13)
@@ -279,15 +277,15 @@ fn expand(model: &mut Model, form: &Form, derived: &[Derived]) -> Vec<Derived> {
         .collect()
 }
 
-fn replace(model: &mut Model, roots: &[Id], values: &HashMap<Id, Id>) -> Vec<Id> {
-    let labels = &model.frames.labels;
-    let graph = &mut model.frames.graph;
+fn replace(work: &mut Workspace, roots: &[Id], values: &HashMap<Id, Id>) -> Vec<Id> {
+    let labels = &work.labels;
+    let graph = &mut work.graph;
     let named = graph.reachable(roots, |_| true).into_iter();
     let named: Vec<Id> = named.filter(|id| labels.get(*id).is_some()).collect();
     let all: Vec<Id> = roots.iter().copied().chain(named.iter().copied()).collect();
     let mut images = graph.substitute(&all, |id| values.get(&id).copied());
     let named_images = images.split_off(roots.len());
-    let labels = &mut model.frames.labels;
+    let labels = &mut work.labels;
     for (id, image) in named.into_iter().zip(named_images) {
         if let Some(name) = labels.get(id).map(str::to_owned) {
             labels.name(image, name);

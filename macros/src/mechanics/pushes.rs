@@ -4,10 +4,11 @@
 //! error: `F(R) = F(given) + sum of u_j dF/dR . e_j`.
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Family, Frame, Load, LoadKind, Meaning, Model, Point, Vector};
+use crate::model::{
+    Family, Frame, Load, LoadKind, Meaning, Model, Point, Reaction, Vector, Workspace,
+};
 use crate::symbolic::{Components, Graph, Id, Node};
 
-use super::constraints::component_name;
 use super::newton_euler::arm;
 use super::response::response;
 use super::zeros::all_vanish;
@@ -33,20 +34,20 @@ pub struct Push {
 
 impl Push {
     pub fn name(&self, model: &Model) -> String {
-        component_name(model, self.reaction, self.axis)
+        model.reactions[self.reaction].component_name(model.motion, self.axis)
     }
 }
 
 /// The loads without the unknowns: what is given, and what would be if the unknowns were zero.
-pub fn given_loads(model: &mut Model) -> Vec<Load> {
+pub fn given_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
     let mut values = Vec::new();
     let mut loads = Vec::new();
     for index in 0..model.reactions.len() {
         let (frame, given) = (model.reactions[index].frame, model.reactions[index].given);
-        let given = model.frames.vector(frame, given);
-        let in_world = model.frames.components(given, Frame::World);
+        let given = work.vector(frame, given);
+        let in_world = work.components(given, Frame::World);
         values.extend(symbols(model, index).into_iter().zip(in_world));
-        let zero = model.frames.zero_vector();
+        let zero = work.zero_vector();
         let reaction = &model.reactions[index];
         let (force, moment) = match reaction.kind {
             LoadKind::Force => (given, zero),
@@ -65,7 +66,7 @@ pub fn given_loads(model: &mut Model) -> Vec<Load> {
         });
     }
     for load in &model.loads {
-        let graph = &mut model.frames.graph;
+        let graph = &mut work.graph;
         loads.push(Load {
             name: load.name.clone(),
             force: without(graph, load.force, &values),
@@ -98,63 +99,50 @@ pub fn replaced(graph: &mut Graph, components: Components, values: &[(Id, Id)]) 
 }
 
 /// What each unknown does; a load that depends on one in another way than linearly is an error.
-pub fn pushes(model: &mut Model, errors: &mut Errors) -> Option<Vec<Push>> {
-    check_linear(model, errors)?;
+pub fn pushes(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<Vec<Push>> {
+    check_linear(model, work, errors)?;
     let mut pushes = Vec::new();
     for reaction in 0..model.reactions.len() {
         let unknown = model.reactions[reaction].unknown.clone();
         for (axis, place) in unknown {
-            pushes.push(push(model, reaction, axis, place));
+            pushes.push(push(model, work, reaction, axis, place));
         }
     }
     Some(pushes)
 }
 
-fn push(model: &mut Model, reaction: usize, axis: usize, place: Extent) -> Push {
-    let (kind, point, frame, along) = {
-        let reaction = &model.reactions[reaction];
-        (
-            reaction.kind,
-            reaction.point,
-            reaction.frame,
-            reaction.along,
-        )
-    };
-    let graph = &mut model.frames.graph;
-    let (zero, one) = (graph.zero(), graph.one());
-    let unit = [0, 1, 2].map(|i| if i == axis { one } else { zero });
-    let direction = along.unwrap_or_else(|| model.frames.vector(frame, unit));
-    let zero = model.frames.zero_vector();
+fn push(model: &Model, work: &mut Workspace, reaction: usize, axis: usize, place: Extent) -> Push {
+    let Reaction { kind, point, .. } = model.reactions[reaction];
+    let direction = model.reactions[reaction].direction(work, axis);
+    let zero = work.zero_vector();
     let own = match kind {
         LoadKind::Force => (direction, point, zero),
         LoadKind::Moment => (zero, point, direction),
     };
-    let followers = followers(model, reaction, direction);
+    let followers = followers(model, work, reaction, direction);
     let is_followed = !followers.is_empty();
 
-    let center = model.state.center(&mut model.frames);
+    let center = model.state.center(work);
     let (mut forces, mut moments) = (Vec::new(), Vec::new());
     for (force, point, moment) in core::iter::once(own).chain(followers) {
         moments.push(moment);
-        if !model.frames.is_zero_vector(force) {
-            let arm = arm(model, point, center);
-            moments.push(model.frames.cross(arm, force));
+        if !work.is_zero_vector(force) {
+            let arm = arm(model, work, point, center);
+            moments.push(work.cross(arm, force));
             forces.push(force);
         }
     }
-    let (force, moment) = (model.frames.sum(forces), model.frames.sum(moments));
+    let (force, moment) = (work.sum(forces), work.sum(moments));
     let turns = model.motion.has_attitude();
-    let force = model.frames.components(force, Frame::World);
-    let in_axes = model
-        .frames
-        .components(moment, if turns { Frame::Body } else { Frame::World });
-    let zeros = model.frames.graph.zeros();
+    let force = work.components(force, Frame::World);
+    let in_axes = work.components(moment, if turns { Frame::Body } else { Frame::World });
+    let zeros = work.graph.zeros();
     let (moment, body_moment) = if turns {
         (zeros, in_axes)
     } else {
         (in_axes, zeros)
     };
-    let (linear, angular) = response(model, force, body_moment);
+    let (linear, angular) = response(model, work, force, body_moment);
     Push {
         reaction,
         axis,
@@ -172,15 +160,16 @@ fn push(model: &mut Model, reaction: usize, axis: usize, place: Extent) -> Push 
 /// The loads that depend on a reaction, for one unit of it along `direction`: their forces, where they
 /// act, and their moments.
 fn followers(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     reaction: usize,
     direction: Vector,
 ) -> Vec<(Vector, Point, Vector)> {
-    let unit = model.frames.components(direction, Frame::World);
+    let unit = work.components(direction, Frame::World);
     let symbols = symbols(model, reaction);
     let mut followers = Vec::new();
     for load in model.loads.iter().filter(|load| load.mention.is_some()) {
-        let graph = &mut model.frames.graph;
+        let graph = &mut work.graph;
         let roots = parts(load);
         let mut changes = vec![graph.zero(); roots.len()];
         for (symbol, part) in symbols.into_iter().zip(unit) {
@@ -211,7 +200,7 @@ fn parts(load: &Load) -> Vec<Id> {
 
 /// Loads are linear in the reactions they name: each is what it is without them and what its slopes make
 /// of them, proved in all states.
-fn check_linear(model: &mut Model, errors: &mut Errors) -> Option<()> {
+fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let mut linear = true;
     for index in 0..model.loads.len() {
         let load = &model.loads[index];
@@ -222,13 +211,13 @@ fn check_linear(model: &mut Model, errors: &mut Errors) -> Option<()> {
             Point::Body(offset) | Point::World(offset) => offset.to_vec(),
             Point::Moving(offset) => [offset.body, offset.world].concat(),
         };
-        if !reactions_in(model, &place_of_load).is_empty() {
+        if !reactions_in(work, &place_of_load).is_empty() {
             errors.push(
                 place,
                 format!("where `{name}` acts cannot depend on an unknown reaction"),
             );
             linear = false;
-        } else if model.loads[index].mention.is_some() && !is_linear(model, &roots) {
+        } else if model.loads[index].mention.is_some() && !is_linear(work, &roots) {
             errors.push(
                 place,
                 format!(
@@ -243,10 +232,10 @@ fn check_linear(model: &mut Model, errors: &mut Errors) -> Option<()> {
 }
 
 /// The symbols of unknown reactions that expressions contain.
-fn reactions_in(model: &Model, roots: &[Id]) -> Vec<Id> {
-    let graph = &model.frames.graph;
+fn reactions_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
+    let graph = &work.graph;
     let is_reaction = |id: &Id| match graph.node(*id) {
-        Node::Symbol(symbol) => matches!(model.meanings.of(*symbol), Meaning::Reaction(..)),
+        Node::Symbol(symbol) => matches!(work.meanings.of(*symbol), Meaning::Reaction(..)),
         _ => false,
     };
     let mut symbols = graph.reachable(roots, |_| true);
@@ -254,10 +243,10 @@ fn reactions_in(model: &Model, roots: &[Id]) -> Vec<Id> {
     symbols
 }
 
-fn is_linear(model: &mut Model, roots: &[Id]) -> bool {
-    let symbols = reactions_in(model, roots);
-    let zero = model.frames.graph.zero();
-    let graph = &mut model.frames.graph;
+fn is_linear(work: &mut Workspace, roots: &[Id]) -> bool {
+    let symbols = reactions_in(work, roots);
+    let zero = work.graph.zero();
+    let graph = &mut work.graph;
     let is_known = |id: Id| symbols.contains(&id).then_some(zero);
     let without = graph.substitute(roots, is_known);
     let mut rest: Vec<Id> = roots
@@ -266,15 +255,15 @@ fn is_linear(model: &mut Model, roots: &[Id]) -> bool {
         .map(|(root, without)| graph.subtract(*root, without))
         .collect();
     for symbol in &symbols {
-        let slopes = model.frames.graph.derivative(roots, *symbol);
-        if !reactions_in(model, &slopes).is_empty() {
+        let slopes = work.graph.derivative(roots, *symbol);
+        if !reactions_in(work, &slopes).is_empty() {
             return false;
         }
-        let graph = &mut model.frames.graph;
+        let graph = &mut work.graph;
         for (rest, slope) in rest.iter_mut().zip(slopes) {
             let part = graph.multiply(slope, *symbol);
             *rest = graph.subtract(*rest, part);
         }
     }
-    all_vanish(model, &rest)
+    all_vanish(work, &rest)
 }

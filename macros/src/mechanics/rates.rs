@@ -15,8 +15,8 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Attitude, Axis, Frame, Meaning, Model, Turn};
-use crate::symbolic::{Components, Id, Node, Number};
+use crate::model::{Attitude, Axis, Frame, Meaning, Model, Turn, Workspace};
+use crate::symbolic::{Components, Id, Number};
 
 /// The derivative of an expression in time; inputs are held, unless they move.
 pub struct Rates {
@@ -30,7 +30,8 @@ pub struct Rates {
 
 /// The weights of a sweep, by expression.
 struct Sweep<'m> {
-    model: &'m mut Model,
+    model: &'m Model,
+    work: &'m mut Workspace,
     weights: HashMap<Id, Id>,
     rates: Vec<Id>,
     linear: Components,
@@ -39,12 +40,13 @@ struct Sweep<'m> {
     axis: Components,
 }
 
-pub fn rates(model: &mut Model, value: Id) -> Rates {
-    let (order, turns) = late_parts(model, value);
-    let graph = &mut model.frames.graph;
+pub fn rates(model: &Model, work: &mut Workspace, value: Id) -> Rates {
+    let (order, turns) = late_parts(work, value);
+    let graph = &mut work.graph;
     let (one, zeros) = (graph.one(), graph.zeros());
     let mut sweep = Sweep {
         model,
+        work,
         weights: HashMap::from([(value, one)]),
         rates: Vec::new(),
         linear: zeros,
@@ -61,7 +63,7 @@ pub fn rates(model: &mut Model, value: Id) -> Rates {
     sweep.axis_by_turning();
     let (rates, linear, angular) = (sweep.rates, sweep.linear, sweep.angular);
     Rates {
-        rate: model.frames.graph.sum(&rates),
+        rate: sweep.work.graph.sum(&rates),
         linear,
         angular,
     }
@@ -69,14 +71,14 @@ pub fn rates(model: &mut Model, value: Id) -> Rates {
 
 /// What `value` is made of and what the vectors are made of that were turned in it, children first;
 /// and these vectors.
-fn late_parts(model: &Model, value: Id) -> (Vec<Id>, HashMap<Id, (Turn, Id)>) {
-    let graph = &model.frames.graph;
+fn late_parts(work: &Workspace, value: Id) -> (Vec<Id>, HashMap<Id, (Turn, Id)>) {
+    let graph = &work.graph;
     let is_late = |id: Id| !graph.is_early(id);
     let mut roots = vec![value];
     loop {
         let mut order = graph.reachable(&roots, is_late);
         order.retain(|id| is_late(*id));
-        let turns = turns_within(model, &order);
+        let turns = turns_within(work, &order);
         let vectors = turns.values().flat_map(|(turn, _)| turn.vector);
         let is_new = |id: &Id| is_late(*id) && order.binary_search(id).is_err();
         let known = roots.len();
@@ -89,10 +91,10 @@ fn late_parts(model: &Model, value: Id) -> (Vec<Id>, HashMap<Id, (Turn, Id)>) {
 
 /// The vectors among `order` that were turned: for each component of a result its turn, and the
 /// component that was made first, at which all weights of the result are known.
-fn turns_within(model: &Model, order: &[Id]) -> HashMap<Id, (Turn, Id)> {
-    let graph = &model.frames.graph;
+fn turns_within(work: &Workspace, order: &[Id]) -> HashMap<Id, (Turn, Id)> {
+    let graph = &work.graph;
     let mut found = HashMap::new();
-    for turn in &model.frames.turned {
+    for turn in &work.turned {
         let is_there = |id: &&Id| order.binary_search(id).is_ok() && !found.contains_key(*id);
         let there: Vec<Id> = turn.turned.iter().filter(is_there).copied().collect();
         let late_parts = turn.vector.iter().filter(|id| !graph.is_early(**id)).max();
@@ -109,7 +111,7 @@ fn turns_within(model: &Model, order: &[Id]) -> HashMap<Id, (Turn, Id)> {
 
 impl Sweep<'_> {
     fn add_weight(&mut self, id: Id, weight: Id) {
-        let graph = &mut self.model.frames.graph;
+        let graph = &mut self.work.graph;
         if graph.is_early(id) || graph.is_zero(weight) {
             return;
         }
@@ -124,12 +126,11 @@ impl Sweep<'_> {
         let Some(weight) = self.weights.get(&id).copied() else {
             return;
         };
-        if let Node::Symbol(symbol) = self.model.frames.graph.node(id) {
-            let meaning = self.model.meanings.of(*symbol);
+        if let Some(meaning) = self.work.meaning(id) {
             self.symbol(meaning, weight);
             return;
         }
-        for (operand, part) in self.model.frames.graph.pull_back(id, weight) {
+        for (operand, part) in self.work.graph.pull_back(id, weight) {
             self.add_weight(operand, part);
         }
     }
@@ -150,7 +151,7 @@ impl Sweep<'_> {
                 self.axis[axis] = weight;
                 return;
             }
-            Meaning::Time => self.model.frames.graph.one(),
+            Meaning::Time => self.work.graph.one(),
             Meaning::Position(axis) => state.velocity.world[axis],
             Meaning::Angle => state.angular_velocity[2],
             Meaning::Axis(part) => match state.axis {
@@ -158,13 +159,13 @@ impl Sweep<'_> {
                 None => return,
             },
             Meaning::Quaternion(part) => self.quaternion_rate(part),
-            Meaning::Input(input, part) => match self.model.input_rate(input, part) {
+            Meaning::Input(input, part) => match self.model.input_rate(self.work, input, part) {
                 Some(rate) => rate,
                 None => return,
             },
             _ => return,
         };
-        let rate = self.model.frames.graph.multiply(weight, rate);
+        let rate = self.work.graph.multiply(weight, rate);
         self.rates.push(rate);
     }
 
@@ -173,7 +174,7 @@ impl Sweep<'_> {
         let Some(Axis { unit, rate }) = self.model.state.axis else {
             return;
         };
-        let graph = &mut self.model.frames.graph;
+        let graph = &mut self.work.graph;
         self.angular = graph.cross(unit, self.axis);
         let along = graph.dot(unit, self.axis);
         let square = graph.norm_squared(rate);
@@ -184,11 +185,10 @@ impl Sweep<'_> {
     /// A part of `q' = q (0, w) / 2`.
     fn quaternion_rate(&mut self, part: usize) -> Id {
         let w = self.model.state.angular_velocity;
-        let frames = &mut self.model.frames;
-        let Attitude::Quaternion { scalar, vector } = frames.attitude else {
-            return frames.graph.zero();
+        let graph = &mut self.work.graph;
+        let Attitude::Quaternion { scalar, vector } = self.work.attitude else {
+            return graph.zero();
         };
-        let graph = &mut frames.graph;
         let twice = if part == 0 {
             let along = graph.dot(vector, w);
             graph.negate(along)
@@ -202,7 +202,7 @@ impl Sweep<'_> {
 
     /// All components of a vector that was turned.
     fn turned(&mut self, turn: &Turn, turns: &HashMap<Id, (Turn, Id)>) {
-        let zero = self.model.frames.graph.zero();
+        let zero = self.work.graph.zero();
         let weights = turn.turned.map(|id| {
             let is_own = turns
                 .get(&id)
@@ -212,27 +212,24 @@ impl Sweep<'_> {
         });
         let (w, plane) = (
             self.model.state.angular_velocity,
-            matches!(self.model.frames.attitude, Attitude::Axis { .. }),
+            matches!(self.work.attitude, Attitude::Axis { .. }),
         );
-        let frames = &mut self.model.frames;
+        let work = &mut *self.work;
         let back = turn.to.other();
-        let moves = turn.vector.iter().any(|id| !frames.graph.is_early(*id));
+        let moves = turn.vector.iter().any(|id| !work.graph.is_early(*id));
         // about an axis, w has the same components in both axes, and the result is there already
         let (swept, by) = match turn.to {
-            Frame::World if plane => (frames.graph.cross(w, turn.turned), weights),
-            Frame::World => (
-                frames.graph.cross(w, turn.vector),
-                frames.turn(weights, back),
-            ),
+            Frame::World if plane => (work.graph.cross(w, turn.turned), weights),
+            Frame::World => (work.graph.cross(w, turn.vector), work.turn(weights, back)),
             Frame::Body => {
-                let swept = frames.graph.cross(w, turn.turned);
-                (frames.graph.negate_vector(swept), weights)
+                let swept = work.graph.cross(w, turn.turned);
+                (work.graph.negate_vector(swept), weights)
             }
         };
-        let rate = frames.graph.dot(by, swept);
+        let rate = work.graph.dot(by, swept);
         self.rates.push(rate);
         if moves {
-            let parts = self.model.frames.turn(weights, back);
+            let parts = self.work.turn(weights, back);
             for (id, part) in turn.vector.into_iter().zip(parts) {
                 self.add_weight(id, part);
             }

@@ -10,7 +10,7 @@
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Frame, Inertia, LoadKind, Meaning, Model, Point, Vector};
+use crate::model::{Frame, Inertia, LoadKind, Meaning, Model, Point, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Equation, Graph, Id, Node, Solution};
 
 use super::newton_euler::{arm, inertia_about_center, moments_about, resultant};
@@ -22,9 +22,9 @@ pub struct ReactionExpressions {
     pub vector: Components,
 }
 
-/// An unknown component: its reaction, its axis in the frame of the equations, and its place.
-pub struct Unknown {
-    pub reaction: usize,
+/// An unknown component: its load, its axis in the frame of the equations, and its place.
+pub struct Unknown<'m> {
+    pub load: &'m Reaction,
     pub axis: usize,
     pub place: Extent,
 }
@@ -57,7 +57,8 @@ impl Row {
 
 /// Solves for the unknown components; what they cannot be solved for is reported on them.
 pub fn derive_reactions(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     linear: &Components,
     angular: &Components,
     errors: &mut Errors,
@@ -65,26 +66,29 @@ pub fn derive_reactions(
     if model.reactions.is_empty() {
         return Some(Vec::new());
     }
-    check_workless(model, errors)?;
-    let rows = balances_left(model);
-    let solved = match solve_unknowns(model, rows, linear, angular, Unmoved::Checked) {
+    check_workless(model, work, errors)?;
+    let rows = balances_left(model, work);
+    let unknown: Vec<&Reaction> = model.reactions.iter().collect();
+    let solved = match solve_unknowns(
+        model,
+        work,
+        &unknown,
+        rows,
+        (linear, angular),
+        Unmoved::Checked,
+    ) {
         Ok(solved) => solved,
         Err(place) => {
             errors.push(place, "in world axes the part of this reaction that is known turns against the body: write it in body axes, or leave all its components unknown");
             return None;
         }
     };
-    check_solution(model, &solved, errors)?;
-    let solved = assemble(model, &solved);
-    let names: Vec<String> = model
-        .reactions
-        .iter()
-        .map(|reaction| reaction.name.to_string())
-        .collect();
-    let in_world = solved.into_iter().zip(names).map(|(whole, name)| {
-        let vector = model.frames.components(whole, Frame::World);
-        let vector = model.frames.graph.results(vector);
-        model.frames.labels.vector(&name, vector);
+    check_solution(model, work, &solved, errors)?;
+    let in_world = unknown.into_iter().map(|reaction| {
+        let whole = assemble(work, &solved, reaction);
+        let vector = work.components(whole, Frame::World);
+        let vector = work.graph.results(vector);
+        work.labels.vector(&reaction.name.to_string(), vector);
         ReactionExpressions { vector }
     });
     Some(in_world.collect())
@@ -100,47 +104,48 @@ pub enum Unmoved {
 }
 
 /// What the balances say of the unknowns.
-pub struct Solved {
+pub struct Solved<'m> {
     frame: Frame,
-    pub unknowns: Vec<Unknown>,
+    pub unknowns: Vec<Unknown<'m>>,
     pub rows: Vec<Row>,
     pub solution: Solution,
     /// Whether the coefficients are known before the state is.
     pub is_constant: bool,
 }
 
-/// The unknown loads that meet the balances of `rows`, in a motion with these accelerations. Where
+/// The components of unknown loads that meet the balances of `rows`, in a motion with these accelerations. Where
 /// coefficients are not constant in any axes, the place of an unknown that makes them so.
-pub fn solve_unknowns(
-    model: &mut Model,
+pub fn solve_unknowns<'m>(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[&'m Reaction],
     mut rows: Vec<Row>,
-    linear: &Components,
-    angular: &Components,
+    (linear, angular): (&Components, &Components),
     unmoved: Unmoved,
-) -> Result<Solved, Extent> {
-    let frame = choose_frame(model)?;
-    let unknowns = list_unknowns(model);
+) -> Result<Solved<'m>, Extent> {
+    let frame = choose_frame(model, work, loads)?;
+    let unknowns = list_unknowns(loads);
     if unmoved == Unmoved::Ignored {
         rows.retain(|row| {
             let mut coefficients = unknowns.iter();
             coefficients.any(|unknown| {
-                let coefficient = coefficient(model, frame, row, unknown);
-                !model.frames.graph.vanishes(coefficient)
+                let coefficient = coefficient(model, work, frame, row, unknown);
+                !work.graph.vanishes(coefficient)
             })
         });
     }
-    let (force, moment) = balances_without_unknowns(model, linear, angular);
+    let (force, moment) = balances_without_unknowns(model, work, linear, angular);
     let (force, moment) = (
-        model.frames.components(force, frame),
-        model.frames.components(moment, frame),
+        work.components(force, frame),
+        work.components(moment, frame),
     );
     let mut equations = Vec::new();
     for row in &rows {
         let coefficients = unknowns
             .iter()
-            .map(|unknown| coefficient(model, frame, row, unknown))
+            .map(|unknown| coefficient(model, work, frame, row, unknown))
             .collect();
-        let graph = &mut model.frames.graph;
+        let graph = &mut work.graph;
         let known = graph.dot(row.direction, row.of(force, moment));
         let right = graph.negate(known);
         equations.push(Equation {
@@ -149,8 +154,8 @@ pub fn solve_unknowns(
         });
     }
     let mut coefficients = equations.iter().flat_map(|row| &row.coefficients);
-    let is_constant = coefficients.all(|id| model.frames.graph.is_early(*id));
-    let solution = model.frames.graph.solve(equations, unknowns.len());
+    let is_constant = coefficients.all(|id| work.graph.is_early(*id));
+    let solution = work.graph.solve(equations, unknowns.len());
     Ok(Solved {
         frame,
         unknowns,
@@ -163,20 +168,19 @@ pub fn solve_unknowns(
 /// The axes in which the balances are written: those of the world where all unknowns can be written
 /// in them with constant coefficients, else those of the body. All three components of an unknown
 /// vector can be written in any axes.
-fn choose_frame(model: &mut Model) -> Result<Frame, Extent> {
-    let center = model.state.center(&mut model.frames);
+fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Result<Frame, Extent> {
+    let center = model.state.center(work);
     let mut in_world = true;
     let mut mixed = None;
-    for index in 0..model.reactions.len() {
-        let is_free = is_in_any_axes(model, index);
-        let reaction = &model.reactions[index];
+    for reaction in loads {
+        let is_free = is_in_any_axes(model, work, reaction);
         let (point, kind, written) = (reaction.point, reaction.kind, reaction.frame);
         let place = reaction.unknown.first().map(|(_, place)| *place);
         if let (Some(_), Some(place)) = (reaction.along, place) {
             return Err(place);
         }
-        let arm = arm(model, point, center);
-        let has_arm = kind == LoadKind::Force && !model.frames.is_zero_vector(arm);
+        let arm = arm(model, work, point, center);
+        let has_arm = kind == LoadKind::Force && !work.is_zero_vector(arm);
         in_world &= !has_arm && (is_free || written == Frame::World);
         if !is_free && written == Frame::World {
             mixed = mixed.or(place);
@@ -192,23 +196,23 @@ fn choose_frame(model: &mut Model) -> Result<Frame, Extent> {
 /// Whether the unknown components of a reaction are the same unknowns in the axes of the body and
 /// in those of the world: all of them, and, about an axis of coordinates, that along it or those
 /// across it.
-fn is_in_any_axes(model: &mut Model, index: usize) -> bool {
-    let hinge = model.hinge();
-    let reaction = &model.reactions[index];
+fn is_in_any_axes(model: &Model, work: &mut Workspace, reaction: &Reaction) -> bool {
+    let hinge = model.hinge(&mut work.graph);
     if reaction.is_whole(model.motion) {
         return true;
     }
     let axes: Vec<usize> = reaction.unknown.iter().map(|(axis, _)| *axis).collect();
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     let along = hinge.and_then(|d| (0..3).find(|axis| graph.is_along(d, *axis)));
     along.is_some_and(|along| axes == [along] || (axes.len() == 2 && !axes.contains(&along)))
 }
 
-pub fn list_unknowns(model: &Model) -> Vec<Unknown> {
-    let reactions = model.reactions.iter().enumerate();
-    let all = reactions.flat_map(|(reaction, load)| {
-        load.unknown.iter().map(move |(axis, place)| Unknown {
-            reaction,
+fn list_unknowns<'m>(loads: &[&'m Reaction]) -> Vec<Unknown<'m>> {
+    let each = loads.iter().copied();
+    let all = each.flat_map(|load| {
+        let unknown = load.unknown.iter();
+        unknown.map(move |(axis, place)| Unknown {
+            load,
             axis: *axis,
             place: *place,
         })
@@ -217,8 +221,8 @@ pub fn list_unknowns(model: &Model) -> Vec<Unknown> {
 }
 
 /// The balances that do not determine the accelerations.
-pub fn balances_left(model: &mut Model) -> Vec<Row> {
-    let graph = &mut model.frames.graph;
+pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<Row> {
+    let graph = &mut work.graph;
     let (zero, one) = (graph.zero(), graph.one());
     let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
     let mut rows = Vec::new();
@@ -248,8 +252,8 @@ pub fn balances_left(model: &mut Model) -> Vec<Row> {
             kind: LoadKind::Moment,
             direction: unit(axis),
         }));
-    } else if let (false, Some(d)) = (model.motion.is_planar(), model.hinge()) {
-        rows.extend(across(model, d).map(|(name, direction)| Row {
+    } else if let (false, Some(d)) = (model.motion.is_planar(), model.hinge(&mut work.graph)) {
+        rows.extend(across(work, d).map(|(name, direction)| Row {
             name,
             kind: LoadKind::Moment,
             direction,
@@ -259,8 +263,8 @@ pub fn balances_left(model: &mut Model) -> Vec<Row> {
 }
 
 /// Two directions across an axis: the other two axes, if it is one of them.
-fn across(model: &mut Model, d: Components) -> [(&'static str, Components); 2] {
-    let graph = &mut model.frames.graph;
+fn across(work: &mut Workspace, d: Components) -> [(&'static str, Components); 2] {
+    let graph = &mut work.graph;
     let (zero, one) = (graph.zero(), graph.one());
     let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
     let along = (0..3).find(|axis| graph.is_along(d, *axis));
@@ -287,38 +291,39 @@ fn across(model: &mut Model, d: Components) -> [(&'static str, Components); 2] {
 
 /// Sum of the given forces and their moment about the center, less the inertial ones.
 pub fn balances_without_unknowns(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     linear: &Components,
     angular: &Components,
 ) -> (Vector, Vector) {
-    let center = model.state.center(&mut model.frames);
-    let mut force = resultant(model);
-    let moments = moments_about(model, center);
-    let mut moment = model.frames.sum(moments);
-    for (given_force, given_moment) in given_parts(model, center) {
-        force = model.frames.add(force, given_force);
-        moment = model.frames.add(moment, given_moment);
+    let center = model.state.center(work);
+    let mut force = resultant(work, &model.loads);
+    let moments = moments_about(model, work, &model.loads, center);
+    let mut moment = work.sum(moments);
+    for (given_force, given_moment) in given_parts(model, work, center) {
+        force = work.add(force, given_force);
+        moment = work.add(moment, given_moment);
     }
-    let (inertial_force, inertial_moment) = inertial(model, linear, angular);
-    let force = model.frames.add(force, inertial_force);
-    let moment = model.frames.add(moment, inertial_moment);
+    let (inertial_force, inertial_moment) = inertial(model, work, linear, angular);
+    let force = work.add(force, inertial_force);
+    let moment = work.add(moment, inertial_moment);
     (force, moment)
 }
 
 /// What is given of each reaction: its force, and its moment about `pole`.
-pub fn given_parts(model: &mut Model, pole: Point) -> Vec<(Vector, Vector)> {
+pub fn given_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vector, Vector)> {
     let written: Vec<_> = model
         .reactions
         .iter()
         .map(|load| (load.kind, load.point, load.frame, load.given))
         .collect();
     let parts = written.into_iter().map(|(kind, point, frame, given)| {
-        let given = model.frames.vector(frame, given);
+        let given = work.vector(frame, given);
         match kind {
-            LoadKind::Moment => (model.frames.zero_vector(), given),
+            LoadKind::Moment => (work.zero_vector(), given),
             LoadKind::Force => {
-                let arm = arm(model, point, pole);
-                (given, model.frames.cross(arm, given))
+                let arm = arm(model, work, point, pole);
+                (given, work.cross(arm, given))
             }
         }
     });
@@ -326,14 +331,19 @@ pub fn given_parts(model: &mut Model, pole: Point) -> Vec<(Vector, Vector)> {
 }
 
 /// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
-fn inertial(model: &mut Model, linear: &Components, angular: &Components) -> (Vector, Vector) {
-    let hinge = model.hinge();
-    let graph = &mut model.frames.graph;
+fn inertial(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+) -> (Vector, Vector) {
+    let hinge = model.hinge(&mut work.graph);
+    let graph = &mut work.graph;
     let rate = match hinge {
         Some(d) => graph.scale_vector(angular[2], d),
         None => *angular,
     };
-    let symbols: Vec<(Id, Id)> = accelerations(model, linear, &rate, angular);
+    let symbols: Vec<(Id, Id)> = accelerations(model, work, linear, &rate, angular);
     let acceleration = model.state.acceleration;
     let replaced = |graph: &mut Graph, components: Components| -> Components {
         let images = graph.substitute(&components, |id| {
@@ -344,22 +354,22 @@ fn inertial(model: &mut Model, linear: &Components, angular: &Components) -> (Ve
         });
         [images[0], images[1], images[2]]
     };
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let acceleration = Vector {
         body: replaced(graph, acceleration.body),
         world: replaced(graph, acceleration.world),
     };
-    let zero = model.frames.zero_vector();
+    let zero = work.zero_vector();
     let force = match model.mass {
         Some(mass) => {
-            let rate = model.frames.scale(mass, acceleration);
-            model.frames.negate(rate)
+            let rate = work.scale(mass, acceleration);
+            work.negate(rate)
         }
         None => zero,
     };
     let w = model.state.angular_velocity;
-    let inertia = inertia_about_center(model);
-    let graph = &mut model.frames.graph;
+    let inertia = inertia_about_center(model, work);
+    let graph = &mut work.graph;
     let change = match inertia {
         Inertia::Absent => graph.zeros(),
         Inertia::Scalar(moment) => graph.scale_vector(moment, rate),
@@ -371,18 +381,19 @@ fn inertial(model: &mut Model, linear: &Components, angular: &Components) -> (Ve
         }
     };
     let change = graph.negate_vector(change);
-    let moment = model.frames.vector(Frame::Body, change);
+    let moment = work.vector(Frame::Body, change);
     (force, moment)
 }
 
 /// The symbols of the accelerations and the expressions they are.
 fn accelerations(
     model: &Model,
+    work: &Workspace,
     linear: &Components,
     rate: &Components,
     angular: &Components,
 ) -> Vec<(Id, Id)> {
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     let state = &model.state;
     let symbols: Vec<Id> = graph.reachable(
         &[
@@ -397,7 +408,7 @@ fn accelerations(
         let Node::Symbol(symbol) = graph.node(id) else {
             return None;
         };
-        match model.meanings.of(*symbol) {
+        match work.meanings.of(*symbol) {
             Meaning::LinearAcceleration(axis) => Some((id, linear[axis])),
             Meaning::AngularAcceleration(axis) if model.motion.is_hinged() => {
                 Some((id, angular[axis]))
@@ -410,52 +421,39 @@ fn accelerations(
 }
 
 /// How an unknown enters a row: a force along its axis, and by its arm as a moment.
-fn coefficient(model: &mut Model, frame: Frame, row: &Row, unknown: &Unknown) -> Id {
-    let (kind, point) = {
-        let reaction = &model.reactions[unknown.reaction];
-        (reaction.kind, reaction.point)
-    };
-    let center = model.state.center(&mut model.frames);
-    let graph = &mut model.frames.graph;
+fn coefficient(
+    model: &Model,
+    work: &mut Workspace,
+    frame: Frame,
+    row: &Row,
+    unknown: &Unknown<'_>,
+) -> Id {
+    let Reaction { kind, point, .. } = *unknown.load;
+    let center = model.state.center(work);
+    let graph = &mut work.graph;
     let (zero, one) = (graph.zero(), graph.one());
     let unit = [0, 1, 2].map(|axis| if axis == unknown.axis { one } else { zero });
     let part = match (row.kind, kind) {
         (LoadKind::Force, LoadKind::Moment) => return zero,
         (LoadKind::Force, LoadKind::Force) | (LoadKind::Moment, LoadKind::Moment) => unit,
         (LoadKind::Moment, LoadKind::Force) => {
-            let arm = arm(model, point, center);
-            let arm = model.frames.components(arm, frame);
-            model.frames.graph.cross(arm, unit)
+            let arm = arm(model, work, point, center);
+            let arm = work.components(arm, frame);
+            work.graph.cross(arm, unit)
         }
     };
-    model.frames.graph.dot(row.direction, part)
+    work.graph.dot(row.direction, part)
 }
 
-/// Given and solved components together.
-pub fn assemble(model: &mut Model, solved: &Solved) -> Vec<Vector> {
-    let Solved {
-        frame,
-        unknowns,
-        solution,
-        ..
-    } = solved;
-    let mut vectors = Vec::new();
-    for index in 0..model.reactions.len() {
-        let (written, given) = {
-            let reaction = &model.reactions[index];
-            (reaction.frame, reaction.given)
-        };
-        let mut solved = model.frames.graph.zeros();
-        for (unknown, value) in unknowns.iter().zip(&solution.values) {
-            if unknown.reaction == index {
-                solved[unknown.axis] = *value;
-            }
+/// Given and solved components of an unknown load together.
+pub fn assemble(work: &mut Workspace, solved: &Solved<'_>, load: &Reaction) -> Vector {
+    let mut components = work.graph.zeros();
+    for (unknown, value) in solved.unknowns.iter().zip(&solved.solution.values) {
+        if unknown.load.name == load.name {
+            components[unknown.axis] = *value;
         }
-        let (given, solved) = (
-            model.frames.vector(written, given),
-            model.frames.vector(*frame, solved),
-        );
-        vectors.push(model.frames.add(given, solved));
     }
-    vectors
+    let given = work.vector(load.frame, load.given);
+    let solved = work.vector(solved.frame, components);
+    work.add(given, solved)
 }

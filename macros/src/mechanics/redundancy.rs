@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::errors::Errors;
-use crate::model::Model;
+use crate::model::{Model, Workspace};
 use crate::symbolic::{Elimination, Id, Residue};
 
 use super::constraints::Constrained;
@@ -22,7 +22,7 @@ struct Reduced {
 /// Constraints that are proved to follow from others are reported: the reactions would not be
 /// determined.
 pub fn check_independent(
-    model: &mut Model,
+    work: &mut Workspace,
     constraints: &[Constrained],
     errors: &mut Errors,
 ) -> Option<()> {
@@ -30,7 +30,7 @@ pub fn check_independent(
         .iter()
         .flat_map(|constraint| [constraint.rates.linear, constraint.rates.angular].concat())
         .collect();
-    let samples = samples(model, &roots);
+    let samples = samples(work, &roots);
     let branches = samples.first().map_or(0, |sample| sample.0.len());
     let gradients = |branch: usize| -> Vec<Option<Vec<Residue>>> {
         let rows = samples.chunks(6);

@@ -14,7 +14,7 @@
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Attitude, Axis, Inertia, Model, Point};
+use crate::model::{Attitude, Axis, Inertia, Load, Model, Point, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::newton_euler::{arm, moments_about};
@@ -22,13 +22,13 @@ use super::pushes::Push;
 use super::zeros::{all_vanish, samples};
 
 /// u'' by the loads of the model, world axes.
-pub fn axis_acceleration(model: &mut Model, axis: Axis) -> Components {
+pub fn axis_acceleration(model: &Model, work: &mut Workspace, axis: Axis) -> Components {
     let Inertia::Scalar(inertia) = model.inertia else {
-        return model.frames.graph.zeros();
+        return work.graph.zeros();
     };
-    let Pulls { any, across } = pulls(model, axis);
+    let Pulls { any, across } = pulls(model, work, axis);
     let Axis { unit, rate } = axis;
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let one = graph.one();
     let inverse = graph.divide(one, inertia);
     let mut over_inertia = |vector: Components| vector.map(|part| graph.distribute(inverse, part));
@@ -42,13 +42,13 @@ pub fn axis_acceleration(model: &mut Model, axis: Axis) -> Components {
     let driven = graph.add_vectors(driving, across);
     let acceleration = graph.subtract_vectors(driven, held);
     let acceleration = graph.results(acceleration);
-    let labels = &mut model.frames.labels;
+    let labels = &mut work.labels;
     labels.name(inverse, "inverse_inertia");
     labels.describe("driving", "B / J, world axes: of forces, B = sum of s F");
     labels.vector("driving", driving);
     labels.describe("holding", "u.B / J + u'^2: it keeps the length of u");
     labels.name(holding, "holding");
-    name_acceleration(model, acceleration);
+    name_acceleration(work, acceleration);
     acceleration
 }
 
@@ -59,38 +59,33 @@ struct Pulls {
     across: Components,
 }
 
-fn pulls(model: &mut Model, axis: Axis) -> Pulls {
-    let center = Point::Body(model.frames.graph.zeros());
-    let loads: Vec<_> = model
-        .loads
-        .iter()
-        .map(|load| (load.force, load.point, load.moment, load.pull))
-        .collect();
+fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
+    let center = Point::Body(work.graph.zeros());
     let mut list = Vec::new();
-    for (force, point, moment, pull) in loads {
-        if let (Point::Body(offset), Attitude::Line { direction, .. }) =
-            (point, model.frames.attitude)
+    for load in &model.loads {
+        let (force, moment) = (load.force, load.moment);
+        if let (Point::Body(offset), Attitude::Line { direction, .. }) = (load.point, work.attitude)
         {
-            let along = model.frames.graph.dot(direction, offset);
-            list.push(model.frames.graph.scale_vector(along, force.world));
-        } else if !model.frames.is_zero_vector(force) {
-            let arm = arm(model, point, center);
-            let moment = model.frames.cross(arm, force);
-            list.push(pull_of(model, axis, moment.world));
+            let along = work.graph.dot(direction, offset);
+            list.push(work.graph.scale_vector(along, force.world));
+        } else if !work.is_zero_vector(force) {
+            let arm = arm(model, work, load.point, center);
+            let moment = work.cross(arm, force);
+            list.push(pull_of(work, axis, moment.world));
         }
-        list.push(match pull {
+        list.push(match load.pull {
             Some(pull) => pull,
-            None => pull_of(model, axis, moment.world),
+            None => pull_of(work, axis, moment.world),
         });
     }
-    let zeros = model.frames.graph.zeros();
+    let zeros = work.graph.zeros();
     let mut pulls = Pulls {
         any: zeros,
         across: zeros,
     };
     for pull in list {
-        let is_across = is_across_axis(model, axis, pull);
-        if !is_across && is_along_axis(model, pull) {
+        let is_across = is_across_axis(work, axis, pull);
+        if !is_across && is_along_axis(model, work, pull) {
             continue;
         }
         let sum = if is_across {
@@ -98,88 +93,94 @@ fn pulls(model: &mut Model, axis: Axis) -> Pulls {
         } else {
             &mut pulls.any
         };
-        *sum = model.frames.graph.add_vectors(*sum, pull);
+        *sum = work.graph.add_vectors(*sum, pull);
     }
     pulls
 }
 
 /// B of a moment K: of a multiple of `u x b`, that of b; else `K x u`.
-fn pull_of(model: &mut Model, axis: Axis, moment: Components) -> Components {
-    let opposite = model.frames.graph.negate_vector(moment);
-    let (one, minus_one) = (model.frames.graph.one(), model.frames.graph.integer(-1));
+fn pull_of(work: &mut Workspace, axis: Axis, moment: Components) -> Components {
+    let opposite = work.graph.negate_vector(moment);
+    let (one, minus_one) = (work.graph.one(), work.graph.integer(-1));
     for (sign, mut rest) in [(one, moment), (minus_one, opposite)] {
         let mut factor = sign;
         loop {
-            let known = model.frames.swept.iter().find(|(swept, _)| *swept == rest);
+            let known = work.swept.iter().find(|(swept, _)| *swept == rest);
             if let Some((_, pull)) = known {
-                return model.frames.graph.scale_vector(factor, *pull);
+                return work.graph.scale_vector(factor, *pull);
             }
-            let Some((common, without)) = model.frames.common_factor(rest) else {
+            let Some((common, without)) = work.common_factor(rest) else {
                 break;
             };
-            factor = model.frames.graph.multiply(factor, common);
+            factor = work.graph.multiply(factor, common);
             rest = without;
         }
     }
-    model.frames.graph.cross(moment, axis.unit)
+    work.graph.cross(moment, axis.unit)
 }
 
 /// Whether a vector is perpendicular to the axis in all states.
-fn is_across_axis(model: &mut Model, axis: Axis, vector: Components) -> bool {
-    let along = model.frames.graph.dot(axis.unit, vector);
-    all_vanish(model, &[along])
+fn is_across_axis(work: &mut Workspace, axis: Axis, vector: Components) -> bool {
+    let along = work.graph.dot(axis.unit, vector);
+    all_vanish(work, &[along])
 }
 
 /// Whether a vector is along the axis in all states: a force on the axis has no moment then.
-pub fn is_along_axis(model: &mut Model, vector: Components) -> bool {
+pub fn is_along_axis(model: &Model, work: &mut Workspace, vector: Components) -> bool {
     let Some(Axis { unit, .. }) = model.state.axis else {
         return false;
     };
-    let across = model.frames.graph.cross(unit, vector);
-    all_vanish(model, &across)
+    let across = work.graph.cross(unit, vector);
+    all_vanish(work, &across)
 }
 
 /// `u'' = w' x u - u'^2 u`
-pub fn of_angular(model: &mut Model, axis: Axis, angular: Components) -> Components {
-    let change = turned_by(model, axis, angular);
-    let graph = &mut model.frames.graph;
+pub fn of_angular(work: &mut Workspace, axis: Axis, angular: Components) -> Components {
+    let change = turned_by(work, axis, angular);
+    let graph = &mut work.graph;
     let square = graph.norm_squared(axis.rate);
     let held = graph.scale_vector(square, axis.unit);
     let acceleration = graph.subtract_vectors(change, held);
     let acceleration = graph.results(acceleration);
-    name_acceleration(model, acceleration);
+    name_acceleration(work, acceleration);
     acceleration
 }
 
 /// How u changes by a turn: `phi x u`.
-pub fn turned_by(model: &mut Model, axis: Axis, turn: Components) -> Components {
-    model.frames.graph.cross(turn, axis.unit)
+pub fn turned_by(work: &mut Workspace, axis: Axis, turn: Components) -> Components {
+    work.graph.cross(turn, axis.unit)
 }
 
-fn name_acceleration(model: &mut Model, acceleration: Components) {
-    let labels = &mut model.frames.labels;
+fn name_acceleration(work: &mut Workspace, acceleration: Components) {
+    let labels = &mut work.labels;
     labels.describe("axis", "(1.4), world axes: u'' = (K x u) / J - u'^2 u");
     labels.vector("axis", acceleration);
 }
 
 /// Nothing balances a moment about the axis.
-pub fn check_loads(model: &mut Model, axis: Axis, errors: &mut Errors) -> Option<()> {
-    let center = Point::Body(model.frames.graph.zeros());
-    let moments: Vec<(Extent, Id)> = moments_about(model, center)
+pub fn check_loads(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    axis: Axis,
+    errors: &mut Errors,
+) -> Option<()> {
+    let center = Point::Body(work.graph.zeros());
+    let moments: Vec<(Extent, Id)> = moments_about(model, work, loads, center)
         .into_iter()
         .enumerate()
         .map(|(index, moment)| {
-            let along = model.frames.graph.dot(axis.unit, moment.world);
-            (model.loads[index].extent, along)
+            let along = work.graph.dot(axis.unit, moment.world);
+            (loads[index].extent, along)
         })
         .collect();
     let parts: Vec<Id> = moments.iter().map(|(_, along)| *along).collect();
-    let together = model.frames.graph.sum(&parts);
-    if all_vanish(model, &[together]) {
+    let together = work.graph.sum(&parts);
+    if all_vanish(work, &[together]) {
         return Some(());
     }
-    for index in turning(model, &parts) {
-        let name = &model.loads[index].name;
+    for index in turning(work, &parts) {
+        let name = &loads[index].name;
         errors.push(
             moments[index].0,
             format!(
@@ -193,17 +194,18 @@ pub fn check_loads(model: &mut Model, axis: Axis, errors: &mut Errors) -> Option
 
 /// The same of one unit of each unknown.
 pub fn check_pushes(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     axis: Axis,
     pushes: &[Push],
     errors: &mut Errors,
 ) -> Option<()> {
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let parts: Vec<Id> = pushes
         .iter()
         .map(|push| graph.dot(axis.unit, push.body_moment))
         .collect();
-    let wrong = turning(model, &parts);
+    let wrong = turning(work, &parts);
     for index in &wrong {
         let name = pushes[*index].name(model);
         errors.push(
@@ -218,8 +220,8 @@ pub fn check_pushes(
 }
 
 /// Which of the moments along the axis do not vanish.
-fn turning(model: &mut Model, parts: &[Id]) -> Vec<usize> {
-    let samples = samples(model, parts);
+fn turning(work: &mut Workspace, parts: &[Id]) -> Vec<usize> {
+    let samples = samples(work, parts);
     (0..parts.len())
         .filter(|index| !samples[*index].is_zero())
         .collect()

@@ -1,6 +1,6 @@
 //! What the equations of a body do not contain, and why: the text of `SKIPPED`.
 
-use crate::model::{AXES, Family, Inertia, Meaning, Model, Motion, Output};
+use crate::model::{AXES, Family, Inertia, Meaning, Model, Motion, Output, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::energy::uniform_field;
@@ -10,20 +10,21 @@ use super::structure::Structure;
 use super::symmetry::Symmetry;
 
 pub fn list_skipped(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     linear: &Components,
     angular: &Components,
     structure: &Structure,
 ) -> Vec<String> {
     let mut skipped = Vec::new();
     skip_equations(model, &mut skipped);
-    skip_gyroscopic(model, &mut skipped);
+    skip_gyroscopic(model, work, &mut skipped);
     skip_spin(model, structure, &mut skipped);
-    skip_loads(model, linear, angular, &mut skipped);
-    skip_state(model, linear, angular, &mut skipped);
+    skip_loads(model, work, linear, angular, &mut skipped);
+    skip_state(model, work, linear, angular, &mut skipped);
     if model.outputs.contains(&Output::Energy) {
         let others = model.loads.iter().filter(|load| {
-            let has_energy = load.potential.is_some() || uniform_field(model, load).is_some();
+            let has_energy = load.potential.is_some() || uniform_field(model, work, load).is_some();
             load.family == Family::Field && !has_energy
         });
         skipped.extend(others.map(|load| {
@@ -98,14 +99,14 @@ fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
 }
 
 /// What of the tensor about G, or about the point that is held, is not in the balance.
-fn skip_gyroscopic(model: &mut Model, skipped: &mut Vec<String>) {
+fn skip_gyroscopic(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     if model.motion.is_hinged() {
         return;
     }
-    let Inertia::Spatial(rows) = inertia_about_center(model) else {
+    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
         return;
     };
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     let vanishing: Vec<&str> = [("J_xy", 0, 1), ("J_yz", 1, 2), ("J_zx", 2, 0)]
         .into_iter()
         .filter(|(_, i, j)| graph.is_zero(rows[*i][*j]))
@@ -119,7 +120,7 @@ fn skip_gyroscopic(model: &mut Model, skipped: &mut Vec<String>) {
                 .map(|name| format!("terms of {name}: it is zero")),
         );
         // by the form that was taken
-        let labels = &model.frames.labels;
+        let labels = &work.labels;
         let forms = [
             (
                 "principal_rate",
@@ -150,11 +151,17 @@ fn skip_gyroscopic(model: &mut Model, skipped: &mut Vec<String>) {
 type Part = (bool, &'static str, fn(Meaning) -> bool);
 
 /// Parts of the state that the accelerations do not depend on.
-fn skip_state(model: &Model, linear: &Components, angular: &Components, skipped: &mut Vec<String>) {
+fn skip_state(
+    model: &Model,
+    work: &Workspace,
+    linear: &Components,
+    angular: &Components,
+    skipped: &mut Vec<String>,
+) {
     let roots: Vec<Id> = linear.iter().chain(angular).copied().collect();
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     let depends = |wanted: fn(Meaning) -> bool| {
-        graph.depends_on(&roots, |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(model.meanings.of(*symbol))))
+        graph.depends_on(&roots, |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(work.meanings.of(*symbol))))
     };
     let (moves, turns) = (model.motion.translates(), model.motion.has_attitude());
     let is_rod = model.motion == Motion::Rod;

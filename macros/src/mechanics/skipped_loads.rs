@@ -1,7 +1,7 @@
 //! What of the loads does not appear in the equations: moments that vanish, sums that are taken
 //! before the state is known, parts of the rotation that nothing needs.
 
-use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Motion, Point};
+use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Motion, Point, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::euler_equations::is_diagonal;
@@ -9,39 +9,40 @@ use super::newton_euler::resultant;
 use super::rod::is_along_axis;
 
 pub fn skip_loads(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     linear: &Components,
     angular: &Components,
     skipped: &mut Vec<String>,
 ) {
-    skip_resultant(model, skipped);
-    skip_moments(model, skipped);
-    skip_potentials(model, skipped);
+    skip_resultant(model, work, skipped);
+    skip_moments(model, work, skipped);
+    skip_potentials(model, work, skipped);
     merge_charges(model, skipped);
-    merge_constants(model, skipped);
-    skip_rotation(model, &[*linear, *angular].concat(), skipped);
-    skip_mass(model, &[*linear, *angular].concat(), skipped);
+    merge_constants(model, work, skipped);
+    skip_rotation(work, &[*linear, *angular].concat(), skipped);
+    skip_mass(model, work, &[*linear, *angular].concat(), skipped);
 }
 
 /// Forces that add up to nothing leave a couple.
-fn skip_resultant(model: &mut Model, skipped: &mut Vec<String>) {
-    let acts = |load: &Load| !model.frames.is_zero_vector(load.force);
+fn skip_resultant(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
+    let acts = |load: &Load| !work.is_zero_vector(load.force);
     if !model.motion.translates() || !model.loads.iter().any(acts) {
         return;
     }
-    let sum = resultant(model);
-    if model.constraints.is_empty() && model.frames.is_zero_vector(sum) {
+    let sum = resultant(work, &model.loads);
+    if model.constraints.is_empty() && work.is_zero_vector(sum) {
         skipped.push("the acceleration of G: the sum of the forces is zero".to_owned());
     }
 }
 
-fn skip_moments(model: &mut Model, skipped: &mut Vec<String>) {
+fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     if !model.motion.has_attitude() {
         return;
     }
     let (held, center) = match model.state.support {
         Some(support) => (support.offset, "the point that is held"),
-        None => (model.frames.graph.zeros(), "G"),
+        None => (work.graph.zeros(), "G"),
     };
     for index in 0..model.loads.len() {
         let load = &model.loads[index];
@@ -49,10 +50,10 @@ fn skip_moments(model: &mut Model, skipped: &mut Vec<String>) {
         let Point::Body(offset) = point else {
             continue;
         };
-        if load.potential.is_some() || model.frames.is_zero_vector(force) {
+        if load.potential.is_some() || work.is_zero_vector(force) {
             continue;
         }
-        let graph = &mut model.frames.graph;
+        let graph = &mut work.graph;
         let arm = graph.subtract_vectors(offset, held);
         let (is_fixed, turning) = (
             graph.is_zero_vector(&force.world),
@@ -62,7 +63,7 @@ fn skip_moments(model: &mut Model, skipped: &mut Vec<String>) {
             format!("it acts at {center}")
         } else if is_fixed && graph.is_zero_vector(&turning) {
             format!("it acts along a line through {center}")
-        } else if is_along_axis(model, force.world) {
+        } else if is_along_axis(model, work, force.world) {
             "it acts along the axis".to_owned()
         } else {
             continue;
@@ -73,7 +74,7 @@ fn skip_moments(model: &mut Model, skipped: &mut Vec<String>) {
 }
 
 /// What a potential does not depend on makes no force, or no moment.
-fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
+fn skip_potentials(model: &Model, work: &Workspace, skipped: &mut Vec<String>) {
     let derived = model.loads.iter().filter(|load| load.potential.is_some());
     for load in derived {
         let parts = [
@@ -95,7 +96,7 @@ fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
             ),
         ];
         for (there, vector, part, place) in parts {
-            if there && model.frames.is_zero_vector(vector) {
+            if there && work.is_zero_vector(vector) {
                 let name = &load.name;
                 skipped.push(format!(
                     "the {part} of `{name}`: its potential does not depend on the {place}"
@@ -118,13 +119,13 @@ fn merge_charges(model: &Model, skipped: &mut Vec<String>) {
 }
 
 /// Loads that are the same in all states are added before.
-fn merge_constants(model: &mut Model, skipped: &mut Vec<String>) {
+fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     if model.motion == Motion::Rod {
         return;
     }
     let turns = model.motion.has_attitude();
     let count = |frame: Frame| {
-        let constant = |load: &&Load| is_constant(model, load, frame);
+        let constant = |load: &&Load| is_constant(work, load, frame);
         model.loads.iter().filter(constant).count()
     };
     let (in_body, in_world) = (count(Frame::Body), count(Frame::World));
@@ -143,15 +144,13 @@ fn merge_constants(model: &mut Model, skipped: &mut Vec<String>) {
     let is_folded = match model.inertia {
         Inertia::Absent => false,
         Inertia::Scalar(_) => true,
-        Inertia::Spatial(rows) => {
-            model.motion.is_hinged() || is_diagonal(&model.frames.graph, &rows)
-        }
+        Inertia::Spatial(rows) => model.motion.is_hinged() || is_diagonal(&work.graph, &rows),
     };
     let turning = |load: &Load| {
-        let (Point::Body(offset), graph) = (load.point, &model.frames.graph) else {
+        let (Point::Body(offset), graph) = (load.point, &work.graph) else {
             return false;
         };
-        is_constant(model, load, Frame::Body)
+        is_constant(work, load, Frame::Body)
             && !(graph.is_zero_vector(&offset) && graph.is_zero_vector(&load.moment.body))
     };
     if turns && is_folded && model.state.support.is_none() && model.loads.iter().any(turning) {
@@ -162,8 +161,8 @@ fn merge_constants(model: &mut Model, skipped: &mut Vec<String>) {
 }
 
 /// A force or a moment that is known before the state is, in these axes; in those of the world, at G.
-fn is_constant(model: &Model, load: &Load, frame: Frame) -> bool {
-    let graph = &model.frames.graph;
+fn is_constant(work: &Workspace, load: &Load, frame: Frame) -> bool {
+    let graph = &work.graph;
     let Point::Body(offset) = load.point else {
         return false;
     };
@@ -188,12 +187,12 @@ fn is_constant(model: &Model, load: &Load, frame: Frame) -> bool {
 
 /// Of the rotation, one column turns what is along an axis of the body, one row what is along one of
 /// the world.
-fn skip_rotation(model: &mut Model, roots: &[Id], skipped: &mut Vec<String>) {
-    if !matches!(model.frames.attitude, Attitude::Quaternion { .. }) {
+fn skip_rotation(work: &mut Workspace, roots: &[Id], skipped: &mut Vec<String>) {
+    if !matches!(work.attitude, Attitude::Quaternion { .. }) {
         return;
     }
-    let turns = model.frames.turned.clone();
-    let graph = &mut model.frames.graph;
+    let turns = work.turned.clone();
+    let graph = &mut work.graph;
     let reachable = graph.reachable(roots, |_| true);
     let parts = [
         (Frame::World, "columns", "body"),
@@ -229,8 +228,8 @@ fn skip_rotation(model: &mut Model, roots: &[Id], skipped: &mut Vec<String>) {
 }
 
 /// A mass that is a parameter, and that no acceleration depends on.
-fn skip_mass(model: &Model, roots: &[Id], skipped: &mut Vec<String>) {
-    let graph = &model.frames.graph;
+fn skip_mass(model: &Model, work: &Workspace, roots: &[Id], skipped: &mut Vec<String>) {
+    let graph = &work.graph;
     let Some(mass) = model.mass else {
         return;
     };

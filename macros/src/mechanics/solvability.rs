@@ -1,29 +1,28 @@
 //! Whether the balances determine the reactions: what to say if they do not, and where.
 
 use crate::errors::Errors;
-use crate::model::{Frame, LoadKind, Model, Motion};
+use crate::model::{Frame, LoadKind, Model, Motion, Reaction, Workspace};
 use crate::symbolic::{Graph, Id, Number};
 
-use super::constraints::component_name;
 use super::newton_euler::arm;
 use super::reactions::Solved;
 
 /// Along the directions in which the body moves freely, a reaction would be a drive: the
 /// accelerations were found without it.
-pub fn check_workless(model: &mut Model, errors: &mut Errors) -> Option<()> {
+pub fn check_workless(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let mut workless = true;
-    for index in 0..model.reactions.len() {
-        let unknown = model.reactions[index].unknown.clone();
-        if let (Some(_), Some((_, place))) = (model.reactions[index].along, unknown.first()) {
+    for reaction in &model.reactions {
+        let unknown = &reaction.unknown;
+        if let (Some(_), Some((_, place))) = (reaction.along, unknown.first()) {
             errors.push(*place, "a reaction along a direction of its own keeps a constraint, and there are none: write its components, as in `body(_, 0)`");
             workless = false;
             continue;
         }
         let working = unknown
-            .into_iter()
-            .find(|(axis, _)| does_work(model, index, *axis));
+            .iter()
+            .find(|(axis, _)| does_work(model, work, reaction, *axis));
         if let Some((_, place)) = working {
-            errors.push(place, drive(model, index));
+            errors.push(*place, drive(model, reaction));
             workless = false;
         }
     }
@@ -31,24 +30,23 @@ pub fn check_workless(model: &mut Model, errors: &mut Errors) -> Option<()> {
 }
 
 /// Whether a unit load along this axis has a power for some velocity that the support allows.
-fn does_work(model: &mut Model, index: usize, axis: usize) -> bool {
-    let reaction = &model.reactions[index];
+fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usize) -> bool {
     let (kind, point, frame) = (reaction.kind, reaction.point, reaction.frame);
     let is_whole = reaction.is_whole(model.motion);
-    let hinge = model.hinge();
+    let hinge = model.hinge(&mut work.graph);
     if kind == LoadKind::Moment {
         return match hinge {
-            Some(d) => !model.frames.graph.vanishes(d[axis]),
+            Some(d) => !work.graph.vanishes(d[axis]),
             None => model.motion.has_attitude(),
         };
     }
     if model.motion.translates() {
         return true;
     }
-    let center = model.state.center(&mut model.frames);
-    let arm = arm(model, point, center);
-    let arm = model.frames.components(arm, Frame::Body);
-    let graph = &mut model.frames.graph;
+    let center = model.state.center(work);
+    let arm = arm(model, work, point, center);
+    let arm = work.components(arm, Frame::Body);
+    let graph = &mut work.graph;
     // d.(P - C) x e = e.d x (P - C); without an axis, any d
     let swept = hinge.map_or(arm, |d| graph.cross(d, arm));
     let stays = swept.map(|component| graph.vanishes(component));
@@ -61,7 +59,7 @@ fn does_work(model: &mut Model, index: usize, axis: usize) -> bool {
     }
 }
 
-fn drive(model: &Model, index: usize) -> String {
+fn drive(model: &Model, reaction: &Reaction) -> String {
     let motion = model.motion.word();
     if !model.motion.is_supported() {
         return format!(
@@ -74,7 +72,7 @@ fn drive(model: &Model, index: usize) -> String {
     } else {
         "the point that is held"
     };
-    let reason = if model.reactions[index].kind == LoadKind::Moment {
+    let reason = if reaction.kind == LoadKind::Moment {
         format!("about {held} the body turns freely: write the value, 0 if there is none")
     } else {
         format!(
@@ -85,8 +83,13 @@ fn drive(model: &Model, index: usize) -> String {
 }
 
 /// Unknowns that are not determined, and balances that nothing can meet.
-pub fn check_solution(model: &Model, solved: &Solved, errors: &mut Errors) -> Option<()> {
-    let determined = check_determined(model, solved, errors);
+pub fn check_solution(
+    model: &Model,
+    work: &Workspace,
+    solved: &Solved<'_>,
+    errors: &mut Errors,
+) -> Option<()> {
+    let determined = check_determined(model, work, solved, errors);
     for row in &solved.solution.unbalanced {
         let place = solved.unknowns.first().map(|unknown| unknown.place)?;
         errors.push(
@@ -101,10 +104,16 @@ pub fn check_solution(model: &Model, solved: &Solved, errors: &mut Errors) -> Op
 }
 
 /// Unknowns that are not determined.
-pub fn check_determined(model: &Model, solved: &Solved, errors: &mut Errors) -> Option<()> {
+pub fn check_determined(
+    model: &Model,
+    work: &Workspace,
+    solved: &Solved<'_>,
+    errors: &mut Errors,
+) -> Option<()> {
     let (unknowns, solution) = (&solved.unknowns, &solved.solution);
-    let component = |model: &Model, index: usize| {
-        component_name(model, unknowns[index].reaction, unknowns[index].axis)
+    let component = |index: usize| {
+        let unknown = &unknowns[index];
+        unknown.load.component_name(model.motion, unknown.axis)
     };
     for together in &solution.undetermined {
         // the last of them is the one to give up
@@ -114,17 +123,12 @@ pub fn check_determined(model: &Model, solved: &Solved, errors: &mut Errors) -> 
         let message = if together.len() == 1 {
             format!(
                 "nothing determines `{}`: write its value, 0 if the support does not hold it",
-                component(model, *last)
+                component(*last)
             )
         } else {
             let mut combination = String::new();
             for (position, (index, factor)) in together.iter().enumerate() {
-                combination += &term(
-                    &model.frames.graph,
-                    *factor,
-                    &component(model, *index),
-                    position == 0,
-                );
+                combination += &term(&work.graph, *factor, &component(*index), position == 0);
             }
             format!(
                 "more is unknown than the balances determine: only `{combination}` is determined; write the value of one of them, 0 if it carries nothing"

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Inertia, Meaning, Model, Motion};
+use crate::model::{Inertia, Meaning, Model, Motion, Workspace};
 use crate::symbolic::{Components, Id, Node, Number};
 
 use super::newton_euler::{inertia_about_center, moments_about};
@@ -47,11 +47,16 @@ pub const QUANTITIES: [&str; 6] = [
     "input",
 ];
 
-pub fn derive_structure(model: &mut Model, linear: &Components, angular: &Components) -> Structure {
-    let [linear_spaces, angular_spaces] = symmetries(model, linear, angular);
-    let keeps_spin = keeps_spin(model, angular, &angular_spaces[1]);
+pub fn derive_structure(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+) -> Structure {
+    let [linear_spaces, angular_spaces] = symmetries(model, work, linear, angular);
+    let keeps_spin = keeps_spin(work, angular, &angular_spaces[1]);
     let dependence = |roots: &Components, spaces: &[Space; 2]| Dependence {
-        reads: reads(model, roots),
+        reads: reads(work, roots),
         world: spaces[0].symmetry(),
         body: spaces[1].symmetry(),
     };
@@ -64,11 +69,11 @@ pub fn derive_structure(model: &mut Model, linear: &Components, angular: &Compon
     Structure {
         linear: linear_dependence,
         angular: angular_dependence,
-        is_force_free: all_vanish(model, linear),
-        is_torque_free: is_torque_free(model, angular),
+        is_force_free: all_vanish(work, linear),
+        is_torque_free: is_torque_free(model, work, angular),
         keeps_spin,
         spin_axis: angular_spaces[1].axis().filter(|_| spins),
-        planes: [0, 1, 2].map(|axis| stays_in_plane(model, linear, angular, axis)),
+        planes: [0, 1, 2].map(|axis| stays_in_plane(model, work, linear, angular, axis)),
     }
 }
 
@@ -85,10 +90,10 @@ fn quantity(meaning: Meaning) -> Option<usize> {
     }
 }
 
-fn reads(model: &Model, roots: &[Id]) -> [bool; 6] {
+fn reads(work: &Workspace, roots: &[Id]) -> [bool; 6] {
     let mut reads = [false; 6];
-    for id in model.frames.graph.reachable(roots, |_| true) {
-        if let Some(meaning) = meaning(model, id)
+    for id in work.graph.reachable(roots, |_| true) {
+        if let Some(meaning) = meaning(work, id)
             && let Some(index) = quantity(meaning)
         {
             reads[index] = true;
@@ -97,71 +102,72 @@ fn reads(model: &Model, roots: &[Id]) -> [bool; 6] {
     reads
 }
 
-fn meaning(model: &Model, id: Id) -> Option<Meaning> {
-    match model.frames.graph.node(id) {
-        Node::Symbol(symbol) => Some(model.meanings.of(*symbol)),
+fn meaning(work: &Workspace, id: Id) -> Option<Meaning> {
+    match work.graph.node(id) {
+        Node::Symbol(symbol) => Some(work.meanings.of(*symbol)),
         _ => None,
     }
 }
 
 /// Whether whatever acts has no moment.
-fn is_torque_free(model: &mut Model, angular: &Components) -> bool {
+fn is_torque_free(model: &Model, work: &mut Workspace, angular: &Components) -> bool {
     let w = model.state.angular_velocity;
-    let moment = match (inertia_about_center(model), model.state.axis) {
+    let moment = match (inertia_about_center(model, work), model.state.axis) {
         // u'' + u'^2 u
         (_, Some(axis)) => {
-            let graph = &mut model.frames.graph;
+            let graph = &mut work.graph;
             let square = graph.norm_squared(axis.rate);
             let held = graph.scale_vector(square, axis.unit);
             graph.add_vectors(*angular, held)
         }
         // J w' + w x J w
         (Inertia::Spatial(rows), None) if !model.motion.is_hinged() => {
-            let graph = &mut model.frames.graph;
+            let graph = &mut work.graph;
             let momentum = graph.transform(&rows, w);
             let (driven, gyroscopic) = (graph.transform(&rows, *angular), graph.cross(w, momentum));
             graph.add_vectors(driven, gyroscopic)
         }
         _ => *angular,
     };
-    all_vanish(model, &moment) || model.constraints.is_empty() && has_no_moment(model)
+    all_vanish(work, &moment) || model.constraints.is_empty() && has_no_moment(model, work)
 }
 
 /// Whether the moments of all loads vanish, those in body axes and those in world axes: of a tensor in
 /// principal axes `J w' + w x J w` may not tell.
-fn has_no_moment(model: &mut Model) -> bool {
+fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
     if model.motion.is_hinged() || model.state.axis.is_some() {
         return false;
     }
-    let center = model.state.center(&mut model.frames);
-    let mut moments = moments_about(model, center);
+    let center = model.state.center(work);
+    let mut moments = moments_about(model, work, &model.loads, center);
     moments.extend(
-        given_parts(model, center)
+        given_parts(model, work, center)
             .into_iter()
             .map(|(_, moment)| moment),
     );
-    let total = model.frames.sum(moments);
-    all_vanish(model, &[total.body, total.world].concat())
+    let total = work.sum(moments);
+    all_vanish(work, &[total.body, total.world].concat())
 }
 
 /// Whether the angular acceleration has no component along the axes of symmetry.
-fn keeps_spin(model: &mut Model, angular: &Components, axes: &Space) -> bool {
+fn keeps_spin(work: &mut Workspace, angular: &Components, axes: &Space) -> bool {
     let along: Vec<Id> = axes
         .basis
         .iter()
         .map(|axis| {
-            let graph = &mut model.frames.graph;
+            let graph = &mut work.graph;
             let axis = axis.clone().map(|part| graph.number(part));
             graph.dot(axis, *angular)
         })
         .collect();
-    !along.is_empty() && all_vanish(model, &along)
+    !along.is_empty() && all_vanish(work, &along)
 }
 
 /// Whether a motion that is in the plane through the world's origin across this axis, the same axis of
 /// the body along it, has no acceleration out of the plane.
 fn stays_in_plane(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     linear: &Components,
     angular: &Components,
     axis: usize,
@@ -180,14 +186,14 @@ fn stays_in_plane(
     let is_rod = model.motion == Motion::Rod;
     let turning = (0..3).filter(|i| (*i == axis) == is_rod);
     let roots: Vec<Id> = turning.map(|i| angular[i]).chain([linear[axis]]).collect();
-    let zero = model.frames.graph.zero();
+    let zero = work.graph.zero();
     let mut flat = HashMap::new();
-    for id in model.frames.graph.reachable(&roots, |_| true) {
-        if meaning(model, id).is_some_and(is_out_of_plane) {
+    for id in work.graph.reachable(&roots, |_| true) {
+        if meaning(work, id).is_some_and(is_out_of_plane) {
             flat.insert(id, zero);
         }
     }
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let roots = graph.substitute(&roots, |id| flat.get(&id).copied());
-    all_vanish(model, &roots)
+    all_vanish(work, &roots)
 }

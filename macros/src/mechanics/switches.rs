@@ -13,7 +13,7 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Meaning, Model};
+use crate::model::{Meaning, Model, Workspace};
 use crate::symbolic::{Comparison, Function, Graph, Id, Node, Number};
 
 /// When equations change.
@@ -60,15 +60,15 @@ struct Wave {
 type Pieces = HashMap<Id, Option<Vec<Piece>>>;
 
 /// The switch times of `roots`, each once.
-pub fn derive_switches(model: &mut Model, roots: &[Id]) -> Vec<Switch> {
-    let graph = &model.frames.graph;
+pub fn derive_switches(model: &Model, work: &mut Workspace, roots: &[Id]) -> Vec<Switch> {
+    let graph = &work.graph;
     let time = model.state.time;
     let order = graph.reachable(roots, |id| !graph.is_early(id));
     if order.binary_search(&time).is_err() {
         return Vec::new();
     }
     let is_held = |symbol: Id| match graph.node(symbol) {
-        Node::Symbol(known) => match model.meanings.of(*known) {
+        Node::Symbol(known) => match work.meanings.of(*known) {
             Meaning::Param(..) => true,
             Meaning::Input(input, _) => !model.moves(input),
             _ => false,
@@ -84,7 +84,7 @@ pub fn derive_switches(model: &mut Model, roots: &[Id]) -> Vec<Switch> {
             || is_made && operands.all(|operand| held.get(&operand) == Some(&true));
         held.insert(*id, is_known);
     }
-    let graph = &mut model.frames.graph;
+    let graph = &mut work.graph;
     let (mut pieces, mut switches) = (Pieces::new(), Vec::new());
     for id in order {
         let found = if held[&id] {

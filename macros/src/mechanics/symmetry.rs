@@ -13,7 +13,7 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Attitude, Inertia, Model, Motion};
+use crate::model::{Attitude, Inertia, Model, Motion, Workspace};
 use crate::symbolic::{
     Algebra, Components, Function, Graph, Id, Node, Number, Residue, Residues, Spectrum, Tape,
     on_branches,
@@ -134,7 +134,12 @@ fn unit(direction: &[Number; 3]) -> Option<[Number; 3]> {
 
 /// The directions about which the world, and the axes of the body, may be turned: of the linear
 /// acceleration, and of the angular one.
-pub fn symmetries(model: &mut Model, linear: &Components, angular: &Components) -> [[Space; 2]; 2] {
+pub fn symmetries(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+) -> [[Space; 2]; 2] {
     let is_rod = model.motion == Motion::Rod;
     let axes: &[usize] = match model.motion {
         Motion::Pivot | Motion::FixedAxis => &[],
@@ -142,15 +147,15 @@ pub fn symmetries(model: &mut Model, linear: &Components, angular: &Components) 
         _ => &[0, 1, 2],
     };
     let of_body = if is_rod { &[] } else { axes };
-    let world = [0, 1, 2].map(|axis| turn_of_world(model, axis));
-    let body = [0, 1, 2].map(|axis| turn_of_body(model, axis));
-    let known = axis_of_tensor(model);
+    let world = [0, 1, 2].map(|axis| turn_of_world(model, work, axis));
+    let body = [0, 1, 2].map(|axis| turn_of_body(model, work, axis));
+    let known = axis_of_tensor(model, work);
     // the linear acceleration, and that of the axis of a rod, are written in world axes
     [(linear, true), (angular, is_rod)].map(|(vector, is_in_world)| {
-        let roots = roots(&mut model.frames.graph, vector);
+        let roots = roots(&mut work.graph, vector);
         [(&world, is_in_world, axes), (&body, !is_in_world, of_body)].map(|(rates, turns, axes)| {
             let case = Case {
-                model,
+                work,
                 roots: &roots,
                 rates,
                 turns,
@@ -163,11 +168,11 @@ pub fn symmetries(model: &mut Model, linear: &Components, angular: &Components) 
 }
 
 /// The axis of a tensor of numbers, if two of its moments are equal.
-fn axis_of_tensor(model: &mut Model) -> Option<[Number; 3]> {
-    let Inertia::Spatial(rows) = inertia_about_center(model) else {
+fn axis_of_tensor(model: &Model, work: &mut Workspace) -> Option<[Number; 3]> {
+    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
         return None;
     };
-    match model.frames.graph.spectrum(&rows)? {
+    match work.graph.spectrum(&rows)? {
         Spectrum::Symmetric(symmetry) => Some(symmetry.axis),
         _ => None,
     }
@@ -206,7 +211,7 @@ type Rates = HashMap<Id, Id>;
 
 /// Whether turns about the three axes change a vector, and what decides between its branches.
 struct Case<'a> {
-    model: &'a Model,
+    work: &'a Workspace,
     /// The vector first.
     roots: &'a [Id],
     rates: &'a [Rates; 3],
@@ -226,7 +231,7 @@ impl Case<'_> {
         if self.axes.is_empty() {
             return none;
         }
-        let graph = &self.model.frames.graph;
+        let graph = &self.work.graph;
         let rates = self.rates.iter().flat_map(|rates| rates.values().copied());
         let all: Vec<Id> = self.roots.iter().copied().chain(rates).collect();
         let tape = graph.tape(&all);
@@ -263,7 +268,7 @@ impl Case<'_> {
         residues: &mut Residues<'_>,
         state: &RandomState,
     ) -> Vec<[Option<Residue>; 3]> {
-        let values = tape.values(residues, |_, id| Some(state.of(self.model, id)));
+        let values = tape.values(residues, |_, id| Some(state.of(self.work, id)));
         let turned = [0, 1, 2].map(|axis| {
             let rate = |symbol: Id| {
                 let rate = self.rates[axis].get(&symbol)?;
@@ -289,8 +294,8 @@ impl Case<'_> {
 }
 
 /// How the state changes as the world is turned about an axis.
-fn turn_of_world(model: &mut Model, axis: usize) -> Rates {
-    let (graph, state) = (&mut model.frames.graph, &model.state);
+fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
+    let (graph, state) = (&mut work.graph, &model.state);
     let e = unit_vector(graph, axis);
     let mut rates = Rates::new();
     let vectors = if model.motion.translates() {
@@ -302,7 +307,7 @@ fn turn_of_world(model: &mut Model, axis: usize) -> Rates {
     for vector in vectors.into_iter().chain(of_axis.into_iter().flatten()) {
         rates.extend(vector.into_iter().zip(graph.cross(e, vector)));
     }
-    match model.frames.attitude {
+    match work.attitude {
         Attitude::Axis { angle, .. } => {
             rates.insert(angle, e[2]);
         }
@@ -320,12 +325,12 @@ fn turn_of_world(model: &mut Model, axis: usize) -> Rates {
 }
 
 /// How the state changes as the axes of the body are turned back about one of them.
-fn turn_of_body(model: &mut Model, axis: usize) -> Rates {
-    let (graph, state) = (&mut model.frames.graph, &model.state);
+fn turn_of_body(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
+    let (graph, state) = (&mut work.graph, &model.state);
     let e = unit_vector(graph, axis);
     let w = state.angular_velocity;
     let mut rates: Rates = w.into_iter().zip(graph.cross(e, w)).collect();
-    match model.frames.attitude {
+    match work.attitude {
         Attitude::Axis { angle, .. } => {
             rates.insert(angle, graph.negate(e[2]));
         }

@@ -10,7 +10,7 @@
 //! A series exists where the equations are smooth; what is not is reported by the load that it stands in.
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Attitude, Meaning, Model};
+use crate::model::{Attitude, Meaning, Model, Workspace};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
 
 use super::axes::{self, Axes};
@@ -37,26 +37,27 @@ impl Taylor {
 
 /// The recurrences, if they were asked for and exist.
 pub fn derive_taylor(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     linear: &Components,
     angular: &Components,
     structure: &Structure,
     errors: &mut Errors,
 ) -> Option<Taylor> {
     let asked = model.taylor?;
-    let axes = axes::derive_axes(model, structure);
+    let axes = axes::derive_axes(model, work, structure);
     let (turning, angular) = match &axes {
-        Some(axes) => (axes.rate, axes.acceleration(model, angular)),
+        Some(axes) => (axes.rate, axes.acceleration(model, work, angular)),
         None => (model.state.angular_velocity, *angular),
     };
-    let coordinates = coordinates(model, linear, &angular, turning);
+    let coordinates = coordinates(model, work, linear, &angular, turning);
     let symbols: Vec<Id> = coordinates
         .iter()
         .map(|coordinate| coordinate.symbol)
         .collect();
-    check_smooth(model, &coordinates, asked, errors)?;
-    check_held(model, &coordinates, asked, errors)?;
-    let recurrences = model.frames.graph.recurrences(&coordinates);
+    check_smooth(model, work, &coordinates, asked, errors)?;
+    check_held(model, work, &coordinates, asked, errors)?;
+    let recurrences = work.graph.recurrences(&coordinates);
     Some(Taylor {
         symbols,
         recurrences,
@@ -66,7 +67,8 @@ pub fn derive_taylor(
 
 /// The coordinates of the state, and time; those of a kind of motion are together. `turning` is the angular velocity of the axes.
 fn coordinates(
-    model: &mut Model,
+    model: &Model,
+    work: &mut Workspace,
     linear: &Components,
     angular: &Components,
     turning: Components,
@@ -90,14 +92,14 @@ fn coordinates(
     }
     if let Some(axis) = model.state.axis {
         push(&axis.unit, &axis.rate);
-    } else if let Attitude::Quaternion { scalar, vector } = model.frames.attitude {
+    } else if let Attitude::Quaternion { scalar, vector } = work.attitude {
         let [x, y, z] = vector;
-        let rates = quaternion_rate(model, scalar, vector, turning);
+        let rates = quaternion_rate(work, scalar, vector, turning);
         push(&[x, y, z, scalar], &rates);
     } else if one_angle {
         push(
-            &one(model, Meaning::Angle),
-            &one(model, Meaning::AngularVelocity(2)),
+            &one(work, Meaning::Angle),
+            &one(work, Meaning::AngularVelocity(2)),
         );
     }
     if motion.translates() {
@@ -106,24 +108,24 @@ fn coordinates(
     if let Some(axis) = model.state.axis {
         push(&axis.rate, angular);
     } else if one_angle {
-        push(&one(model, Meaning::AngularVelocity(2)), &angular[2..]);
+        push(&one(work, Meaning::AngularVelocity(2)), &angular[2..]);
     } else if motion.has_attitude() {
         push(&angular_velocity, angular);
     }
-    let unit = model.frames.graph.one();
+    let unit = work.graph.one();
     push(&[model.state.time], &[unit]);
     list
 }
 
-fn one(model: &Model, meaning: Meaning) -> Vec<Id> {
-    let symbol = model.meanings.symbol_of(meaning);
-    let id = symbol.map(|symbol| model.frames.graph.symbol_id(symbol));
+fn one(work: &Workspace, meaning: Meaning) -> Vec<Id> {
+    let symbol = work.meanings.symbol_of(meaning);
+    let id = symbol.map(|symbol| work.graph.symbol_id(symbol));
     id.into_iter().collect()
 }
 
 /// `q' = q (0, w) / 2`, the scalar last.
-fn quaternion_rate(model: &mut Model, scalar: Id, vector: Components, w: Components) -> [Id; 4] {
-    let graph = &mut model.frames.graph;
+fn quaternion_rate(work: &mut Workspace, scalar: Id, vector: Components, w: Components) -> [Id; 4] {
+    let graph = &mut work.graph;
     let (swept, along) = (graph.cross(vector, w), graph.scale_vector(scalar, w));
     let [x, y, z] = graph.add_vectors(along, swept);
     let against = graph.dot(vector, w);
@@ -135,15 +137,16 @@ fn quaternion_rate(model: &mut Model, scalar: Id, vector: Components, w: Compone
 /// Over a step, series hold their inputs.
 fn check_held(
     model: &Model,
+    work: &Workspace,
     coordinates: &[Coordinate],
     asked: Extent,
     errors: &mut Errors,
 ) -> Option<()> {
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     let rates: Vec<Id> = coordinates.iter().map(|one| one.rate).collect();
     let moves = |id: Id| match graph.node(id) {
         Node::Symbol(symbol) => {
-            matches!(model.meanings.of(*symbol), Meaning::Input(input, _) if model.moves(input))
+            matches!(work.meanings.of(*symbol), Meaning::Input(input, _) if model.moves(input))
         }
         _ => false,
     };
@@ -161,11 +164,12 @@ fn check_held(
 /// Reports the place where the equations are not smooth, by the loads that it stands in.
 fn check_smooth(
     model: &Model,
+    work: &Workspace,
     coordinates: &[Coordinate],
     asked: Extent,
     errors: &mut Errors,
 ) -> Option<()> {
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     let moving: Vec<Id> = coordinates
         .iter()
         .filter(|coordinate| !graph.is_zero(coordinate.rate))
@@ -176,7 +180,7 @@ fn check_smooth(
         .map(|coordinate| coordinate.rate)
         .collect();
     let kink = graph.first_kink(&rates, &moving);
-    let Some(kink) = kink.map(|kink| word(model, kink)) else {
+    let Some(kink) = kink.map(|kink| word(work, kink)) else {
         return Some(());
     };
     let known = errors.count();
@@ -188,7 +192,7 @@ fn check_smooth(
             load.moment.world,
         ];
         if let Some(kink) = graph.first_kink(&parts.concat(), &moving) {
-            let (name, kink) = (&load.name, word(model, kink));
+            let (name, kink) = (&load.name, word(work, kink));
             errors.push(
                 asked,
                 format!("`{name}` has no Taylor series: {}", reason(kink)),
@@ -205,8 +209,8 @@ fn check_smooth(
 }
 
 /// What a kink is called in a description.
-fn word(model: &Model, kink: Id) -> &'static str {
-    match model.frames.graph.node(kink) {
+fn word(work: &Workspace, kink: Id) -> &'static str {
+    match work.graph.node(kink) {
         Node::Unary(function, _) | Node::Binary(function, ..) => function.name(),
         _ => "if",
     }

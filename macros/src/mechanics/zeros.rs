@@ -1,25 +1,25 @@
 //! What is proved to be zero in all states, by the values of expressions at one random state.
 
-use crate::model::{Meaning, Model};
-use crate::symbolic::{Id, Node, Residue, Sample, free};
+use crate::model::{Meaning, Workspace};
+use crate::symbolic::{Id, Residue, Sample, free};
 
 /// Whether all of `roots` are proved to be zero in all states, on all branches.
-pub fn all_vanish(model: &Model, roots: &[Id]) -> bool {
-    samples(model, roots).iter().all(Sample::is_zero)
+pub fn all_vanish(work: &Workspace, roots: &[Id]) -> bool {
+    samples(work, roots).iter().all(Sample::is_zero)
 }
 
 /// The values of `roots` at one random state, on each branch.
-pub fn samples(model: &Model, roots: &[Id]) -> Vec<Sample> {
+pub fn samples(work: &Workspace, roots: &[Id]) -> Vec<Sample> {
     let state = RandomState::draw(0);
-    model.frames.graph.samples(roots, |id| state.of(model, id))
+    work.graph.samples(roots, |id| state.of(work, id))
 }
 
 /// Whether the sums of `roots` over an attitude and its half turns about the axes of the body are proved
 /// to be zero: those of the entries of its matrix are, and of what is linear in them.
-pub fn cancels_in_half_turns(model: &Model, roots: &[Id]) -> bool {
+pub fn cancels_in_half_turns(work: &Workspace, roots: &[Id]) -> bool {
     let states = [None, Some(0), Some(1), Some(2)].map(|axis| RandomState::draw(0).turned(axis));
-    let places = states.each_ref().map(|state| |id| state.of(model, id));
-    let sums = model.frames.graph.sums(roots, &places);
+    let places = states.each_ref().map(|state| |id| state.of(work, id));
+    let sums = work.graph.sums(roots, &places);
     sums.iter().all(Sample::is_zero)
 }
 
@@ -58,12 +58,8 @@ impl RandomState {
     }
 
     /// The value of a symbol.
-    pub fn of(&self, model: &Model, id: Id) -> Residue {
-        let meaning = match *model.frames.graph.node(id) {
-            Node::Symbol(symbol) => Some(model.meanings.of(symbol)),
-            _ => None,
-        };
-        match meaning {
+    pub fn of(&self, work: &Workspace, id: Id) -> Residue {
+        match work.meaning(id) {
             Some(Meaning::Quaternion(part)) => self.quaternion[part],
             Some(Meaning::Axis(part)) => self.axis[part],
             Some(Meaning::AxisRate(part)) => self.axis_rate[part],

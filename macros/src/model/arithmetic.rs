@@ -14,21 +14,15 @@ impl Lowering<'_> {
     pub fn prefix(&mut self, prefix: Prefix, operand: &Expression) -> Option<Value> {
         match (prefix, self.value(operand)?) {
             (Prefix::Minus, Value::Scalar(id, dimension)) => {
-                Some(Value::Scalar(self.frames.graph.negate(id), dimension))
+                Some(Value::Scalar(self.work.graph.negate(id), dimension))
             }
             (Prefix::Minus, Value::Vector(vector, dimension)) => {
-                Some(Value::Vector(self.frames.negate(vector), dimension))
+                Some(Value::Vector(self.work.negate(vector), dimension))
             }
-            (Prefix::Minus, Value::Components(frame, components, dimension)) => {
-                Some(Value::Components(
-                    frame,
-                    self.frames.graph.negate_vector(components),
-                    dimension,
-                ))
-            }
-            (Prefix::Not, Value::Condition(id)) => {
-                Some(Value::Condition(self.frames.graph.not(id)))
-            }
+            (Prefix::Minus, Value::Components(frame, components, dimension)) => Some(
+                Value::Components(frame, self.work.graph.negate_vector(components), dimension),
+            ),
+            (Prefix::Not, Value::Condition(id)) => Some(Value::Condition(self.work.graph.not(id))),
             (Prefix::Not, other) => self.report(
                 operand.extent,
                 format!("`!` negates a condition, and this is {}", other.kind()),
@@ -74,7 +68,7 @@ impl Lowering<'_> {
             Operator::Divide => self.quotient(left, right, sides),
             Operator::And | Operator::Or => match (left, right) {
                 (Value::Condition(a), Value::Condition(b)) => {
-                    let graph = &mut self.frames.graph;
+                    let graph = &mut self.work.graph;
                     Some(Value::Condition(if operator == Operator::And {
                         graph.and(a, b)
                     } else {
@@ -157,7 +151,7 @@ impl Lowering<'_> {
             return self.unequal((a, b), what, sides);
         };
         if let (Value::Scalar(a, _), Value::Scalar(b, _)) = (left, right) {
-            let graph = &mut self.frames.graph;
+            let graph = &mut self.work.graph;
             return Some(Value::Scalar(
                 if is_sum {
                     graph.add(a, b)
@@ -170,7 +164,7 @@ impl Lowering<'_> {
         if let (Value::Components(f, a, _), Value::Components(g, b, _)) = (left, right)
             && f == g
         {
-            let graph = &mut self.frames.graph;
+            let graph = &mut self.work.graph;
             let sum = if is_sum {
                 graph.add_vectors(a, b)
             } else {
@@ -179,8 +173,8 @@ impl Lowering<'_> {
             return Some(Value::Components(f, sum, dimension));
         }
         let (a, b) = (self.as_vector(left)?, self.as_vector(right)?);
-        let b = if is_sum { b } else { self.frames.negate(b) };
-        Some(Value::Vector(self.frames.add(a, b), dimension))
+        let b = if is_sum { b } else { self.work.negate(b) };
+        Some(Value::Vector(self.work.add(a, b), dimension))
     }
 
     /// What to write where a point is not meant, but a vector.
@@ -216,14 +210,14 @@ impl Lowering<'_> {
         }
         let vector = match sides.step.operator {
             Operator::Add => vector,
-            _ => self.frames.negate(vector),
+            _ => self.work.negate(vector),
         };
         let from_center = match point {
             Point::Moving(offset) => offset,
-            Point::Body(offset) | Point::World(offset) => self.frames.fixed_in_body(offset),
+            Point::Body(offset) | Point::World(offset) => self.work.fixed_in_body(offset),
         };
-        let offset = self.frames.add(from_center, vector);
-        let graph = &self.frames.graph;
+        let offset = self.work.add(from_center, vector);
+        let graph = &self.work.graph;
         let is_fixed = graph.is_zero_vector(&offset.world)
             && offset
                 .body
@@ -240,7 +234,7 @@ impl Lowering<'_> {
     pub fn as_vector(&mut self, value: Value) -> Option<Vector> {
         match value {
             Value::Vector(vector, _) => Some(vector),
-            Value::Components(frame, components, _) => Some(self.frames.vector(frame, components)),
+            Value::Components(frame, components, _) => Some(self.work.vector(frame, components)),
             _ => None,
         }
     }
@@ -259,7 +253,7 @@ impl Lowering<'_> {
         };
         match (left, right) {
             (Value::Scalar(a, _), Value::Scalar(b, _)) => {
-                Some(Value::Scalar(self.frames.graph.multiply(a, b), product))
+                Some(Value::Scalar(self.work.graph.multiply(a, b), product))
             }
             (Value::Scalar(factor, _), vector) | (vector, Value::Scalar(factor, _)) => {
                 self.scaled(factor, vector, product)
@@ -275,12 +269,12 @@ impl Lowering<'_> {
         match vector {
             Value::Components(frame, components, _) => Some(Value::Components(
                 frame,
-                self.frames.graph.scale_vector(factor, components),
+                self.work.graph.scale_vector(factor, components),
                 dimension,
             )),
             other => {
                 let vector = self.as_vector(other)?;
-                Some(Value::Vector(self.frames.scale(factor, vector), dimension))
+                Some(Value::Vector(self.work.scale(factor, vector), dimension))
             }
         }
     }
@@ -297,10 +291,10 @@ impl Lowering<'_> {
             let message = format!("{} cannot be divided", left.kind());
             return self.report(sides.left.extent, message);
         };
-        if self.frames.graph.is_zero(divisor) {
+        if self.work.graph.is_zero(divisor) {
             return self.report(place, "this is zero, and nothing can be divided by it");
         }
-        if let Some(number) = self.frames.graph.as_number(divisor)
+        if let Some(number) = self.work.graph.as_number(divisor)
             && number.is_undecided()
         {
             return self.report(
@@ -311,18 +305,18 @@ impl Lowering<'_> {
         let Some(quotient) = a.over(b) else {
             return self.report(sides.step.place, TOO_LARGE);
         };
-        let one = self.frames.graph.one();
-        if self.frames.graph.is_early(divisor) {
-            let reciprocal = self.frames.graph.divide(one, divisor);
+        let one = self.work.graph.one();
+        if self.work.graph.is_early(divisor) {
+            let reciprocal = self.work.graph.divide(one, divisor);
             self.check_value("/", &[divisor], reciprocal, place)?;
         }
         if let Value::Scalar(dividend, _) = left {
             return Some(Value::Scalar(
-                self.frames.graph.divide(dividend, divisor),
+                self.work.graph.divide(dividend, divisor),
                 quotient,
             ));
         }
-        let reciprocal = self.frames.graph.divide(one, divisor);
+        let reciprocal = self.work.graph.divide(one, divisor);
         self.scaled(reciprocal, left, quotient)
     }
 
@@ -342,7 +336,7 @@ impl Lowering<'_> {
             return self.unequal((of_a, of_b), what, sides);
         }
         let operator = sides.step.operator;
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         Some(Value::Condition(match operator {
             Operator::Less => graph.compare(Comparison::Less, a, b),
             Operator::LessOrEqual => graph.compare(Comparison::LessOrEqual, a, b),
@@ -388,7 +382,7 @@ impl Lowering<'_> {
                 ),
             );
         };
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         if let (Value::Scalar(a, _), Value::Scalar(b, _)) = (a, b) {
             return Some(Value::Scalar(graph.select(chosen_by, a, b), dimension));
         }
@@ -398,7 +392,7 @@ impl Lowering<'_> {
                 "both branches are scalars, or both are vectors",
             );
         };
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let body = [0, 1, 2].map(|i| graph.select(chosen_by, a.body[i], b.body[i]));
         let world = [0, 1, 2].map(|i| graph.select(chosen_by, a.world[i], b.world[i]));
         Some(Value::Vector(Vector { body, world }, dimension))

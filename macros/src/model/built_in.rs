@@ -17,7 +17,7 @@ impl Lowering<'_> {
         if let Some(value) = self.scope.look_up(&word) {
             return value;
         }
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         match word.as_str() {
             "t" => Some(Value::Scalar(self.state.time, Dimension::TIME)),
             "PI" => Some(Value::Scalar(graph.number(Number::pi()), Dimension::ANY)),
@@ -34,7 +34,7 @@ impl Lowering<'_> {
                 } else {
                     (axis.rate, Dimension::FREQUENCY)
                 };
-                let vector = self.frames.vector(Frame::World, components);
+                let vector = self.work.vector(Frame::World, components);
                 Some(Value::Vector(vector, dimension))
             }
             "attitude" if self.motion == Motion::Rod => self.report(
@@ -42,7 +42,7 @@ impl Lowering<'_> {
                 format!("{UNTURNED}: write `axis`, the unit vector along it"),
             ),
             "attitude" if !self.motion.has_attitude() => self.absent(name, "attitude"),
-            "attitude" => match self.frames.attitude {
+            "attitude" => match self.work.attitude {
                 Attitude::Axis { angle, .. } => Some(Value::Scalar(angle, Dimension::NONE)),
                 _ => Some(Value::Attitude),
             },
@@ -54,7 +54,7 @@ impl Lowering<'_> {
                 Dimension::FREQUENCY,
             )),
             "angular_velocity" => {
-                let vector = self.frames.vector(Frame::Body, self.state.angular_velocity);
+                let vector = self.work.vector(Frame::Body, self.state.angular_velocity);
                 Some(Value::Vector(vector, Dimension::FREQUENCY))
             }
             "mass" => self.report(name.span(), "this body has no mass: write `mass: ..`"),

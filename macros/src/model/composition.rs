@@ -61,7 +61,7 @@ impl Lowering<'_> {
             .collect();
         let members: Vec<Member> = members.into_iter().collect::<Option<_>>()?;
         let masses: Vec<Id> = members.iter().map(|member| member.mass).collect();
-        let mass = self.frames.graph.sum(&masses);
+        let mass = self.work.graph.sum(&masses);
         match self.known(mass, defaults) {
             Some(number) if !number.is_positive() => {
                 let number = shown(&number);
@@ -75,14 +75,14 @@ impl Lowering<'_> {
             }
             _ => {}
         }
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let first = members.first()?.point;
         let offsets: Vec<Components> = members
             .iter()
             .map(|member| graph.subtract_vectors(member.point, first))
             .collect();
         self.check_on_one_line(written, &offsets)?;
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let center = [0, 1, 2].map(|axis| {
             let moments = masses.iter().zip(&offsets);
             let moments: Vec<Id> = moments
@@ -92,12 +92,12 @@ impl Lowering<'_> {
             let center = graph.divide(moment, mass);
             graph.quantity(center)
         });
-        let labels = &mut self.frames.labels;
+        let labels = &mut self.work.labels;
         labels.describe("center", "G, from where the first part is");
         labels.vector("center", center);
         let mut inertia = self.of_a_point();
         for (member, offset) in members.iter().zip(offsets) {
-            let graph = &mut self.frames.graph;
+            let graph = &mut self.work.graph;
             let from_center = graph.subtract_vectors(offset, center);
             let about_center = member.inertia.displaced(graph, member.mass, from_center);
             inertia = inertia.plus(graph, about_center);
@@ -135,7 +135,7 @@ impl Lowering<'_> {
 
     fn member(&mut self, part: &Part, defaults: &Defaults) -> Option<Member> {
         let point = match &part.point {
-            None => Some(self.frames.graph.zeros()),
+            None => Some(self.work.graph.zeros()),
             Some(point) => point.as_ref().and_then(|point| self.place(point)),
         };
         let (mass, inertia) = match &part.form.kind {
@@ -185,7 +185,7 @@ impl Lowering<'_> {
 
     /// The inertia of a point about itself: none.
     fn of_a_point(&mut self) -> Inertia {
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         if self.motion.has_one_moment() {
             Inertia::Scalar(graph.zero())
         } else {
@@ -217,7 +217,7 @@ impl Lowering<'_> {
     fn part_mass(&mut self, written: &Expression, defaults: &Defaults) -> Option<(Id, bool)> {
         let mass = self.scalar(written, Dimension::MASS, "a mass")?;
         self.check_early(written, &[mass], "the mass is constant")?;
-        if self.frames.graph.is_zero(mass) {
+        if self.work.graph.is_zero(mass) {
             return self.report(
                 written.extent,
                 "a part without mass changes nothing: leave it out",

@@ -4,12 +4,11 @@ use std::collections::{BTreeMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::symbolic::{Id, Node};
+use crate::symbolic::Id;
 use crate::syntax::{Definition, Description, Expression};
 
 use super::frame::Frame;
 use super::lower::Lowering;
-use super::motion::Meanings;
 use super::names::{AXES, Meaning};
 use super::outline::Declared;
 use super::value::Value;
@@ -73,14 +72,13 @@ impl Lowering<'_> {
     pub fn constraints(
         &mut self,
         description: &Description,
-        meanings: &Meanings,
         inputs: &[Declared],
     ) -> Option<Vec<Constraint>> {
         let mut all = Some(Vec::new());
         for written in &description.constraints {
-            let found = self.constraint(written, meanings);
+            let found = self.constraint(written);
             let found = found.filter(|found| {
-                self.check_inputs(written, found, description, (meanings, inputs))
+                self.check_inputs(written, found, description, inputs)
                     .is_some()
             });
             match (&mut all, found) {
@@ -93,7 +91,7 @@ impl Lowering<'_> {
 
     /// The scalars of one constraint: a vector counts as its components, in world axes unless it
     /// says otherwise.
-    fn constraint(&mut self, written: &Definition, meanings: &Meanings) -> Option<Vec<Constraint>> {
+    fn constraint(&mut self, written: &Definition) -> Option<Vec<Constraint>> {
         let expression = written.value.as_ref()?;
         let name = &written.name;
         if self.motion.is_supported() {
@@ -110,7 +108,7 @@ impl Lowering<'_> {
             Value::Scalar(id, _) => vec![(name.to_string(), id)],
             Value::Components(_, components, _) => self.named_components(name, components),
             Value::Vector(vector, _) => {
-                let components = self.frames.components(vector, Frame::World);
+                let components = self.work.components(vector, Frame::World);
                 self.named_components(name, components)
             }
             other => {
@@ -125,7 +123,7 @@ impl Lowering<'_> {
         };
         let mut constraints = Vec::new();
         for (scalar, value) in components {
-            let Some(level) = self.level(value, meanings) else {
+            let Some(level) = self.level(value) else {
                 return self.report(
                     name.span(),
                     format!(
@@ -150,16 +148,13 @@ impl Lowering<'_> {
         written: &Definition,
         constraints: &[Constraint],
         description: &Description,
-        (meanings, inputs): (&Meanings, &[Declared]),
+        inputs: &[Declared],
     ) -> Option<()> {
-        let graph = &self.frames.graph;
+        let graph = &self.work.graph;
         let mut lacking: BTreeMap<usize, Level> = BTreeMap::new();
         for constraint in constraints {
             for part in graph.reachable(&[constraint.value], |id| !graph.is_early(id)) {
-                let Node::Symbol(symbol) = graph.node(part) else {
-                    continue;
-                };
-                let Meaning::Input(input, _) = meanings.of(*symbol) else {
+                let Some(Meaning::Input(input, _)) = self.work.meaning(part) else {
                     continue;
                 };
                 if inputs[input].derivatives() < constraint.level.derivatives() {
@@ -212,13 +207,10 @@ impl Lowering<'_> {
     }
 
     /// `None` of what depends on no part of the state.
-    fn level(&self, value: Id, meanings: &Meanings) -> Option<Level> {
-        let graph = &self.frames.graph;
+    fn level(&self, value: Id) -> Option<Level> {
+        let graph = &self.work.graph;
         let depends = |wanted: fn(Meaning) -> bool| {
-            graph.depends_on(
-                &[value],
-                |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(meanings.of(*symbol))),
-            )
+            graph.depends_on(&[value], |id| self.work.meaning(id).is_some_and(wanted))
         };
         let is_rate = |meaning| {
             matches!(

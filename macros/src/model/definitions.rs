@@ -6,9 +6,9 @@ use crate::symbolic::Id;
 use crate::syntax::{Composition, Description, Expression};
 
 use super::dimension::Dimension;
-use super::frame::{Frames, Vector};
+use super::frame::{Vector, Workspace};
 use super::lower::Lowering;
-use super::motion::{Meanings, Motion};
+use super::motion::Motion;
 use super::order::{Definition, definition_order, split_at_axis, split_at_support};
 use super::outline::{self, Outline};
 use super::parameters::Defaults;
@@ -34,21 +34,10 @@ impl Mass {
 }
 
 impl Lowering<'_> {
-    pub fn declarations(
-        &mut self,
-        description: &Description,
-        outline: &mut Outline,
-        meanings: &mut Meanings,
-    ) -> Defaults {
+    pub fn declarations(&mut self, description: &Description, outline: &mut Outline) -> Defaults {
         let mut defaults = HashMap::new();
         for (index, param) in outline::distinct(&description.params).enumerate() {
-            let value = self.param(
-                index,
-                param,
-                &mut outline.params[index],
-                meanings,
-                &mut defaults,
-            );
+            let value = self.param(index, param, &mut outline.params[index], &mut defaults);
             self.scope.define(&param.name.to_string(), value);
         }
         let mut is_lost = false;
@@ -57,7 +46,7 @@ impl Lowering<'_> {
             let value = if input.order > 0 && is_lost {
                 None
             } else {
-                self.input(index, input, &mut outline.inputs[index], meanings)
+                self.input(index, input, &mut outline.inputs[index])
             };
             is_lost = value.is_none();
             self.scope.define(&input.name.to_string(), value);
@@ -178,7 +167,7 @@ impl Lowering<'_> {
 
     /// A local becomes a statement of the code, under its own name.
     pub fn named(&mut self, value: Value, name: &str) -> Value {
-        let Frames { graph, labels, .. } = &mut *self.frames;
+        let Workspace { graph, labels, .. } = &mut *self.work;
         match value {
             Value::Scalar(id, dimension) => {
                 let id = graph.quantity(id);

@@ -3,9 +3,9 @@
 use crate::errors::{Errors, Extent};
 use crate::symbolic::{Id, Number};
 
-use super::Model;
 use super::lower::Lowering;
 use super::value::shown;
+use super::{Model, Workspace};
 
 /// Something that was written and has no value everywhere, and depends on parameters.
 pub struct Doubtful {
@@ -25,7 +25,7 @@ impl Lowering<'_> {
         value: Id,
         place: Extent,
     ) -> Option<()> {
-        let graph = &self.frames.graph;
+        let graph = &self.work.graph;
         if graph.is_undefined(value) {
             let numbers = operands.iter().map(|id| graph.as_number(*id).cloned());
             let why = numbers.collect::<Option<Vec<_>>>();
@@ -36,7 +36,7 @@ impl Lowering<'_> {
             return self.report(place, why);
         }
         if graph.is_early(value) && graph.as_number(value).is_none() {
-            self.frames.doubtful.push(Doubtful {
+            self.work.doubtful.push(Doubtful {
                 word: word.to_owned(),
                 operands: operands.to_vec(),
                 value,
@@ -48,9 +48,9 @@ impl Lowering<'_> {
 }
 
 /// Reports the first part of the description that has no value with the defaults of the parameters.
-pub fn report_without_value(model: &mut Model, errors: &mut Errors) -> bool {
-    let graph = &mut model.frames.graph;
-    for doubtful in &model.frames.doubtful {
+pub fn report_without_value(model: &Model, work: &mut Workspace, errors: &mut Errors) -> bool {
+    let graph = &mut work.graph;
+    for doubtful in &work.doubtful {
         let all: Vec<Id> = doubtful
             .operands
             .iter()

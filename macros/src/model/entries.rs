@@ -54,7 +54,7 @@ impl Lowering<'_> {
             .map(|part| self.scalar(part, Dimension::INERTIA, "a moment of inertia"))
             .collect();
         let moments: Vec<Id> = moments.into_iter().collect::<Option<_>>()?;
-        let mut rows = [self.frames.graph.zeros(); 3];
+        let mut rows = [self.work.graph.zeros(); 3];
         for (i, moment) in moments.iter().enumerate() {
             rows[i][i] = *moment;
         }
@@ -86,7 +86,7 @@ impl Lowering<'_> {
             );
         }
         self.refuse_in_plane(word)?;
-        let mut rows = [self.frames.graph.zeros(); 3];
+        let mut rows = [self.work.graph.zeros(); 3];
         let mut entries = Vec::new();
         let mut complete = true;
         for (index, (name, value)) in fields.iter().enumerate() {
@@ -118,7 +118,7 @@ impl Lowering<'_> {
                 continue;
             };
             let entry = if word == "products" && row != column {
-                self.frames.graph.negate(entry)
+                self.work.graph.negate(entry)
             } else {
                 entry
             };

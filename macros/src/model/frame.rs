@@ -1,4 +1,4 @@
-//! Frames: a vector is a physical object, whatever axes its components were written in.
+//! Workspace: a vector is a physical object, whatever axes its components were written in.
 //!
 //! A [`Vector`] is the sum of a part with components in body axes and a part with components in
 //! world axes. Sums stay in the axes they were written in; only where components are read, or
@@ -6,10 +6,11 @@
 //! added before the one rotation, and the difference of two points of the body knows nothing of
 //! where the body is (`docs/trust.md`, H9).
 
-use crate::symbolic::{Components, Graph, Id};
+use crate::symbolic::{Components, Graph, Id, Node, Stage};
 
 use super::domains::Doubtful;
-use super::names::Labels;
+use super::motion::Meanings;
+use super::names::{Labels, Meaning};
 use super::turned_vector::{Turn, Turns};
 
 /// Axes in which components are written.
@@ -60,10 +61,12 @@ pub struct Vector {
     pub world: Components,
 }
 
-/// The graph of a description, seen through the two frames of its body.
-pub struct Frames {
+/// What a description is worked out in: its graph, seen through the two frames of its body, and the words for what is in it. Lowering
+/// begins it, mechanics goes on in it.
+pub struct Workspace {
     pub graph: Graph,
     pub labels: Labels,
+    pub meanings: Meanings,
     pub attitude: Attitude,
     /// Turned vectors are kept apart in here, where potentials are read.
     pub turns: Option<Turns>,
@@ -75,7 +78,28 @@ pub struct Frames {
     pub doubtful: Vec<Doubtful>,
 }
 
-impl Frames {
+impl Workspace {
+    /// A new symbol that stands for this, known from `stage` on.
+    pub fn symbol(&mut self, stage: Stage, meaning: Meaning) -> Id {
+        self.meanings.symbol(&mut self.graph, stage, meaning)
+    }
+
+    /// What a symbol stands for; none if the expression is no symbol.
+    pub fn meaning(&self, id: Id) -> Option<Meaning> {
+        match self.graph.node(id) {
+            Node::Symbol(symbol) => Some(self.meanings.of(*symbol)),
+            _ => None,
+        }
+    }
+
+    /// The angle of a body that turns about an axis.
+    pub fn angle(&self) -> Option<Id> {
+        match self.attitude {
+            Attitude::Axis { angle, .. } => Some(angle),
+            _ => None,
+        }
+    }
+
     pub fn vector(&mut self, frame: Frame, components: Components) -> Vector {
         let zeros = self.graph.zeros();
         // no axes turn with a rod

@@ -38,7 +38,7 @@ impl Lowering<'_> {
                 let vector = if word == "body" {
                     self.body_vector(components, extent)?
                 } else {
-                    self.frames.vector(Frame::World, components)
+                    self.work.vector(Frame::World, components)
                 };
                 Some(Value::Vector(vector, dimension))
             }
@@ -176,13 +176,13 @@ impl Lowering<'_> {
                 self.expect_arguments(method, arguments, 1)?;
                 let exponent = self.whole_exponent(&arguments[0])?;
                 let of_value = self.raised(of_x, Fraction::new(exponent.into(), 1), method)?;
-                return Some(Value::Scalar(self.frames.graph.powi(x, exponent), of_value));
+                return Some(Value::Scalar(self.work.graph.powi(x, exponent), of_value));
             }
             "recip" => {
                 self.expect_arguments(method, arguments, 0)?;
-                let one = self.frames.graph.one();
+                let one = self.work.graph.one();
                 let of_value = self.raised(of_x, Fraction::new(-1, 1), method)?;
-                return Some(Value::Scalar(self.frames.graph.divide(one, x), of_value));
+                return Some(Value::Scalar(self.work.graph.divide(one, x), of_value));
             }
             "clamp" => return self.clamp(x, of_x, method, arguments),
             _ => {}
@@ -245,7 +245,7 @@ impl Lowering<'_> {
             _ => Dimension::NONE,
         };
         Some(Value::Scalar(
-            self.frames.graph.apply(function, &operands),
+            self.work.graph.apply(function, &operands),
             of_value,
         ))
     }
@@ -263,7 +263,7 @@ impl Lowering<'_> {
             self.scalar(&arguments[1], of_x, "a bound"),
         );
         let (low, high) = (low?, high?);
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         if let (Some(least), Some(most)) = (graph.as_number(low), graph.as_number(high))
             && least > most
         {
@@ -340,7 +340,7 @@ impl Lowering<'_> {
         exponent: &Expression,
     ) -> Option<Value> {
         let power = self.scalar(exponent, Dimension::NONE, "an exponent")?;
-        let of_value = match self.frames.graph.as_number(power) {
+        let of_value = match self.work.graph.as_number(power) {
             Some(number) => of_x.power_of_number(number),
             None => (!of_x.is_known() || of_x == Dimension::NONE).then_some(of_x),
         };
@@ -352,7 +352,7 @@ impl Lowering<'_> {
             return self.report(receiver.extent, message);
         };
         Some(Value::Scalar(
-            self.frames.graph.apply(Function::Powf, &[x, power]),
+            self.work.graph.apply(Function::Powf, &[x, power]),
             of_value,
         ))
     }

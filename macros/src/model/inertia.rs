@@ -126,7 +126,7 @@ impl Lowering<'_> {
                         format!("an inertia is in {expected}, and this is {found}"),
                     );
                 }
-                let factor = self.frames.graph.number(factor);
+                let factor = self.work.graph.number(factor);
                 Some(self.scale_draft(factor, draft))
             }
             Kind::Method(inner, method, arguments) if method == "about" => {
@@ -216,7 +216,7 @@ impl Lowering<'_> {
     }
 
     fn scale_draft(&mut self, factor: Id, draft: Draft) -> Draft {
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let inertia = match draft.inertia {
             Inertia::Absent => Inertia::Absent,
             Inertia::Scalar(moment) => Inertia::Scalar(graph.multiply(factor, moment)),

@@ -15,13 +15,13 @@ impl Lowering<'_> {
             LoadKind::Force => self.vector(value, Dimension::FORCE, "a force"),
             LoadKind::Moment if self.motion.is_planar() => {
                 let moment = self.scalar(value, Dimension::MOMENT, "a moment")?;
-                let zero = self.frames.graph.zero();
-                Some(self.frames.vector(Frame::Body, [zero, zero, moment]))
+                let zero = self.work.graph.zero();
+                Some(self.work.vector(Frame::Body, [zero, zero, moment]))
             }
             LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
         });
         let point = self.point_of_load(written);
-        let (vector, zero) = (vector?, self.frames.zero_vector());
+        let (vector, zero) = (vector?, self.work.zero_vector());
         let (force, moment) = match written.kind {
             LoadKind::Force => (vector, zero),
             LoadKind::Moment => (zero, vector),
@@ -51,17 +51,17 @@ impl Lowering<'_> {
                 ),
                 found => Some(found),
             }),
-            None => Some(Point::Body(self.frames.graph.zeros())),
+            None => Some(Point::Body(self.work.graph.zeros())),
         }
     }
 
     pub fn pole(&mut self, written: Option<&Written>) -> Option<Point> {
         let Some(written) = written else {
-            return Some(Point::Body(self.frames.graph.zeros()));
+            return Some(Point::Body(self.work.graph.zeros()));
         };
         let value = written.value.as_ref()?;
         let point = self.point(value)?;
-        let is_center = point == Point::Body(self.frames.graph.zeros());
+        let is_center = point == Point::Body(self.work.graph.zeros());
         if !self.motion.knows_position() && !is_center {
             return self.report(
                 value.extent,

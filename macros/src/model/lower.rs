@@ -8,7 +8,7 @@ use crate::syntax::{Expression, Kind, UnitExpression};
 
 use super::composition::Composed;
 use super::dimension::Dimension;
-use super::frame::{Frames, Vector};
+use super::frame::{Vector, Workspace};
 use super::motion::{Motion, State};
 use super::parameters::Defaults;
 use super::scope::Scope;
@@ -23,7 +23,7 @@ pub const UNKNOWN: &str = "unknown components (`_`) stand alone in a reaction or
 
 /// All that an expression can see.
 pub struct Lowering<'a> {
-    pub frames: &'a mut Frames,
+    pub work: &'a mut Workspace,
     pub scope: &'a mut Scope,
     pub errors: &'a mut Errors,
     pub motion: Motion,
@@ -83,7 +83,7 @@ impl Lowering<'_> {
         match self.value(expression)? {
             Value::Vector(vector, found) if found.fits(dimension) => Some(vector),
             Value::Components(frame, components, found) if found.fits(dimension) => {
-                Some(self.frames.vector(frame, components))
+                Some(self.work.vector(frame, components))
             }
             Value::Vector(_, found) | Value::Components(_, _, found) => {
                 self.mismatch(expression, dimension, found, what)
@@ -137,7 +137,7 @@ impl Lowering<'_> {
             ),
             Kind::If(parts) => self.choice(parts),
         }?;
-        let undefined = |id: &Id| self.frames.graph.is_undefined(*id);
+        let undefined = |id: &Id| self.work.graph.is_undefined(*id);
         let is_undefined = match &value {
             Value::Scalar(id, _) | Value::Condition(id) => undefined(id),
             Value::Components(_, components, _) => components.iter().any(undefined),
@@ -167,7 +167,7 @@ impl Lowering<'_> {
     fn number(&mut self, digits: &str, extent: Extent) -> Option<Value> {
         match Number::parse(digits) {
             Some(number) if number.fits_f64() => Some(Value::Scalar(
-                self.frames.graph.number(number),
+                self.work.graph.number(number),
                 Dimension::ANY,
             )),
             _ => self.report(
@@ -218,13 +218,13 @@ impl Lowering<'_> {
         let late = |name: &&&proc_macro2::Ident| {
             let word = name.to_string();
             match self.scope.peek(&word) {
-                Some(Value::Scalar(id, _)) => !self.frames.graph.is_early(id),
+                Some(Value::Scalar(id, _)) => !self.work.graph.is_early(id),
                 Some(Value::Components(_, components, _)) => {
-                    !components.iter().all(|id| self.frames.graph.is_early(*id))
+                    !components.iter().all(|id| self.work.graph.is_early(*id))
                 }
                 Some(Value::Vector(vector, _)) => {
                     let mut components = vector.body.iter().chain(&vector.world);
-                    !components.all(|id| self.frames.graph.is_early(*id))
+                    !components.all(|id| self.work.graph.is_early(*id))
                 }
                 Some(_) => false,
                 None => Scope::is_changing(&word),
@@ -237,7 +237,7 @@ impl Lowering<'_> {
 
     /// What is fixed is known before the body moves; `rule` says why it has to be.
     pub fn check_early(&mut self, written: &Expression, ids: &[Id], rule: &str) -> Option<()> {
-        if ids.iter().all(|id| self.frames.graph.is_early(*id)) {
+        if ids.iter().all(|id| self.work.graph.is_early(*id)) {
             return Some(());
         }
         let place = self.late_name(written);
@@ -249,7 +249,7 @@ impl Lowering<'_> {
 
     /// The numbers that expressions are, with the defaults of parameters; `None` if one has none.
     pub fn all_known(&mut self, ids: &[Id], defaults: &Defaults) -> Option<Vec<Number>> {
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let known = graph.substitute(ids, |id| defaults.get(&id).copied());
         known
             .iter()
@@ -258,7 +258,7 @@ impl Lowering<'_> {
     }
 
     pub fn known(&mut self, id: Id, defaults: &Defaults) -> Option<Number> {
-        match self.frames.graph.as_number(id) {
+        match self.work.graph.as_number(id) {
             Some(number) => Some(number.clone()),
             None => self.all_known(&[id], defaults)?.pop(),
         }
@@ -275,24 +275,24 @@ impl Lowering<'_> {
     fn unit(&mut self, operand: &Expression, unit: &UnitExpression) -> Option<Value> {
         let value = self.value(operand);
         let (factor, dimension) = lower_unit(unit, self.errors)?;
-        let factor = self.frames.graph.number(factor);
+        let factor = self.work.graph.number(factor);
         match value? {
             Value::Scalar(id, found) => {
                 self.check_unitless(found, unit.extent)?;
                 Some(Value::Scalar(
-                    self.frames.graph.multiply(factor, id),
+                    self.work.graph.multiply(factor, id),
                     dimension,
                 ))
             }
             Value::Vector(vector, found) => {
                 self.check_unitless(found, unit.extent)?;
-                Some(Value::Vector(self.frames.scale(factor, vector), dimension))
+                Some(Value::Vector(self.work.scale(factor, vector), dimension))
             }
             Value::Components(frame, components, found) => {
                 self.check_unitless(found, unit.extent)?;
                 Some(Value::Components(
                     frame,
-                    self.frames.graph.scale_vector(factor, components),
+                    self.work.graph.scale_vector(factor, components),
                     dimension,
                 ))
             }

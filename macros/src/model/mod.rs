@@ -45,7 +45,7 @@ use crate::symbolic::{Components, Graph, Id, Number, Stage};
 use crate::syntax::{self, Description};
 
 pub use constraint::{Constraint, Level};
-pub use frame::{Attitude, Frame, Frames, Vector};
+pub use frame::{Attitude, Frame, Vector, Workspace};
 pub use inertia::Inertia;
 pub use motion::{Axis, Meanings, Motion, State};
 pub use names::{AXES, Labels, Meaning};
@@ -67,8 +67,6 @@ use scope::{Scope, check_names};
 /// A description, understood.
 pub struct Model {
     pub motion: Motion,
-    pub frames: Frames,
-    pub meanings: Meanings,
     /// How many derivatives of each input are given: the inputs behind it.
     derivatives: Vec<usize>,
     pub state: State,
@@ -123,28 +121,23 @@ impl Model {
     }
 
     /// The rate of a part of an input, if it moves.
-    pub fn input_rate(&self, input: usize, component: Option<usize>) -> Option<Id> {
+    pub fn input_rate(
+        &self,
+        work: &Workspace,
+        input: usize,
+        component: Option<usize>,
+    ) -> Option<Id> {
         let rate = Meaning::Input(input + 1, component);
-        let symbol = self
-            .meanings
-            .symbol_of(rate)
-            .filter(|_| self.moves(input))?;
-        Some(self.frames.graph.symbol_id(symbol))
+        let known = work.meanings.symbol_of(rate);
+        let symbol = known.filter(|_| self.moves(input))?;
+        Some(work.graph.symbol_id(symbol))
     }
 
     /// The direction of the axis of a hinge, body axes; in the plane, z.
-    pub fn hinge(&mut self) -> Option<Components> {
+    pub fn hinge(&self, graph: &mut Graph) -> Option<Components> {
         let support = self.state.support.filter(|_| self.motion.is_hinged())?;
-        let z = [0, 0, 1].map(|component| self.frames.graph.integer(component));
+        let z = [0, 0, 1].map(|component| graph.integer(component));
         Some(support.direction.unwrap_or(z))
-    }
-
-    /// The angle of a body that turns about an axis.
-    pub fn angle(&self) -> Option<Id> {
-        match self.frames.attitude {
-            Attitude::Axis { angle, .. } => Some(angle),
-            _ => None,
-        }
     }
 
     /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the one of a planar body.
@@ -162,14 +155,15 @@ pub fn lower_description(
     description: &Description,
     outline: &mut Outline,
     errors: &mut Errors,
-) -> Option<Model> {
+) -> Option<(Model, Workspace)> {
     let repeated = check_names(description, errors);
     let mut graph = Graph::default();
     let mut meanings = Meanings::default();
     let (mut state, attitude) = motion::state_symbols(outline.motion, &mut graph, &mut meanings);
-    let mut frames = Frames {
+    let mut work = Workspace {
         graph,
         labels: Labels::default(),
+        meanings,
         attitude,
         turns: None,
         turned: Vec::new(),
@@ -178,7 +172,7 @@ pub fn lower_description(
     };
     let mut scope = Scope::new(description, repeated);
     let mut lowering = Lowering {
-        frames: &mut frames,
+        work: &mut work,
         scope: &mut scope,
         errors,
         motion: outline.motion,
@@ -193,7 +187,7 @@ pub fn lower_description(
         },
     };
 
-    let defaults = lowering.declarations(description, outline, &mut meanings);
+    let defaults = lowering.declarations(description, outline);
     let mass = lowering.definitions(description, &defaults);
     let inertia = lowering.inertia(description, mass, &defaults);
     let potentials = lowering.potentials(description);
@@ -208,11 +202,11 @@ pub fn lower_description(
         .into_iter()
         .map(|load| lowering.drive(load, is_asked_for))
         .collect();
-    let constraints = lowering.constraints(description, &meanings, &outline.inputs);
+    let constraints = lowering.constraints(description, &outline.inputs);
     let reactions: Vec<Option<Reaction>> = unknown
         .into_iter()
         .enumerate()
-        .map(|(index, load)| lowering.reaction(index, load, &mut meanings))
+        .map(|(index, load)| lowering.reaction(index, load))
         .collect();
     lowering.name_reactions(description, &reactions);
     let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
@@ -224,10 +218,8 @@ pub fn lower_description(
     let (inertia, loads, reactions, pole) = (inertia?, loads?, reactions?, pole?);
     let (potentials, constraints) = (potentials?, constraints?);
     let (motion, outputs) = (outline.motion, outline.outputs.clone());
-    Some(Model {
+    let model = Model {
         motion,
-        frames,
-        meanings,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         state,
         mass: mass.known(),
@@ -243,7 +235,33 @@ pub fn lower_description(
         flow: place_of_output(description, "flow"),
         taylor: place_of_output(description, "taylor"),
         defaults,
-    })
+    };
+    name_properties(&model, &mut work.labels);
+    Some((model, work))
+}
+
+/// Mass and inertia are called what they are, where they are computed.
+fn name_properties(model: &Model, labels: &mut Labels) {
+    let names = [
+        "inertia_xx",
+        "inertia_yy",
+        "inertia_zz",
+        "inertia_xy",
+        "inertia_yz",
+        "inertia_zx",
+    ];
+    let entries = model.inertia_entries();
+    let names = if entries.len() == 1 {
+        &["inertia"][..]
+    } else {
+        &names[..]
+    };
+    for (id, name) in entries.into_iter().zip(names) {
+        labels.name(id, *name);
+    }
+    if let Some(mass) = model.mass {
+        labels.name(mass, "mass");
+    }
 }
 
 /// The names that nothing refers to; the rates of an input come with it.
@@ -267,8 +285,14 @@ fn place_of_output(description: &Description, output: &str) -> Option<Extent> {
 
 /// Reports constants of the equations that no double can hold, with the defaults where parameters
 /// have them.
-pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &mut Errors) {
-    let graph = &mut model.frames.graph;
+pub fn check_range(
+    model: &Model,
+    work: &mut Workspace,
+    outline: &Outline,
+    roots: &[Id],
+    errors: &mut Errors,
+) {
+    let graph = &mut work.graph;
     let early: Vec<Id> = graph
         .reachable(roots, |id| !graph.is_early(id))
         .into_iter()
@@ -276,10 +300,10 @@ pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &
         .collect();
     let values = graph.substitute(&early, |id| model.defaults.get(&id).copied());
     let has_no_value = values.iter().any(|id| graph.is_undefined(*id));
-    if has_no_value && domains::report_without_value(model, errors) {
+    if has_no_value && domains::report_without_value(model, work, errors) {
         return;
     }
-    let graph = &model.frames.graph;
+    let graph = &work.graph;
     let is_undecided = |id: &Id| graph.as_number(*id).is_some_and(Number::is_undecided);
     if values.iter().any(is_undecided) {
         errors.push(
@@ -296,7 +320,7 @@ pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &
         let number = graph.as_number(*id);
         graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())
     };
-    if values.iter().any(out_of_range) || outline.has_default() && overflows(model, &early) {
+    if values.iter().any(out_of_range) || outline.has_default() && overflows(model, work, &early) {
         let with = if outline.params.is_empty() {
             ""
         } else {
@@ -312,13 +336,13 @@ pub fn check_range(model: &mut Model, outline: &Outline, roots: &[Id], errors: &
         );
         return;
     }
-    check_rounded_inertia(model, outline, errors);
+    check_rounded_inertia(model, work, outline, errors);
 }
 
 /// Reports an inertia that is possible as it is written, and that the constructor, which computes
 /// in doubles, does not find so with the defaults of all parameters.
-fn check_rounded_inertia(model: &Model, outline: &Outline, errors: &mut Errors) {
-    let graph = &model.frames.graph;
+fn check_rounded_inertia(model: &Model, work: &Workspace, outline: &Outline, errors: &mut Errors) {
+    let graph = &work.graph;
     let entries = model.inertia_entries();
     let is_open = entries
         .iter()
@@ -344,8 +368,8 @@ fn check_rounded_inertia(model: &Model, outline: &Outline, errors: &mut Errors) 
 
 /// Whether the constructor, which computes in doubles step by step, leaves their range with the
 /// defaults of all parameters, on its way to one of the `early` values or to mass and inertia.
-fn overflows(model: &Model, early: &[Id]) -> bool {
-    let graph = &model.frames.graph;
+fn overflows(model: &Model, work: &Workspace, early: &[Id]) -> bool {
+    let graph = &work.graph;
     let wanted = early.iter().copied().chain(model.inertia_entries());
     let wanted: Vec<Id> = wanted.chain(model.mass).collect();
     let default = |symbol: Id| graph.as_number(*model.defaults.get(&symbol)?);

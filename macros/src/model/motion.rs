@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::symbolic::{Components, Graph, Id, Node, Stage, Symbol};
 
-use super::frame::{Attitude, Frame, Frames, Vector};
+use super::frame::{Attitude, Frame, Vector, Workspace};
 use super::names::Meaning;
 use super::value::Point;
 
@@ -125,26 +125,26 @@ pub struct Support {
 impl State {
     /// Where a point is. The difference of two points of the body does not depend on where the
     /// body is, however far that is (`docs/trust.md`, H9).
-    pub fn place(&self, frames: &mut Frames, point: Point) -> Vector {
+    pub fn place(&self, work: &mut Workspace, point: Point) -> Vector {
         match point {
-            Point::World(position) => frames.vector(Frame::World, position),
+            Point::World(position) => work.vector(Frame::World, position),
             Point::Body(offset) => {
-                let offset = frames.fixed_in_body(offset);
-                frames.add(self.position, offset)
+                let offset = work.fixed_in_body(offset);
+                work.add(self.position, offset)
             }
-            Point::Moving(offset) => frames.add(self.position, offset),
+            Point::Moving(offset) => work.add(self.position, offset),
         }
     }
 
     /// The velocity of a point of the body at this offset, less that of G.
-    pub fn swept(&self, frames: &mut Frames, offset: Components) -> Vector {
-        if let (Attitude::Line { direction, .. }, Some(axis)) = (frames.attitude, self.axis) {
-            let along = frames.graph.dot(direction, offset);
-            let swept = frames.graph.scale_vector(along, axis.rate);
-            return frames.vector(Frame::World, swept);
+    pub fn swept(&self, work: &mut Workspace, offset: Components) -> Vector {
+        if let (Attitude::Line { direction, .. }, Some(axis)) = (work.attitude, self.axis) {
+            let along = work.graph.dot(direction, offset);
+            let swept = work.graph.scale_vector(along, axis.rate);
+            return work.vector(Frame::World, swept);
         }
-        let swept = frames.graph.cross(self.angular_velocity, offset);
-        frames.vector(Frame::Body, swept)
+        let swept = work.graph.cross(self.angular_velocity, offset);
+        work.vector(Frame::Body, swept)
     }
 
     /// The angular velocity; of a rod u', which is as long.
@@ -153,39 +153,38 @@ impl State {
     }
 
     /// The point about which the moments are balanced: that which is held, or G.
-    pub fn center(&self, frames: &mut Frames) -> Point {
+    pub fn center(&self, work: &mut Workspace) -> Point {
         let offset = self.support.map(|support| support.offset);
-        Point::Body(offset.unwrap_or_else(|| frames.graph.zeros()))
+        Point::Body(offset.unwrap_or_else(|| work.graph.zeros()))
     }
 
     /// Holds a point of the body: G moves as the body turns about it.
-    pub fn hold(&mut self, frames: &mut Frames, support: Support) {
-        if let (Some(direction), Attitude::Axis { angle, .. }) =
-            (support.direction, frames.attitude)
+    pub fn hold(&mut self, work: &mut Workspace, support: Support) {
+        if let (Some(direction), Attitude::Axis { angle, .. }) = (support.direction, work.attitude)
         {
-            frames.attitude = Attitude::Axis { angle, direction };
+            work.attitude = Attitude::Axis { angle, direction };
             let along = |rate: Components| rate[2];
             let rates = [
                 along(self.angular_velocity),
                 along(self.angular_acceleration),
             ];
             let [velocity, acceleration] =
-                rates.map(|rate| frames.graph.scale_vector(rate, direction));
+                rates.map(|rate| work.graph.scale_vector(rate, direction));
             self.angular_velocity = velocity;
             self.angular_acceleration = acceleration;
         }
-        let graph = &mut frames.graph;
+        let graph = &mut work.graph;
         let (w, rate) = (self.angular_velocity, self.angular_acceleration);
         // c = G - P: v = w x c, a = w' x c + w x (w x c)
         let center = graph.negate_vector(support.offset);
         let velocity = graph.cross(w, center);
         let (driven, centripetal) = (graph.cross(rate, center), graph.cross(w, velocity));
         let acceleration = graph.add_vectors(driven, centripetal);
-        let held = frames.vector(Frame::World, support.anchor);
-        let from_held = frames.vector(Frame::Body, center);
-        self.position = frames.add(held, from_held);
-        self.velocity = frames.vector(Frame::Body, velocity);
-        self.acceleration = frames.vector(Frame::Body, acceleration);
+        let held = work.vector(Frame::World, support.anchor);
+        let from_held = work.vector(Frame::Body, center);
+        self.position = work.add(held, from_held);
+        self.velocity = work.vector(Frame::Body, velocity);
+        self.acceleration = work.vector(Frame::Body, acceleration);
         self.support = Some(support);
     }
 }

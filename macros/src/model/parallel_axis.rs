@@ -37,7 +37,7 @@ impl Lowering<'_> {
                 );
             }
         };
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let minus_mass = graph.negate(mass);
         let inertia = draft.inertia.displaced(graph, minus_mass, r);
         Some(Draft { inertia, ..draft })

@@ -8,7 +8,7 @@ use crate::syntax::{Declaration, Expression, Kind};
 use super::dimension::Dimension;
 use super::frame::Frame;
 use super::lower::{Lowering, dimension};
-use super::motion::{Meanings, Motion};
+use super::motion::Motion;
 use super::names::Meaning;
 use super::outline::Declared;
 use super::rod::UNTURNED;
@@ -25,22 +25,19 @@ impl Lowering<'_> {
         index: usize,
         written: &Declaration,
         declared: &mut Declared,
-        meanings: &mut Meanings,
         defaults: &mut Defaults,
     ) -> Option<Value> {
         let Some(value) = &written.value else {
             declared.dimension = self.declared_unit(written)?;
-            let symbol = meanings.symbol(
-                &mut self.frames.graph,
-                Stage::Parameter,
-                Meaning::Param(index, None),
-            );
+            let symbol = self
+                .work
+                .symbol(Stage::Parameter, Meaning::Param(index, None));
             return Some(Value::Scalar(symbol, declared.dimension));
         };
         let value = value.as_ref()?;
         self.check_not_in_rod(declared.frame, value)?;
         if has_placeholder(value) {
-            return self.open_vector(value, declared, meanings, Stage::Parameter, |axis| {
+            return self.open_vector(value, declared, Stage::Parameter, |axis| {
                 Meaning::Param(index, Some(axis))
             });
         }
@@ -88,11 +85,9 @@ impl Lowering<'_> {
         };
         if let Value::Scalar(id, _) = default {
             declared.default = Some(vec![self.constant(id, value)?]);
-            let symbol = meanings.symbol(
-                &mut self.frames.graph,
-                Stage::Parameter,
-                Meaning::Param(index, None),
-            );
+            let symbol = self
+                .work
+                .symbol(Stage::Parameter, Meaning::Param(index, None));
             defaults.insert(symbol, id);
             return Some(Value::Scalar(symbol, declared.dimension));
         }
@@ -114,12 +109,11 @@ impl Lowering<'_> {
             .map(|id| self.constant(*id, value))
             .collect();
         declared.default = Some(numbers?);
-        let symbols = self.vector_symbols(meanings, Stage::Parameter, |axis| {
-            Meaning::Param(index, Some(axis))
-        });
+        let symbols =
+            self.vector_symbols(Stage::Parameter, |axis| Meaning::Param(index, Some(axis)));
         defaults.extend(symbols.into_iter().zip(components));
         Some(Value::Vector(
-            self.frames.vector(frame, symbols),
+            self.work.vector(frame, symbols),
             declared.dimension,
         ))
     }
@@ -130,16 +124,11 @@ impl Lowering<'_> {
         index: usize,
         written: &Declaration,
         declared: &mut Declared,
-        meanings: &mut Meanings,
     ) -> Option<Value> {
         let Some(value) = &written.value else {
             declared.dimension = self.declared_unit(written)?;
             self.differentiate(written, declared)?;
-            let symbol = meanings.symbol(
-                &mut self.frames.graph,
-                Stage::State,
-                Meaning::Input(index, None),
-            );
+            let symbol = self.work.symbol(Stage::State, Meaning::Input(index, None));
             return Some(Value::Scalar(symbol, declared.dimension));
         };
         let value = value.as_ref()?;
@@ -154,7 +143,7 @@ impl Lowering<'_> {
                 ),
             );
         }
-        let vector = self.open_vector(value, declared, meanings, Stage::State, |axis| {
+        let vector = self.open_vector(value, declared, Stage::State, |axis| {
             Meaning::Input(index, Some(axis))
         })?;
         self.differentiate(written, declared)?;
@@ -217,7 +206,6 @@ impl Lowering<'_> {
         &mut self,
         value: &Expression,
         declared: &mut Declared,
-        meanings: &mut Meanings,
         stage: Stage,
         meaning: impl Fn(usize) -> Meaning,
     ) -> Option<Value> {
@@ -264,32 +252,26 @@ impl Lowering<'_> {
                 "all components of an open vector are open: write `_`",
             );
         }
-        let symbols = self.vector_symbols(meanings, stage, meaning);
+        let symbols = self.vector_symbols(stage, meaning);
         Some(Value::Vector(
-            self.frames.vector(frame, symbols),
+            self.work.vector(frame, symbols),
             declared.dimension,
         ))
     }
 
-    fn vector_symbols(
-        &mut self,
-        meanings: &mut Meanings,
-        stage: Stage,
-        meaning: impl Fn(usize) -> Meaning,
-    ) -> Components {
+    fn vector_symbols(&mut self, stage: Stage, meaning: impl Fn(usize) -> Meaning) -> Components {
         let axes = self.motion.axes();
-        let graph = &mut self.frames.graph;
         [0, 1, 2].map(|axis| {
             if axis < axes {
-                meanings.symbol(graph, stage, meaning(axis))
+                self.work.symbol(stage, meaning(axis))
             } else {
-                graph.zero()
+                self.work.graph.zero()
             }
         })
     }
 
     fn constant(&mut self, id: Id, place: &Expression) -> Option<Number> {
-        match self.frames.graph.as_number(id) {
+        match self.work.graph.as_number(id) {
             Some(number) if number.fits_f64() => Some(number.clone()),
             Some(_) => self.report(
                 place.extent,

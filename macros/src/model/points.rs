@@ -28,7 +28,7 @@ impl Lowering<'_> {
                 self.fixed_point(Point::World(components), found, expression)
             }
             Value::Vector(vector, found) => {
-                let graph = &self.frames.graph;
+                let graph = &self.work.graph;
                 match (
                     graph.is_zero_vector(&vector.body),
                     graph.is_zero_vector(&vector.world),
@@ -87,7 +87,7 @@ impl Lowering<'_> {
         let (Point::Body(from_origin), Some(composed)) = (point, self.composed) else {
             return self.on_axis(point, written.extent);
         };
-        let offset = composed.offset(&mut self.frames.graph, from_origin);
+        let offset = composed.offset(&mut self.work.graph, from_origin);
         self.on_axis(Point::Body(offset), written.extent)
     }
 
@@ -105,9 +105,9 @@ impl Lowering<'_> {
                 };
                 let (factor, dimension) = lower_unit(unit, self.errors)?;
                 self.check_unitless(found, unit.extent)?;
-                let factor = self.frames.graph.number(factor);
+                let factor = self.work.graph.number(factor);
                 Some(Some((
-                    self.frames.graph.scale_vector(factor, components),
+                    self.work.graph.scale_vector(factor, components),
                     dimension,
                 )))
             }
@@ -165,7 +165,7 @@ impl Lowering<'_> {
         let unified = dimensions
             .into_iter()
             .try_fold(Dimension::ANY, Dimension::unify)?;
-        let mut components = self.frames.graph.zeros();
+        let mut components = self.work.graph.zeros();
         for (component, (id, _)) in components.iter_mut().zip(values) {
             *component = id;
         }

@@ -58,7 +58,7 @@ impl Lowering<'_> {
         if !matches!(self.motion, Motion::Spatial | Motion::Rotation) {
             return Some(());
         }
-        let graph = &self.frames.graph;
+        let graph = &self.work.graph;
         let entries = inertia.entries();
         let numbers = entries.iter().map(|id| graph.as_number(*id).cloned());
         let Some(numbers) = numbers.collect::<Option<Vec<_>>>() else {
@@ -86,7 +86,7 @@ impl Lowering<'_> {
     /// Whether a point other than G is held.
     fn is_held_off_center(&self) -> bool {
         let support = self.state.support;
-        support.is_some_and(|support| !self.frames.graph.is_zero_vector(&support.offset))
+        support.is_some_and(|support| !self.work.graph.is_zero_vector(&support.offset))
     }
 
     /// Whatever the rest is: a moment that is known is positive.
@@ -96,7 +96,7 @@ impl Lowering<'_> {
             .iter()
             .filter(|entry| entry.row == entry.column)
         {
-            let known = self.frames.graph.as_number(entry.value);
+            let known = self.work.graph.as_number(entry.value);
             let is_point = |moment: &Number| {
                 let is_held = self.motion.is_planar() && self.is_held_off_center();
                 moment.is_zero() && (is_held || self.motion == Motion::Rod)

@@ -87,7 +87,7 @@ impl Lowering<'_> {
     /// The energies in one form, and whether there is another one.
     fn potential_form(&mut self, description: &Description, mixed: Frame) -> Option<(Form, bool)> {
         let (values, position) = (self.scope.values(), self.state.position);
-        self.frames.turns = Some(Turns::new(self.motion.axes(), mixed));
+        self.work.turns = Some(Turns::new(self.motion.axes(), mixed));
         let displacement = self.displacement();
         self.locals_apart(description);
         let on_charges = description
@@ -102,7 +102,7 @@ impl Lowering<'_> {
             .collect();
         self.scope.restore(values);
         self.state.position = position;
-        let turns = self.frames.turns.take()?;
+        let turns = self.work.turns.take()?;
         let fields = fields.into_iter().collect::<Option<Vec<_>>>()?;
         let scalars = scalars.into_iter().collect::<Option<Vec<_>>>()?;
         let (mut energies, charges): (Vec<Id>, Vec<Charges>) = fields.into_iter().unzip();
@@ -122,7 +122,7 @@ impl Lowering<'_> {
             return self.state.position.world;
         }
         let axes = self.motion.axes();
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let displacement = [0, 1, 2].map(|axis| {
             if axis < axes {
                 graph.symbol(Stage::State)
@@ -183,7 +183,7 @@ impl Lowering<'_> {
     }
 
     pub fn late_symbols(&self, roots: &[Id]) -> Vec<Id> {
-        let graph = &self.frames.graph;
+        let graph = &self.work.graph;
         let symbols = graph.reachable(roots, |_| true).into_iter();
         symbols
             .filter(|id| matches!(graph.node(*id), Node::Symbol(_)) && !graph.is_early(*id))
@@ -199,7 +199,7 @@ impl Lowering<'_> {
             if found.iter().any(|symbol| symbols.contains(symbol)) {
                 return true;
             }
-            let turns = self.frames.turns.iter();
+            let turns = self.work.turns.iter();
             let through = turns.flat_map(|turns| found.iter().filter_map(|id| turns.of(*id)));
             let new: Vec<Id> = through
                 .filter(|turn| followed.insert(turn.turned))

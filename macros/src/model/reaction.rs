@@ -8,10 +8,10 @@ use crate::symbolic::{Components, Id, Stage};
 use crate::syntax::{self, Description, Expression, Family, Kind, LoadKind, Operator};
 
 use super::dimension::Dimension;
-use super::frame::{Frame, Vector};
+use super::frame::{Frame, Vector, Workspace};
 use super::lower::Lowering;
-use super::motion::{Meanings, Motion};
-use super::names::Meaning;
+use super::motion::Motion;
+use super::names::{AXES, Meaning};
 use super::rod::UNTURNED;
 use super::unit::lower_unit;
 use super::value::{Point, Value};
@@ -38,6 +38,22 @@ impl Reaction {
     pub fn is_whole(&self, motion: Motion) -> bool {
         let is_scalar = self.kind == LoadKind::Moment && motion.is_planar();
         is_scalar || self.unknown.len() == motion.axes()
+    }
+
+    /// One unit of an unknown component.
+    pub fn direction(&self, work: &mut Workspace, axis: usize) -> Vector {
+        let unit = [0, 1, 2].map(|other| work.graph.integer(i64::from(other == axis)));
+        self.along.unwrap_or_else(|| work.vector(self.frame, unit))
+    }
+
+    /// What a component is called: `normal` of one unknown, `pin.x` of one of several.
+    pub fn component_name(&self, motion: Motion, axis: usize) -> String {
+        let is_moment = self.kind == LoadKind::Moment;
+        if self.along.is_some() || (is_moment && motion.is_planar()) {
+            self.name.to_string()
+        } else {
+            format!("{}.{}", self.name, AXES[axis])
+        }
     }
 }
 
@@ -99,12 +115,7 @@ fn direction(value: &Expression) -> Option<&Expression> {
 
 impl Lowering<'_> {
     /// A reaction with unknown components; `index` is its place among them.
-    pub fn reaction(
-        &mut self,
-        index: usize,
-        written: &syntax::Load,
-        meanings: &mut Meanings,
-    ) -> Option<Reaction> {
+    pub fn reaction(&mut self, index: usize, written: &syntax::Load) -> Option<Reaction> {
         let value = written.vector.as_ref()?;
         let point = self.point_of_reaction(written);
         let along = match direction(value) {
@@ -112,7 +123,7 @@ impl Lowering<'_> {
             None => None,
         };
         let (frame, given) = match along {
-            Some(_) => (Frame::World, self.frames.graph.zeros()),
+            Some(_) => (Frame::World, self.work.graph.zeros()),
             None => self.known_part(value, written.kind)?,
         };
         let axes = if self.is_planar_moment(written) {
@@ -120,12 +131,12 @@ impl Lowering<'_> {
         } else {
             0..self.motion.axes()
         };
-        let graph = &mut self.frames.graph;
         let symbols = [0, 1, 2].map(|axis| {
             if axes.contains(&axis) {
-                meanings.symbol(graph, Stage::State, Meaning::Reaction(index, axis))
+                self.work
+                    .symbol(Stage::State, Meaning::Reaction(index, axis))
             } else {
-                graph.zero()
+                self.work.graph.zero()
             }
         });
         Some(Reaction {
@@ -136,7 +147,7 @@ impl Lowering<'_> {
             given,
             unknown: self.unknown_components(written),
             along,
-            symbols: self.frames.vector(Frame::World, symbols),
+            symbols: self.work.vector(Frame::World, symbols),
         })
     }
 
@@ -157,10 +168,10 @@ impl Lowering<'_> {
             None => None,
         };
         let (frame, given) = match along {
-            Some(_) => (Frame::World, self.frames.graph.zeros()),
+            Some(_) => (Frame::World, self.work.graph.zeros()),
             None => self.known_part(value, written.kind)?,
         };
-        if !self.frames.graph.is_zero_vector(&given) {
+        if !self.work.graph.is_zero_vector(&given) {
             return self.report(
                 value.extent,
                 "what is known of a drive is a load of its own: write 0 here",
@@ -174,7 +185,7 @@ impl Lowering<'_> {
             given,
             unknown: self.unknown_components(written),
             along,
-            symbols: self.frames.zero_vector(),
+            symbols: self.work.zero_vector(),
         })
     }
 
@@ -224,7 +235,7 @@ impl Lowering<'_> {
             _ => (value, None),
         };
         let factor = match unit {
-            None => self.frames.graph.one(),
+            None => self.work.graph.one(),
             Some(unit) => {
                 let (factor, found) = lower_unit(unit, self.errors)?;
                 if !found.fits(expected) {
@@ -237,10 +248,10 @@ impl Lowering<'_> {
                         ),
                     );
                 }
-                self.frames.graph.number(factor)
+                self.work.graph.number(factor)
             }
         };
-        let zeros = self.frames.graph.zeros();
+        let zeros = self.work.graph.zeros();
         let Kind::Call(word, parts) = &inner.kind else {
             // the moment of a planar body
             let is_moment = kind == LoadKind::Moment && self.motion.is_planar();
@@ -298,7 +309,7 @@ impl Lowering<'_> {
             .collect();
         let mut given = zeros;
         for (component, known) in given.iter_mut().zip(known) {
-            *component = self.frames.graph.multiply(factor, known?);
+            *component = self.work.graph.multiply(factor, known?);
         }
         Some((frame, given))
     }

@@ -9,7 +9,7 @@ use crate::symbolic::{Components, Id, Number};
 use crate::syntax::{Description, Support};
 
 use super::draft::Draft;
-use super::frame::{Attitude, Frame, Frames, Vector};
+use super::frame::{Attitude, Frame, Vector, Workspace};
 use super::inertia::Inertia;
 use super::lower::Lowering;
 use super::parameters::Defaults;
@@ -22,7 +22,7 @@ pub const FORMS: &str =
 /// Why something is not known of a rod.
 pub const UNTURNED: &str = "how a rod is turned about its axis is not known";
 
-impl Frames {
+impl Workspace {
     /// A vector that is fixed in the body, from its components in body axes.
     pub fn fixed_in_body(&mut self, components: Components) -> Vector {
         let Attitude::Line { direction, axis } = self.attitude else {
@@ -75,12 +75,12 @@ impl Lowering<'_> {
         };
         let direction = self.direction(direction.as_ref()?, defaults)?;
         let axis = self.state.axis?;
-        self.frames.attitude = Attitude::Line {
+        self.work.attitude = Attitude::Line {
             direction,
             axis: axis.unit,
         };
         let swept = (self.state.angular_velocity, axis.rate);
-        self.frames.swept.push(swept);
+        self.work.swept.push(swept);
         Some(())
     }
 
@@ -95,7 +95,7 @@ impl Lowering<'_> {
                 ),
             );
         }
-        Some(self.frames.fixed_in_body(components))
+        Some(self.work.fixed_in_body(components))
     }
 
     /// A point, of a rod one that is on its axis.
@@ -113,10 +113,10 @@ impl Lowering<'_> {
 
     /// Whether a vector of the body is along the axis, if it is a rod.
     pub fn is_along_axis(&mut self, components: Components) -> bool {
-        let Attitude::Line { direction, .. } = self.frames.attitude else {
+        let Attitude::Line { direction, .. } = self.work.attitude else {
             return true;
         };
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let across = graph.cross(direction, components);
         across
             .into_iter()
@@ -129,10 +129,10 @@ impl Lowering<'_> {
             return Some(draft);
         };
         // what is wrong with the direction is reported
-        let Attitude::Line { direction, .. } = self.frames.attitude else {
+        let Attitude::Line { direction, .. } = self.work.attitude else {
             return None;
         };
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let trace = graph.sum(&[rows[0][0], rows[1][1], rows[2][2]]);
         let half = graph.number(Number::ratio(1, 2));
         let moment = graph.distribute(half, trace);

@@ -140,7 +140,7 @@ impl Lowering<'_> {
             ),
         };
         let (squares, mass) = (squares?, mass?);
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let moments = solid.moments.map(|factors| {
             let terms = factors
                 .iter()
@@ -166,7 +166,7 @@ impl Lowering<'_> {
         } else {
             moments
         };
-        let mut rows = [self.frames.graph.zeros(); 3];
+        let mut rows = [self.work.graph.zeros(); 3];
         for (i, moment) in moments.into_iter().enumerate() {
             rows[i][i] = moment;
         }
@@ -217,7 +217,7 @@ impl Lowering<'_> {
                 ),
             );
         }
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         Some(
             lengths
                 .into_iter()

@@ -15,7 +15,7 @@ impl Lowering<'_> {
         let motion = description.motion.as_ref()?;
         let word = motion.word.to_string();
         let support = self.read_support(motion.support.as_ref()?, &word, defaults)?;
-        self.state.hold(self.frames, support);
+        self.state.hold(self.work, support);
         Some(())
     }
 
@@ -45,7 +45,7 @@ impl Lowering<'_> {
             }
         };
         let anchor = match &written.anchor {
-            None => Some(self.frames.graph.zeros()),
+            None => Some(self.work.graph.zeros()),
             Some(anchor) => anchor.as_ref().and_then(|anchor| self.anchor(anchor)),
         };
         let offset = point.as_ref().and_then(|point| self.held_point(point));
@@ -95,7 +95,7 @@ impl Lowering<'_> {
         defaults: &Defaults,
     ) -> Option<crate::symbolic::Components> {
         let vector = self.vector(written, Dimension::ANY, "a direction")?;
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let components = match (
             graph.is_zero_vector(&vector.body),
             graph.is_zero_vector(&vector.world),

@@ -35,7 +35,7 @@ impl Lowering<'_> {
                 "one number has no axis: only a solid can lie along a direction",
             );
         }
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let rows = draft.inertia.rows(graph);
         let is_symmetric = |axis: &usize| {
             rows[(axis + 1) % 3][(axis + 1) % 3] == rows[(axis + 2) % 3][(axis + 2) % 3]
@@ -78,7 +78,7 @@ impl Lowering<'_> {
         let by = self.scalar(angle, Dimension::NONE, "an angle");
         let (direction, by) = (direction?, by?);
         self.check_early(angle, &[by], CONSTANT)?;
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let rotation = rotation(graph, direction, by);
         let rows = draft.inertia.rows(graph);
         let turned = rotate(graph, &rotation, &rows);
@@ -99,7 +99,7 @@ impl Lowering<'_> {
     /// A constant vector in body axes that is not zero.
     fn body_direction(&mut self, written: &Expression) -> Option<Components> {
         let vector = self.vector(written, Dimension::ANY, "a direction")?;
-        let graph = &self.frames.graph;
+        let graph = &self.work.graph;
         if !graph.is_zero_vector(&vector.world) {
             return self.report(
                 written.extent,

@@ -2,11 +2,11 @@
 
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
-use super::frame::{Attitude, Frame, Frames};
+use super::frame::{Attitude, Frame, Workspace};
 use super::names::AXES;
 use super::turned_vector::Turn;
 
-impl Frames {
+impl Workspace {
     /// `s e` in body axes, of an early s and e along an axis of the world, to be multiplied by what is
     /// along an axis of the body: of the row of the rotation two components are needed, and the factor
     /// that they have goes with what multiplies them.

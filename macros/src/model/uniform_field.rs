@@ -45,7 +45,7 @@ impl Lowering<'_> {
             .collect();
         let (field, _) = field?;
         let charges = charges.into_iter().collect::<Option<Vec<_>>>()?;
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let net: Vec<Id> = charges.iter().map(|(charge, _)| *charge).collect();
         let net = graph.sum(&net);
         let dipole = moment(graph, &charges);
@@ -57,13 +57,13 @@ impl Lowering<'_> {
         let from_held: Vec<(Id, Components)> = from_held.collect();
         let turned = moment(graph, &from_held);
         let moved = graph.scale_vector(net, world);
-        self.frames.labels.name(net, format!("{name}_charge"));
-        self.frames.labels.vector(&format!("{name}_dipole"), turned);
-        let moved = self.frames.vector(Frame::World, moved);
-        let turned = self.frames.fixed_in_body(turned);
-        let whole = self.frames.add(moved, turned);
-        let work = self.frames.dot(field, whole);
-        let energy = self.frames.graph.negate(work);
+        self.work.labels.name(net, format!("{name}_charge"));
+        self.work.labels.vector(&format!("{name}_dipole"), turned);
+        let moved = self.work.vector(Frame::World, moved);
+        let turned = self.work.fixed_in_body(turned);
+        let whole = self.work.add(moved, turned);
+        let work = self.work.dot(field, whole);
+        let energy = self.work.graph.negate(work);
         let count = charges.len();
         Some((energy, Charges { count, net, dipole }))
     }
@@ -77,7 +77,7 @@ impl Lowering<'_> {
                 format!("a field is a vector, and this is {}", value.kind()),
             );
         };
-        if !self.frames.graph.is_zero_vector(&vector.body) {
+        if !self.work.graph.is_zero_vector(&vector.body) {
             return self.report(
                 written.extent,
                 "a uniform field does not turn with the body: write it in world axes",
@@ -163,7 +163,7 @@ impl Lowering<'_> {
             state.angular_velocity,
         ]
         .concat();
-        match self.frames.attitude {
+        match self.work.attitude {
             Attitude::Fixed => {}
             Attitude::Axis { angle, .. } => roots.push(angle),
             Attitude::Quaternion { scalar, vector } => {
@@ -172,7 +172,7 @@ impl Lowering<'_> {
             }
             Attitude::Line { axis, .. } => roots.extend(axis),
         }
-        let turns = self.frames.turns.iter().flat_map(|turns| &turns.list);
+        let turns = self.work.turns.iter().flat_map(|turns| &turns.list);
         roots.extend(turns.flat_map(|turn| turn.turned));
         self.late_symbols(&roots)
     }

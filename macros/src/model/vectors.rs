@@ -26,9 +26,9 @@ impl Lowering<'_> {
     ) -> Option<Value> {
         self.expect_arguments(method, arguments, 1)?;
         let (vector, of_vector) = self.vector_argument(&arguments[0])?;
-        let zero = self.frames.graph.zero();
+        let zero = self.work.graph.zero();
         let axis = [zero, zero, w];
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         let turned = Vector {
             body: graph.cross(axis, vector.body),
             world: graph.cross(axis, vector.world),
@@ -76,24 +76,24 @@ impl Lowering<'_> {
             "cross" => {
                 let (other, of_other) = self.vector_argument(&arguments[0])?;
                 let of_product = self.multiplied(of_vector, of_other, method)?;
-                let product = self.frames.cross(vector, other);
+                let product = self.work.cross(vector, other);
                 Some(self.moment_value(product, of_product))
             }
             "dot" => {
                 let (other, of_other) = self.vector_argument(&arguments[0])?;
                 let of_product = self.multiplied(of_vector, of_other, method)?;
-                Some(Value::Scalar(self.frames.dot(vector, other), of_product))
+                Some(Value::Scalar(self.work.dot(vector, other), of_product))
             }
-            "norm" => Some(Value::Scalar(self.frames.norm(vector), of_vector)),
+            "norm" => Some(Value::Scalar(self.work.norm(vector), of_vector)),
             "norm_squared" => Some(Value::Scalar(
-                self.frames.norm_squared(vector),
+                self.work.norm_squared(vector),
                 self.multiplied(of_vector, of_vector, method)?,
             )),
             "normalize" => {
-                let norm = self.frames.norm(vector);
-                let one = self.frames.graph.one();
-                let reciprocal = self.frames.graph.divide(one, norm);
-                let reciprocal = self.frames.graph.quantity(reciprocal);
+                let norm = self.work.norm(vector);
+                let one = self.work.graph.one();
+                let reciprocal = self.work.graph.divide(one, norm);
+                let reciprocal = self.work.graph.quantity(reciprocal);
                 self.scaled(reciprocal, value, Dimension::NONE)
             }
             "in_body" if self.motion == Motion::Rod => self.report(
@@ -106,7 +106,7 @@ impl Lowering<'_> {
                 } else {
                     Frame::World
                 };
-                let components = self.frames.components(vector, frame);
+                let components = self.work.components(vector, frame);
                 Some(Value::Components(frame, components, of_vector))
             }
         }
@@ -116,7 +116,7 @@ impl Lowering<'_> {
     fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
         if self.motion.is_planar() {
             Value::Scalar(
-                self.frames.graph.add(product.body[2], product.world[2]),
+                self.work.graph.add(product.body[2], product.world[2]),
                 dimension,
             )
         } else {
@@ -154,16 +154,16 @@ impl Lowering<'_> {
         }
         self.check_support_is_read(method)?;
         let vector = match (point, word.as_str()) {
-            (point, "position") => self.state.place(self.frames, point),
+            (point, "position") => self.state.place(self.work, point),
             (Point::Body(offset), _) => {
-                let swept = self.state.swept(self.frames, offset);
-                self.frames.add(self.state.velocity, swept)
+                let swept = self.state.swept(self.work, offset);
+                self.work.add(self.state.velocity, swept)
             }
             (Point::Moving(offset), _) => {
                 let swept = self.swept(offset);
-                self.frames.add(self.state.velocity, swept)
+                self.work.add(self.state.velocity, swept)
             }
-            (Point::World(_), _) => self.frames.zero_vector(),
+            (Point::World(_), _) => self.work.zero_vector(),
         };
         Some(Value::Vector(vector, dimension))
     }
@@ -171,14 +171,13 @@ impl Lowering<'_> {
     /// `w x r`, each part in its own axes: those of w change together, and `w x w` is zero.
     fn swept(&mut self, offset: Vector) -> Vector {
         let w = self.state.angular_velocity;
-        let in_world = if self.motion.is_planar() || self.frames.graph.is_zero_vector(&offset.world)
-        {
+        let in_world = if self.motion.is_planar() || self.work.graph.is_zero_vector(&offset.world) {
             w
         } else {
-            let w = self.frames.vector(Frame::Body, w);
-            self.frames.components(w, Frame::World)
+            let w = self.work.vector(Frame::Body, w);
+            self.work.components(w, Frame::World)
         };
-        let graph = &mut self.frames.graph;
+        let graph = &mut self.work.graph;
         Vector {
             body: graph.cross(w, offset.body),
             world: graph.cross(in_world, offset.world),
@@ -210,7 +209,7 @@ impl Lowering<'_> {
                 },
             ),
             Value::Attitude => {
-                let Attitude::Quaternion { scalar, vector } = self.frames.attitude else {
+                let Attitude::Quaternion { scalar, vector } = self.work.attitude else {
                     return None;
                 };
                 match ["w", "i", "j", "k"].iter().position(|part| *part == word) {

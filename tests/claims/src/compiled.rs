@@ -1,9 +1,9 @@
 //! A description as the compiler understands it.
 
 use fuzz::errors::Errors;
-use fuzz::mechanics::{Equations, derive_equations};
-use fuzz::model::{Meaning, Model, lower_description, outline};
-use fuzz::symbolic::{Id, Node};
+use fuzz::mechanics::{Equations, derive_equations, with_potentials};
+use fuzz::model::{Meaning, Model, Workspace, lower_description, outline};
+use fuzz::symbolic::Id;
 use fuzz::syntax::parse_description;
 use proc_macro2::TokenStream;
 
@@ -13,6 +13,7 @@ use crate::layout::Layout;
 
 pub struct Compiled {
     pub model: Model,
+    pub work: Workspace,
     pub equations: Equations,
 }
 
@@ -26,9 +27,14 @@ impl Compiled {
         let described = parse_description(tokens, &mut errors);
         let solved = described.and_then(|description| {
             let mut outline = outline(&description, &mut errors);
-            let mut model = lower_description(&description, &mut outline, &mut errors)?;
-            let equations = derive_equations(&mut model, &mut errors)?;
-            Some(Self { model, equations })
+            let (model, mut work) = lower_description(&description, &mut outline, &mut errors)?;
+            let model = with_potentials(model, &mut work);
+            let equations = derive_equations(&model, &mut work, &mut errors)?;
+            Some(Self {
+                model,
+                work,
+                equations,
+            })
         });
         match (errors.finish(), solved) {
             (None, Some(compiled)) => Ok(compiled),
@@ -40,14 +46,13 @@ impl Compiled {
 
     /// The values of expressions, in doubles.
     pub fn values(&self, body: &Body, roots: &[Id], given: &Given) -> Vec<f64> {
-        let graph = &self.model.frames.graph;
         let layout = Layout::of(&body.motion);
         let (params, inputs) = (body.param_offsets().0, body.input_offsets().0);
-        graph.evaluate(roots, |id| {
-            let Node::Symbol(symbol) = graph.node(id) else {
+        self.work.graph.evaluate(roots, |id| {
+            let Some(meaning) = self.work.meaning(id) else {
                 return f64::NAN;
             };
-            match self.model.meanings.of(*symbol) {
+            match meaning {
                 Meaning::Time => given.time,
                 Meaning::Param(i, part) => given.params[params[i] + part.unwrap_or(0)],
                 Meaning::Input(i, part) => given.inputs[inputs[i] + part.unwrap_or(0)],

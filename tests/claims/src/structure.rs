@@ -73,12 +73,7 @@ pub fn accelerations(
 
 /// Linear and angular acceleration in doubles.
 fn compiled(case: &Case<'_>, given: &Given) -> [Vector; 2] {
-    let equations = &case.compiled.equations;
-    let roots: Vec<_> = equations
-        .linear
-        .into_iter()
-        .chain(equations.angular)
-        .collect();
+    let roots = case.compiled.accelerations();
     let values = case.compiled.values(case.body, &roots, given);
     let vector = |from: usize| Vector::given([values[from], values[from + 1], values[from + 2]]);
     let angular = if Layout::of(&case.body.motion).turning.len() == 1 {
@@ -89,7 +84,7 @@ fn compiled(case: &Case<'_>, given: &Given) -> [Vector; 2] {
     [vector(0), angular]
 }
 
-/// Whether the last digits of the state make as much of a difference: what cancels in doubles.
+/// Whether the last digits of all that is given make as much of a difference: what cancels in doubles.
 fn is_noise(
     case: &Case<'_>,
     given: &Given,
@@ -109,6 +104,8 @@ fn is_noise(
             *x += size * (*x * relative + absolute);
         };
         near.state.iter_mut().for_each(&mut shake);
+        near.inputs.iter_mut().for_each(&mut shake);
+        near.params.iter_mut().for_each(&mut shake);
         shake(&mut near.time);
         apart(compiled(case, &near)[index], found) > 0.05 * mismatch
     })

@@ -393,7 +393,7 @@ impl<'a> Problem<'a> {
 /// The first or second derivative at zero by differences over lengths that become shorter, until two agree; and by how much they do not.
 fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wide, f64) {
     let here = value(0.0);
-    let mut size = here.size;
+    let mut size = here.span();
     let here = here.value;
     let mut best = (Wide::ZERO, f64::INFINITY);
     let mut before: Option<Wide> = None;
@@ -402,7 +402,7 @@ fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wi
         let mut is_bent = false;
         let [near, far] = [length, 2.0 * length].map(|length| {
             let (after, before) = (value(length), value(-length));
-            size = size.max(after.size).max(before.size);
+            size = size.max(after.span()).max(before.span());
             let (after, before) = (after.value, before.value);
             let (even, odd) = (after - here * 2.0 + before, after - before);
             is_bent |= even.high.abs() > 0.1 * odd.high.abs();

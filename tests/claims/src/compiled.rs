@@ -38,7 +38,8 @@ impl Compiled {
         }
     }
 
-    /// Whether a pivot vanishes, so that no acceleration is computed: its divisor is nothing but rounding.
+    /// Whether a pivot vanishes, so that no acceleration is computed: its divisor is nothing but
+    /// rounding.
     pub fn has_no_pivot(&self, body: &Body, given: &Given) -> bool {
         let graph = &self.model.frames.graph;
         let roots: Vec<Id> = self.accelerations();

@@ -162,7 +162,9 @@ mod tests {
     /// Poles of `atan(1/x)`, what cancels in 106 bits or in doubles, and a pivot that vanishes in some states.
     #[test]
     fn what_the_oracle_does_not_know_refutes_nothing() {
-        for first in [4502, 17459, 18425, 19922, 25991, 26117, 28288, 32989, 34329] {
+        for first in [
+            4502, 17459, 18425, 19922, 25991, 26117, 28288, 31894, 32989, 34329,
+        ] {
             let plan = run::Plan {
                 first,
                 descriptions: 1,

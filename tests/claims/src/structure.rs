@@ -84,7 +84,7 @@ fn compiled(case: &Case<'_>, given: &Given) -> [Vector; 2] {
     [vector(0), angular]
 }
 
-/// Whether the last digits of all that is given make as much of a difference: what cancels in doubles.
+/// Whether the last digits of the state make as much of a difference: what cancels in doubles.
 fn is_noise(
     case: &Case<'_>,
     given: &Given,
@@ -104,8 +104,6 @@ fn is_noise(
             *x += size * (*x * relative + absolute);
         };
         near.state.iter_mut().for_each(&mut shake);
-        near.inputs.iter_mut().for_each(&mut shake);
-        near.params.iter_mut().for_each(&mut shake);
         shake(&mut near.time);
         apart(compiled(case, &near)[index], found) > 0.05 * mismatch
     })

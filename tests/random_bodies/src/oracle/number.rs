@@ -8,7 +8,8 @@ use crate::wide::Wide;
 /// Below this fraction of its size, a difference decides nothing.
 pub const NEAR: f64 = 1e-11;
 
-/// Of what has cancelled in a number that is known, this much is left to its size: what 106 bits do not tell from zero.
+/// Of what has cancelled in a number that is known, this much is left to its size, so that a
+/// tolerance of 1e-20 is above the rounding of 106 bits.
 const CANCELLED: f64 = 1e-9;
 
 /// A number and its size: that of the largest term that a sum of products has, written out. A rounding somewhere on the way

@@ -26,6 +26,9 @@ pub struct Answer {
 
 /// Beyond it the last digits of constrained accelerations are not known.
 const CONDITION: f64 = 1e4;
+/// Of the terms that cancel before reactions see them. With the tolerance of constrained
+/// accelerations it makes 1e-11, far above the rounding of doubles.
+const CARRIED: f64 = 1e-5;
 /// Of what is far below every double, double doubles lose their second part.
 const LEAST: f64 = 1e-150;
 
@@ -78,11 +81,12 @@ fn held(constants: &Constants<'_>, given: &Given, instant: &Instant) -> Option<A
         ..vector
     };
     let [linear, angular] = solved.errors;
+    let sizes = std::array::from_fn(|i| answer.sizes[i].max(CARRIED * solved.carried[i]));
     Some(Answer {
         linear: widened(answer.linear, linear),
         angular: widened(answer.angular, angular),
         moment: widened(answer.moment, constants.inertia.size.max(1.0) * angular),
-        ..answer
+        sizes,
     })
 }
 

@@ -44,6 +44,36 @@ impl Compiled {
         }
     }
 
+    /// Whether a pivot vanishes, so that no acceleration is computed: its divisor is nothing but
+    /// rounding.
+    pub fn has_no_pivot(&self, body: &Body, given: &Given) -> bool {
+        let graph = &self.model.frames.graph;
+        let roots: Vec<Id> = self.accelerations();
+        let pivots = graph.reachable(&roots, |_| true).into_iter();
+        let parts: Vec<Id> = pivots
+            .filter_map(|id| match *graph.node(id) {
+                Node::Pivot(divisor, scale) => Some([divisor, scale]),
+                _ => None,
+            })
+            .flatten()
+            .collect();
+        let values = self.values(body, &parts, given);
+        // the guard of the runtime
+        values
+            .chunks(2)
+            .any(|pair| pair[0].abs() <= 8.0 * f64::EPSILON * pair[1])
+    }
+
+    /// Linear, and angular.
+    pub fn accelerations(&self) -> Vec<Id> {
+        let equations = &self.equations;
+        equations
+            .linear
+            .into_iter()
+            .chain(equations.angular)
+            .collect()
+    }
+
     /// The values of expressions, in doubles.
     pub fn values(&self, body: &Body, roots: &[Id], given: &Given) -> Vec<f64> {
         let layout = Layout::of(&body.motion);

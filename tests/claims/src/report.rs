@@ -19,6 +19,7 @@ pub struct Report {
     pub claims: BTreeMap<String, usize>,
     pub states: usize,
     pub undecided: usize,
+    pub without_pivot: usize,
     pub failures: usize,
     /// The expansions that took longest, by their number.
     pub slowest: Vec<(Duration, usize)>,
@@ -93,8 +94,8 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "{} descriptions, {} refused; {} states, {} left out\n",
-            self.descriptions, self.refused, self.states, self.undecided
+            "{} descriptions, {} refused; {} states, in {} of them a pivot vanishes; {} left out\n",
+            self.descriptions, self.refused, self.states, self.without_pivot, self.undecided
         )?;
         for (claim, count) in &self.claims {
             writeln!(f, "{count:>9}  {claim}")?;

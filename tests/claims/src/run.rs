@@ -116,6 +116,7 @@ fn tried(
     if let Some(report) = report {
         report.states += tally.states;
         report.undecided += tally.undecided;
+        report.without_pivot += tally.without_pivot;
     }
     failure
 }

@@ -73,12 +73,7 @@ pub fn accelerations(
 
 /// Linear and angular acceleration in doubles.
 fn compiled(case: &Case<'_>, given: &Given) -> [Vector; 2] {
-    let equations = &case.compiled.equations;
-    let roots: Vec<_> = equations
-        .linear
-        .into_iter()
-        .chain(equations.angular)
-        .collect();
+    let roots = case.compiled.accelerations();
     let values = case.compiled.values(case.body, &roots, given);
     let vector = |from: usize| Vector::given([values[from], values[from + 1], values[from + 2]]);
     let angular = if Layout::of(&case.body.motion).turning.len() == 1 {

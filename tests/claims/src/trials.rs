@@ -10,6 +10,8 @@ use crate::{closed, skipped, structure};
 /// Sets of parameters of a body, and states of each.
 pub const SETS: usize = 3;
 pub const STATES: usize = 8;
+/// In fewer states, a pivot may vanish in all of them by chance.
+const FEW: usize = 4;
 
 /// A description with a set of parameters.
 pub struct Case<'a> {
@@ -42,6 +44,8 @@ pub struct Failure {
 pub struct Tally {
     pub states: usize,
     pub undecided: usize,
+    /// Those in which a pivot vanishes: no acceleration is computed there.
+    pub without_pivot: usize,
 }
 
 /// The first claim that a state refutes.
@@ -51,6 +55,7 @@ pub fn refuted(
     source: &mut Source,
     tally: &mut Tally,
 ) -> Option<Failure> {
+    let mut lost = None;
     let sets = if body.params.is_empty() { 1 } else { SETS };
     for _ in 0..sets {
         let params = source.params(body);
@@ -77,7 +82,16 @@ pub fn refuted(
             };
             tally.states += 1;
             let mut refuted = Refuted::default();
-            structure::accelerations(&case, &sample, &known, source, &mut refuted);
+            if compiled.has_no_pivot(body, &sample.given) {
+                tally.without_pivot += 1;
+                lost = Some(Failure {
+                    claim: "pivots: none of them is zero everywhere".to_owned(),
+                    what: "in every state that was tried, one of them vanishes".to_owned(),
+                    sample: sample.clone(),
+                });
+            } else {
+                structure::accelerations(&case, &sample, &known, source, &mut refuted);
+            }
             structure::zeros(&case, &known, &mut refuted);
             structure::reads(&case, &sample, &known, source, &mut refuted);
             structure::symmetries(&case, &sample, &known, source, &mut refuted);
@@ -93,7 +107,7 @@ pub fn refuted(
             }
         }
     }
-    None
+    lost.filter(|_| tally.states >= FEW && tally.without_pivot == tally.states)
 }
 
 /// Whether parameters make a body whose mass and inertia doubles can do with.

@@ -10,7 +10,7 @@ use super::number::{NEAR, Number};
 pub trait Values {
     fn scalar(&self, scalar: &Scalar) -> Number;
 
-    /// Told when a condition or a jump is so near that rounding may take the other side.
+    /// Told when a condition, a jump or a pole is so near that rounding may take the other side.
     fn near_switch(&self) -> &Cell<bool>;
 
     /// The operations: everything but names and vectors.
@@ -22,15 +22,13 @@ pub trait Values {
             Scalar::Sum(a, b) => read(a) + read(b),
             Scalar::Difference(a, b) => read(a) - read(b),
             Scalar::Product(a, b) => read(a) * read(b),
-            Scalar::Quotient(a, b) => read(a) / read(b),
+            Scalar::Quotient(a, b) => read(a) / self.divisor(read(b)),
+            Scalar::Power(a, n) if *n < 0 => self.divisor(read(a)).powi(*n),
             Scalar::Power(a, n) => read(a).powi(*n),
             Scalar::Unary(function, a) => self.unary(*function, read(a)),
             Scalar::Binary(function, a, b) => {
                 let (a, b) = (read(a), read(b));
-                if *function == Binary::Atan2 && b.float() < 0.0 {
-                    self.is_near(a);
-                }
-                a.combine(*function, b)
+                self.binary(*function, a, b)
             }
             Scalar::If(condition, a, b) => read(if self.holds(condition) { a } else { b }),
             other => unreachable!("{other:?} is read from somewhere"),
@@ -39,7 +37,8 @@ pub trait Values {
 
     fn unary(&self, function: Unary, x: Number) -> Number {
         match function {
-            Unary::Signum => self.is_near(x),
+            Unary::Signum | Unary::Recip | Unary::Ln => self.is_near(x),
+            Unary::Tan => self.is_near(x.apply(Unary::Cos)),
             Unary::Floor | Unary::Ceil => {
                 let whole = Number::given(x.float().round());
                 self.is_near(x - whole);
@@ -47,6 +46,25 @@ pub trait Values {
             _ => {}
         }
         x.apply(function)
+    }
+
+    fn binary(&self, function: Binary, a: Number, b: Number) -> Number {
+        match function {
+            // a cut, or a pole
+            Binary::Atan2 | Binary::Powf if b.float() < 0.0 => self.is_near(a),
+            // the end of the cut
+            Binary::Atan2 => self.is_near(a.combine(Binary::Hypot, b)),
+            // neither of them where one has no value
+            Binary::Min | Binary::Max if (a - b).float().is_nan() => self.near_switch().set(true),
+            _ => {}
+        }
+        a.combine(function, b)
+    }
+
+    /// What is divided by: at a pole there is no value, and beside it not one that rounding leaves.
+    fn divisor(&self, x: Number) -> Number {
+        self.is_near(x);
+        x
     }
 
     fn holds(&self, condition: &Condition) -> bool {
@@ -66,7 +84,8 @@ pub trait Values {
     }
 
     fn is_near(&self, x: Number) {
-        if x.float().abs() <= NEAR * x.size {
+        let is_apart = x.float().abs() > NEAR * x.span();
+        if !is_apart {
             self.near_switch().set(true);
         }
     }

@@ -135,7 +135,7 @@ impl Solved {
         let value = tensor.map(|row| row.map(|entry| entry.value));
         let entries = || tensor.iter().flatten();
         let size = entries()
-            .map(|entry| entry.size.powi(2))
+            .map(|entry| entry.span().powi(2))
             .sum::<f64>()
             .sqrt();
         let inverse = inverse(&value);

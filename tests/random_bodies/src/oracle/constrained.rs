@@ -24,6 +24,8 @@ pub struct Solved {
     pub reactions: Vec<Vector>,
     /// How far linear and angular acceleration may be off by the differences.
     pub errors: [f64; 2],
+    /// What reactions carry into them of the terms that cancel in the free accelerations.
+    pub carried: [f64; 2],
     /// The norm of the matrix times that of its inverse.
     pub condition: f64,
     pub is_near_switch: bool,
@@ -105,7 +107,6 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
     };
     let condition = norm(&matrix) * norm(&inverse);
     let mut values = Vec::new();
-    let mut accelerations = [0.0; 2];
     for row in &inverse {
         values.push(row.iter().zip(&right).map(|(x, y)| *x * *y).sum::<Wide>());
     }
@@ -116,13 +117,18 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
             .map(|(doubt, value)| doubt * value.high.abs())
             .sum::<f64>();
     }
-    for (j, row) in inverse.iter().enumerate() {
-        let of_value: f64 = row.iter().zip(&errors).map(|(x, y)| x.high.abs() * y).sum();
-        let lengths = [units[j].linear, units[j].angular].map(|unit| unit.length().high);
-        for (error, length) in accelerations.iter_mut().zip(lengths) {
-            *error += of_value * length;
+    // from the right sides by the reactions
+    let reached = |sides: &[f64]| {
+        let mut parts = [0.0; 2];
+        for (row, unit) in inverse.iter().zip(&units) {
+            let of_value: f64 = row.iter().zip(sides).map(|(x, y)| x.high.abs() * y).sum();
+            for (part, along) in parts.iter_mut().zip([unit.linear, unit.angular]) {
+                *part += of_value * along.length().high;
+            }
         }
-    }
+        parts
+    };
+    let carried = reached(&vec![free.linear.size + free.angular.size; n]);
     let motions = units
         .iter()
         .zip(&values)
@@ -134,7 +140,8 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
     Some(Solved {
         motions,
         reactions,
-        errors: accelerations,
+        errors: reached(&errors),
+        carried,
         condition,
         is_near_switch: problem.is_near_switch,
     })
@@ -393,7 +400,7 @@ impl<'a> Problem<'a> {
 /// The first or second derivative at zero by differences over lengths that become shorter, until two agree; and by how much they do not.
 fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wide, f64) {
     let here = value(0.0);
-    let mut size = here.size;
+    let mut size = here.span();
     let here = here.value;
     let mut best = (Wide::ZERO, f64::INFINITY);
     let mut before: Option<Wide> = None;
@@ -402,7 +409,7 @@ fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wi
         let mut is_bent = false;
         let [near, far] = [length, 2.0 * length].map(|length| {
             let (after, before) = (value(length), value(-length));
-            size = size.max(after.size).max(before.size);
+            size = size.max(after.span()).max(before.span());
             let (after, before) = (after.value, before.value);
             let (even, odd) = (after - here * 2.0 + before, after - before);
             is_bent |= even.high.abs() > 0.1 * odd.high.abs();

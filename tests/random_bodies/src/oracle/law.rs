@@ -149,7 +149,10 @@ pub fn inertial(scene: &Scene<'_>, motions: &Motions) -> Wrench {
     let force = motions.linear.scaled(constants.mass);
     let tensor = constants.tensor.map(|row| row.map(|entry| entry.value));
     let entries = constants.tensor.iter().flatten();
-    let size = entries.map(|entry| entry.size.powi(2)).sum::<f64>().sqrt();
+    let size = entries
+        .map(|entry| entry.span().powi(2))
+        .sum::<f64>()
+        .sqrt();
     let angular = angular_in_world(scene, motions.angular);
     let w = scene.angular_velocity;
     let about_center = match constants.body.motion {
@@ -186,7 +189,10 @@ pub fn spin(scene: &Scene<'_>) -> Vector {
         _ => {
             let tensor = constants.tensor.map(|row| row.map(|entry| entry.value));
             let entries = constants.tensor.iter().flatten();
-            let size = entries.map(|entry| entry.size.powi(2)).sum::<f64>().sqrt();
+            let size = entries
+                .map(|entry| entry.span().powi(2))
+                .sum::<f64>()
+                .sqrt();
             let inner = multiplied(&tensor, scene.in_body(w).value);
             scene.turned(Vector {
                 value: inner,

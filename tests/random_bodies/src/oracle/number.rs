@@ -8,10 +8,15 @@ use crate::wide::Wide;
 /// Below this fraction of its size, a difference decides nothing.
 pub const NEAR: f64 = 1e-11;
 
+/// Of what has cancelled in a number that is known, this much is left to its size, so that a
+/// tolerance of 1e-20 is above the rounding of 106 bits.
+const CANCELLED: f64 = 1e-9;
+
 /// A number and its size: that of the largest term that a sum of products has, written out. A rounding somewhere on the way
 /// to it is a unit in the last place of that, at most.
 ///
-/// What is made of literals alone is known at compile time: it has its own size, whatever cancels in it.
+/// What is made of literals alone is known at compile time: to all others it has its own size, whatever cancels in it,
+/// but for the rounding of 106 bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Number {
     pub value: Wide,
@@ -47,11 +52,33 @@ impl Number {
     /// Made of others, all of them known or not.
     pub fn made(value: Wide, size: f64, known: bool) -> Self {
         let least = value.high.abs();
+        // a known number without a slope is what it is
+        let is_lost = known && !size.is_finite();
         Self {
             value,
-            size: if known { least } else { size.max(least) },
+            size: if is_lost { least } else { size.max(least) },
             known,
         }
+    }
+
+    /// Its size to what is not known.
+    pub fn span(self) -> f64 {
+        if self.known {
+            self.value.high.abs().max(CANCELLED * self.size)
+        } else {
+            self.size
+        }
+    }
+
+    /// Both as known numbers, or both as others.
+    fn beside(self, other: Self) -> (Self, Self) {
+        let known = self.known && other.known;
+        let seen = |number: Self| Self {
+            size: if known { number.size } else { number.span() },
+            known,
+            ..number
+        };
+        (seen(self), seen(other))
     }
 
     pub fn float(self) -> f64 {
@@ -123,17 +150,15 @@ impl Number {
     }
 
     pub fn combine(self, function: Binary, other: Self) -> Self {
-        let (x, y) = (self.value, other.value);
-        let known = self.known && other.known;
+        let (a, b) = self.beside(other);
+        let (x, y, known) = (a.value, b.value, a.known);
         match function {
-            Binary::Hypot => {
-                (self.squared() + other.squared()).apply_root(self.size.max(other.size))
-            }
+            Binary::Hypot => (a.squared() + b.squared()).apply_root(a.size.max(b.size)),
             Binary::Min | Binary::Max => {
                 let is_first = (x < y) == (function == Binary::Min);
                 let chosen = if is_first { self } else { other };
                 // where they are nearly equal, rounding may choose
-                let size = self.size.max(other.size);
+                let size = a.size.max(b.size);
                 if (x - y).high.abs() > NEAR * size {
                     return chosen;
                 }
@@ -142,12 +167,12 @@ impl Number {
             Binary::Atan2 => {
                 let value = x.atan2(y);
                 let radius = (x * x + y * y).sqrt().high;
-                Self::made(value, self.size.max(other.size) / radius, known)
+                Self::made(value, a.size.max(b.size) / radius, known)
             }
             Binary::Powf => {
                 let value = (y * x.ln()).exp();
-                let of_base = y.high * value.high / x.high * self.size;
-                let of_power = x.ln().high * value.high * other.size;
+                let of_base = y.high * value.high / x.high * a.size;
+                let of_power = x.ln().high * value.high * b.size;
                 Self::made(value, of_base.abs().max(of_power.abs()), known)
             }
         }
@@ -174,8 +199,8 @@ impl Add for Number {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        let size = self.size.max(other.size);
-        Self::made(self.value + other.value, size, self.known && other.known)
+        let (a, b) = self.beside(other);
+        Self::made(a.value + b.value, a.size.max(b.size), a.known)
     }
 }
 
@@ -191,8 +216,8 @@ impl Mul for Number {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let size = self.size * other.size;
-        Self::made(self.value * other.value, size, self.known && other.known)
+        let (a, b) = self.beside(other);
+        Self::made(a.value * b.value, a.size * b.size, a.known)
     }
 }
 
@@ -200,8 +225,9 @@ impl Div for Number {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        let divisor = other.float().abs();
-        let size = self.size / divisor * (other.size / divisor);
-        Self::made(self.value / other.value, size, self.known && other.known)
+        let (a, b) = self.beside(other);
+        let divisor = b.float().abs();
+        let size = a.size / divisor * (b.size / divisor);
+        Self::made(a.value / b.value, size, a.known)
     }
 }

@@ -150,7 +150,7 @@ impl<'a> Scene<'a> {
         Self { reactions, ..self }
     }
 
-    /// Whether rounding may decide a condition in this state.
+    /// Whether rounding may decide a condition in this state, or its side of a pole.
     pub fn is_near_switch(&self) -> bool {
         self.near_switch.get()
     }
@@ -365,10 +365,14 @@ impl<'a> Scene<'a> {
             Written::Difference(a, b) => self.vector(a) - self.vector(b),
             Written::Negative(a) => -self.vector(a),
             Written::Scaled(factor, a) => self.vector(a).scaled(self.scalar(factor)),
-            Written::Over(a, divisor) => self.vector(a).over(self.scalar(divisor)),
+            Written::Over(a, divisor) => self.vector(a).over(self.divisor(self.scalar(divisor))),
             Written::Cross(a, b) => self.vector(a).cross(self.vector(b)),
             Written::Turned(z, a) => Vector::normal(self.scalar(z)).cross(self.vector(a)),
-            Written::Normalized(a) => self.vector(a).normalized(),
+            Written::Normalized(a) => {
+                let vector = self.vector(a);
+                self.is_near(vector.norm());
+                vector.normalized()
+            }
             Written::If(condition, a, b) => self.vector(if self.holds(condition) { a } else { b }),
         }
     }

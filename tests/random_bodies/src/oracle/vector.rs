@@ -20,7 +20,7 @@ impl Vector {
     };
 
     pub fn new(components: [Number; 3]) -> Self {
-        let squares = components.map(|component| component.size.powi(2));
+        let squares = components.map(|component| component.span().powi(2));
         Self {
             value: components.map(|component| component.value),
             size: squares.iter().sum::<f64>().sqrt(),
@@ -76,7 +76,7 @@ impl Vector {
     pub fn scaled(self, factor: Number) -> Self {
         Self {
             value: self.value.map(|x| x * factor.value),
-            size: self.size * factor.size,
+            size: self.size * factor.span(),
         }
     }
 

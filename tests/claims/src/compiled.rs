@@ -47,7 +47,7 @@ impl Compiled {
     /// Whether a pivot vanishes, so that no acceleration is computed: its divisor is nothing but
     /// rounding.
     pub fn has_no_pivot(&self, body: &Body, given: &Given) -> bool {
-        let graph = &self.model.frames.graph;
+        let graph = &self.work.graph;
         let roots: Vec<Id> = self.accelerations();
         let pivots = graph.reachable(&roots, |_| true).into_iter();
         let parts: Vec<Id> = pivots

@@ -111,7 +111,7 @@ mod tests {
     #[test]
     fn wrong_accelerations_under_constraints_are_refuted() {
         let (wrong, seen) = planted(0..200, |body, compiled| {
-            let graph = &mut compiled.model.frames.graph;
+            let graph = &mut compiled.work.graph;
             let (x, one) = (compiled.equations.linear[0], graph.one());
             compiled.equations.linear[0] = graph.add(x, one);
             !body.constraints.is_empty()
@@ -123,7 +123,7 @@ mod tests {
     #[test]
     fn pivots_that_vanish_everywhere_are_refuted() {
         let (wrong, seen) = planted(0..200, |body, compiled| {
-            let graph = &mut compiled.model.frames.graph;
+            let graph = &mut compiled.work.graph;
             // beside which all that is divided by is rounding
             let (x, huge) = (compiled.equations.linear[0], graph.integer(i64::MAX));
             let scale = graph.multiply(huge, huge);

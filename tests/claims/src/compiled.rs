@@ -3,7 +3,7 @@
 use fuzz::errors::Errors;
 use fuzz::mechanics::{Equations, derive_equations, with_potentials};
 use fuzz::model::{Meaning, Model, Workspace, lower_description, outline};
-use fuzz::symbolic::Id;
+use fuzz::symbolic::{Id, Node};
 use fuzz::syntax::parse_description;
 use proc_macro2::TokenStream;
 

@@ -4,7 +4,8 @@ use proc_macro2::TokenStream;
 
 use crate::errors::Errors;
 use crate::mechanics::{derive_equations, with_potentials};
-use crate::{emit, model, syntax};
+use crate::range::check_range;
+use crate::{emit, lower, syntax};
 
 /// Expands `(runtime) Name { key: value, .. }`.
 pub fn expand(tokens: TokenStream) -> TokenStream {
@@ -12,8 +13,8 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let Some(description) = syntax::parse_description(tokens, &mut errors) else {
         return errors.finish().unwrap_or_default();
     };
-    let mut outline = model::outline(&description, &mut errors);
-    let model = model::lower_description(&description, &mut outline, &mut errors);
+    let mut outline = lower::outline(&description, &mut errors);
+    let model = lower::lower_description(&description, &mut outline, &mut errors);
     // what is wrong with a sound description: rank, solvability, range
     let solved = model
         .filter(|_| errors.is_empty())
@@ -21,7 +22,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
             let model = with_potentials(model, &mut work);
             let equations = derive_equations(&model, &mut work, &mut errors)?;
             let roots = equations.finite_roots();
-            model::check_range(&model, &mut work, &outline, &roots, &mut errors);
+            check_range(&model, &mut work, &outline, &roots, &mut errors);
             Some((model, work, equations))
         });
     match (errors.finish(), solved) {

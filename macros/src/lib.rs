@@ -6,8 +6,12 @@
 mod emit;
 mod errors;
 mod expand;
+mod families;
+mod fraction;
+mod lower;
 mod mechanics;
 mod model;
+mod range;
 mod symbolic;
 mod syntax;
 

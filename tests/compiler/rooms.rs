@@ -5,16 +5,25 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each room may import of the others.
-const ROOMS: [(&str, &[&str]); 7] = [
+const ROOMS: [(&str, &[&str]); 11] = [
     ("errors", &[]),
-    ("syntax", &["errors"]),
+    ("families", &[]),
+    ("fraction", &[]),
     ("symbolic", &[]),
-    ("model", &["errors", "syntax", "symbolic"]),
-    ("mechanics", &["errors", "model", "symbolic"]),
-    ("emit", &["model", "mechanics", "symbolic"]),
+    ("syntax", &["errors", "families", "fraction"]),
+    ("model", &["errors", "families", "fraction", "symbolic"]),
+    (
+        "lower",
+        &[
+            "errors", "families", "fraction", "symbolic", "syntax", "model",
+        ],
+    ),
+    ("mechanics", &["errors", "families", "symbolic", "model"]),
+    ("range", &["errors", "symbolic", "model"]),
+    ("emit", &["families", "symbolic", "model", "mechanics"]),
     (
         "expand",
-        &["errors", "syntax", "model", "mechanics", "emit"],
+        &["errors", "syntax", "lower", "mechanics", "range", "emit"],
     ),
 ];
 /// Files of a folder, its face not counted.

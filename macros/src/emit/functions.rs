@@ -3,10 +3,15 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use crate::families::Family;
+use crate::families::LoadKind;
 use crate::mechanics::{
     Balance, Equations, Momentum, Partial, ReactionExpressions, Resultant, Switch,
 };
-use crate::model::{Family, LoadKind, Model, Outline, Output, Workspace};
+use crate::model::Model;
+use crate::model::Outline;
+use crate::model::Output;
+use crate::model::Workspace;
 use crate::symbolic::{Components, Cost, Id, Node, Stage};
 
 use super::code::{Fields, Source, Writer};

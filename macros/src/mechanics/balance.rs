@@ -1,6 +1,13 @@
 //! The balances as they are written, for inspection: given loads, resultants, residuals.
 
-use crate::model::{Family, Frame, Inertia, LoadKind, Model, Point, Vector, Workspace};
+use crate::families::Family;
+use crate::families::LoadKind;
+use crate::model::Frame;
+use crate::model::Inertia;
+use crate::model::Model;
+use crate::model::Point;
+use crate::model::Vector;
+use crate::model::Workspace;
 use crate::symbolic::{Components, Id};
 
 use super::newton_euler::{arm, moments_about, resultant};

@@ -1,6 +1,7 @@
 //! Where a uniform field acts on constant charges: (34.8), (34.9).
 
-use crate::model::{Model, Potential, Workspace, shown};
+use crate::model::shown;
+use crate::model::{Model, Potential, Workspace};
 use crate::symbolic::Number;
 
 /// For each field, `r_0 = p / sum e`, where its resultant acts, or that there is none.

@@ -13,7 +13,12 @@
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Frame, LoadKind, Model, Reaction, Vector, Workspace};
+use crate::families::LoadKind;
+use crate::model::Frame;
+use crate::model::Model;
+use crate::model::Reaction;
+use crate::model::Vector;
+use crate::model::Workspace;
 use crate::symbolic::{self, Components, Elimination, Id, Size};
 
 use super::newton_euler::arm;

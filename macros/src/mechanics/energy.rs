@@ -1,6 +1,13 @@
 //! Kinetic energy, and the energy of potentials and uniform fields.
 
-use crate::model::{Family, Inertia, Load, Meaning, Model, Point, Vector, Workspace};
+use crate::families::Family;
+use crate::model::Inertia;
+use crate::model::Load;
+use crate::model::Meaning;
+use crate::model::Model;
+use crate::model::Point;
+use crate::model::Vector;
+use crate::model::Workspace;
 use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 use super::dyadic::quadratic;

@@ -1,6 +1,7 @@
 //! What kind of body has a constant tensor, in the words of the runtime's `Symmetry` and `Extent`.
 
-use crate::model::{Inertia, Model, Workspace, is_flat, shown};
+use crate::model::shown;
+use crate::model::{Inertia, Model, Workspace, is_flat};
 use crate::symbolic::{Function, Number, Spectrum, Symmetry};
 
 /// A principal moment and the unit vector of its axis.

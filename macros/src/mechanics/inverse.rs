@@ -6,7 +6,13 @@
 //! fewer than the balances they have a part in, [`super::drives`] solves for them.
 
 use crate::errors::Errors;
-use crate::model::{LoadKind, Meaning, Model, Output, Reaction, Vector, Workspace};
+use crate::families::LoadKind;
+use crate::model::Meaning;
+use crate::model::Model;
+use crate::model::Output;
+use crate::model::Reaction;
+use crate::model::Vector;
+use crate::model::Workspace;
 use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;

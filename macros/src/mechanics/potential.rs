@@ -13,7 +13,15 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::model::{Attitude, Family, Form, Frame, Load, Model, Turn, Vector, Workspace};
+use crate::families::Family;
+use crate::model::Attitude;
+use crate::model::Form;
+use crate::model::Frame;
+use crate::model::Load;
+use crate::model::Model;
+use crate::model::Turn;
+use crate::model::Vector;
+use crate::model::Workspace;
 use crate::symbolic::{Components, Id, Number};
 
 use super::arm;

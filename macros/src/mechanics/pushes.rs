@@ -4,9 +4,16 @@
 //! error: `F(R) = F(given) + sum of u_j dF/dR . e_j`.
 
 use crate::errors::{Errors, Extent};
-use crate::model::{
-    Family, Frame, Load, LoadKind, Meaning, Model, Point, Reaction, Vector, Workspace,
-};
+use crate::families::Family;
+use crate::families::LoadKind;
+use crate::model::Frame;
+use crate::model::Load;
+use crate::model::Meaning;
+use crate::model::Model;
+use crate::model::Point;
+use crate::model::Reaction;
+use crate::model::Vector;
+use crate::model::Workspace;
 use crate::symbolic::{Components, Graph, Id, Node};
 
 use super::newton_euler::arm;

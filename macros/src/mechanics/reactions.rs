@@ -10,7 +10,15 @@
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Frame, Inertia, LoadKind, Meaning, Model, Point, Reaction, Vector, Workspace};
+use crate::families::LoadKind;
+use crate::model::Frame;
+use crate::model::Inertia;
+use crate::model::Meaning;
+use crate::model::Model;
+use crate::model::Point;
+use crate::model::Reaction;
+use crate::model::Vector;
+use crate::model::Workspace;
 use crate::symbolic::{Components, Equation, Graph, Id, Node, Solution};
 
 use super::newton_euler::{arm, inertia_about_center, moments_about, resultant};

@@ -1,6 +1,13 @@
 //! What the equations of a body do not contain, and why: the text of `SKIPPED`.
 
-use crate::model::{AXES, Family, Inertia, Meaning, Model, Motion, Output, Workspace};
+use crate::families::Family;
+use crate::model::AXES;
+use crate::model::Inertia;
+use crate::model::Meaning;
+use crate::model::Model;
+use crate::model::Motion;
+use crate::model::Output;
+use crate::model::Workspace;
 use crate::symbolic::{Components, Id, Node};
 
 use super::energy::uniform_field;

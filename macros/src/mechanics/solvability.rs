@@ -1,7 +1,12 @@
 //! Whether the balances determine the reactions: what to say if they do not, and where.
 
 use crate::errors::Errors;
-use crate::model::{Frame, LoadKind, Model, Motion, Reaction, Workspace};
+use crate::families::LoadKind;
+use crate::model::Frame;
+use crate::model::Model;
+use crate::model::Motion;
+use crate::model::Reaction;
+use crate::model::Workspace;
 use crate::symbolic::{Graph, Id, Number};
 
 use super::newton_euler::arm;

@@ -1,8 +1,9 @@
 //! A description as the compiler understands it.
 
 use fuzz::errors::Errors;
+use fuzz::lower::{lower_description, outline};
 use fuzz::mechanics::{Equations, derive_equations, with_potentials};
-use fuzz::model::{Meaning, Model, Workspace, lower_description, outline};
+use fuzz::model::{Meaning, Model, Workspace};
 use fuzz::symbolic::{Id, Node};
 use fuzz::syntax::parse_description;
 use proc_macro2::TokenStream;

@@ -1,0 +1,90 @@
+//! What is known of a description whatever is wrong with it: its names, types and signatures.
+
+use crate::families::LoadKind;
+use crate::model::kinematics::Frame;
+use crate::model::kinematics::Motion;
+use crate::model::words::Dimension;
+use crate::symbolic::Number;
+use proc_macro2::{Ident, TokenStream};
+
+/// What can be asked for beyond the accelerations.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Output {
+    Energy,
+    Momentum,
+    Balance,
+    Reactions,
+    Inverse,
+    Flow,
+    Taylor,
+}
+
+impl Output {
+    pub const ALL: [(&'static str, Self); 7] = [
+        ("energy", Self::Energy),
+        ("momentum", Self::Momentum),
+        ("balance", Self::Balance),
+        ("reactions", Self::Reactions),
+        ("inverse", Self::Inverse),
+        ("flow", Self::Flow),
+        ("taylor", Self::Taylor),
+    ];
+}
+
+/// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it has.
+pub struct Outline {
+    pub name: Ident,
+    /// The scalar that the body is generic over; none of a body of `f64`.
+    pub scalar: Option<Ident>,
+    /// The path of the runtime crate.
+    pub runtime: TokenStream,
+    pub doc: Vec<String>,
+    pub motion: Motion,
+    pub params: Vec<Declared>,
+    pub inputs: Vec<Declared>,
+    pub outputs: Vec<Output>,
+    /// Loads with unknown components, by name.
+    pub reactions: Vec<(Ident, LoadKind)>,
+    /// Drives with unknown components, by name.
+    pub drives: Vec<(Ident, LoadKind)>,
+    /// One of them has a direction that turns against the body, as far as its words say.
+    pub has_turning_drive: bool,
+    /// Whether the motion is under constraints.
+    pub is_constrained: bool,
+    /// Number of given loads.
+    pub loads: usize,
+    pub keys: Vec<Ident>,
+    /// Names that nothing in the description refers to.
+    pub unused: Vec<Ident>,
+}
+
+impl Outline {
+    /// Whether the body can be built from the defaults alone.
+    pub fn has_default(&self) -> bool {
+        self.params.iter().all(|param| param.default.is_some())
+    }
+}
+
+/// A parameter or an input.
+pub struct Declared {
+    pub name: Ident,
+    /// Whether it is a vector, and in which axes its components are written.
+    pub frame: Option<Frame>,
+    pub dimension: Dimension,
+    /// Of an input: whether it is given with its rate and acceleration, and which derivative it is itself.
+    pub moves: bool,
+    pub order: usize,
+    /// Default of a parameter, one number for each component.
+    pub default: Option<Vec<Number>>,
+}
+
+impl Declared {
+    /// How many derivatives of it are given.
+    pub fn derivatives(&self) -> usize {
+        if self.moves {
+            2
+        } else {
+            2 * usize::from(self.order > 0) - self.order
+        }
+    }
+}

@@ -1,14 +1,9 @@
 //! Constants of the equations that no double can hold.
 
+use crate::model::{Model, Outline, Workspace, is_possible, why_not};
+use crate::symbolic::{Id, Number, Stage};
+
 use super::errors::Errors;
-use crate::model::Model;
-use crate::model::Outline;
-use crate::model::Workspace;
-use crate::model::is_possible;
-use crate::model::why_not;
-use crate::symbolic::Id;
-use crate::symbolic::Number;
-use crate::symbolic::Stage;
 
 /// Reports constants of the equations that no double can hold, with the defaults where parameters
 /// have them.

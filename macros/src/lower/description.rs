@@ -1,25 +1,15 @@
 //! A description, read in order: what it declares, the body, its loads.
 
-use crate::errors::Errors;
-use crate::errors::Extent;
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, Extent};
 use crate::lower::definitions::check_names;
-use crate::lower::expressions::Lowering;
-use crate::lower::expressions::Scope;
-use crate::lower::expressions::is_drive;
-use crate::lower::expressions::is_unknown;
-use crate::model::Declared;
-use crate::model::Labels;
-use crate::model::Load;
-use crate::model::Meanings;
-use crate::model::Model;
-use crate::model::Outline;
-use crate::model::Output;
-use crate::model::Reaction;
-use crate::model::Workspace;
-use crate::model::state_symbols;
+use crate::lower::expressions::{Lowering, Scope, is_drive, is_unknown};
+use crate::model::{
+    Declared, Labels, Load, Meanings, Model, Outline, Output, Reaction, Workspace, state_symbols,
+};
 use crate::symbolic::Graph;
 use crate::syntax::Description;
-use proc_macro2::Ident;
 
 /// Gives a description its meaning. `None` if anything was wrong with it.
 pub fn lower_description(

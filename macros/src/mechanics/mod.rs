@@ -3,62 +3,38 @@
 //! Conventions: position, velocity and linear acceleration of G in world axes;
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
-mod about_axis;
-mod active;
-mod arm;
-mod axes;
-mod axial_torque;
-mod axis_of_symmetry;
-mod balance;
-mod charges;
-mod consistency;
-mod constraints;
-mod drives;
-mod dyadic;
-mod energy;
-mod euler_equations;
-mod flow;
-mod free_rotation;
-mod inertia_class;
-mod inverse;
-mod lagrange_top;
-mod momentum;
-mod newton_euler;
-mod partial;
-mod potential;
-mod pushes;
-mod rates;
-mod reactions;
-mod redundancy;
-mod response;
-mod rod;
-mod skipped;
-mod skipped_loads;
-mod solvability;
+mod answers;
+mod balances;
+mod closed_forms;
+mod proofs;
+mod report;
 mod structure;
-mod switches;
-mod symmetry;
-mod taylor;
-mod zeros;
+mod unknowns;
+mod variation;
+
+pub use answers::{
+    Axes, Balance, Energy, LoadExpressions, Momentum, Partial, Resultant, Switch, Taylor,
+};
+pub use closed_forms::{Flow, Free, Turning};
+pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
+pub use unknowns::{Consistency, Reach, ReactionExpressions};
+pub use variation::with_potentials;
+
+use answers::{
+    derive_balance, derive_energy, derive_momentum, derive_switches, derive_taylor, list_partial,
+    solve_loads,
+};
+use balances::derive_accelerations;
+use closed_forms::derive_flow;
+use report::{classify, list_centers, list_skipped};
+use structure::derive_structure;
+use unknowns::{
+    derive_consistency, derive_constrained, derive_inverse, derive_reach, derive_reactions,
+};
 
 use crate::errors::Errors;
 use crate::model::{Model, Output, Workspace};
 use crate::symbolic::{Components, Id};
-
-pub use axes::Axes;
-pub use balance::{Balance, LoadExpressions, Resultant};
-pub use consistency::{Consistency, Reach};
-pub use energy::Energy;
-pub use flow::{Flow, Turning};
-pub use free_rotation::Free;
-pub use momentum::Momentum;
-pub use partial::Partial;
-pub use potential::with_potentials;
-pub use reactions::ReactionExpressions;
-pub use structure::{Dependence, QUANTITIES, Structure};
-pub use switches::Switch;
-pub use symmetry::Symmetry;
-pub use taylor::Taylor;
 
 /// All that is generated for a body, as expressions.
 pub struct Equations {
@@ -108,22 +84,20 @@ pub fn derive_equations(
         reactions: solved,
         constraints,
     } = derive_motion(model, work, errors)?;
-    let drives = inverse::derive_inverse(model, work, errors)?;
+    let drives = derive_inverse(model, work, errors)?;
     let flow = match model.flow {
-        Some(place) => Some(flow::derive_flow(
-            model, work, place, &linear, &angular, errors,
-        )?),
+        Some(place) => Some(derive_flow(model, work, place, &linear, &angular, errors)?),
         None => None,
     };
-    let structure = structure::derive_structure(model, work, &linear, &angular);
-    let taylor = taylor::derive_taylor(model, work, &linear, &angular, &structure, errors);
-    let energy = asked(Output::Energy, model).then(|| energy::derive_energy(model, work));
-    let momentum = asked(Output::Momentum, model).then(|| momentum::derive_momentum(model, work));
-    let mut balance = asked(Output::Balance, model).then(|| balance::derive_balance(model, work));
+    let structure = derive_structure(model, work, &linear, &angular);
+    let taylor = derive_taylor(model, work, &linear, &angular, &structure, errors);
+    let energy = asked(Output::Energy, model).then(|| derive_energy(model, work));
+    let momentum = asked(Output::Momentum, model).then(|| derive_momentum(model, work));
+    let mut balance = asked(Output::Balance, model).then(|| derive_balance(model, work));
     if let Some(balance) = &mut balance
         && !constraints.is_empty()
     {
-        balance::solve_loads(model, work, balance, &solved);
+        solve_loads(model, work, balance, &solved);
     }
     let reactions = if asked(Output::Reactions, model) {
         solved
@@ -135,9 +109,9 @@ pub fn derive_equations(
         .chain(angular)
         .chain(constraints.iter().flat_map(Consistency::roots))
         .collect();
-    let switches = switches::derive_switches(model, work, &acting);
-    let reach = consistency::derive_reach(model, work, &constraints);
-    let skipped = skipped::list_skipped(model, work, &linear, &angular, &structure);
+    let switches = derive_switches(model, work, &acting);
+    let reach = derive_reach(model, work, &constraints);
+    let skipped = list_skipped(model, work, &linear, &angular, &structure);
     Some(Equations {
         linear,
         angular,
@@ -151,9 +125,9 @@ pub fn derive_equations(
         constraints,
         switches,
         reach,
-        partial: partial::list_partial(model, work),
-        inertia_class: inertia_class::classify(model, work),
-        charges: charges::list_centers(model, work),
+        partial: list_partial(model, work),
+        inertia_class: classify(model, work),
+        charges: list_centers(model, work),
         structure,
         skipped,
     })
@@ -169,8 +143,8 @@ struct Motion {
 
 fn derive_motion(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<Motion> {
     if model.constraints.is_empty() {
-        let (linear, angular) = newton_euler::derive_accelerations(model, work, errors)?;
-        let reactions = reactions::derive_reactions(model, work, &linear, &angular, errors)?;
+        let (linear, angular) = derive_accelerations(model, work, errors)?;
+        let reactions = derive_reactions(model, work, &linear, &angular, errors)?;
         return Some(Motion {
             linear,
             angular,
@@ -178,12 +152,12 @@ fn derive_motion(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Op
             constraints: Vec::new(),
         });
     }
-    let solved = constraints::derive_constrained(model, work, errors)?;
+    let solved = derive_constrained(model, work, errors)?;
     Some(Motion {
         linear: solved.linear,
         angular: solved.angular,
         reactions: solved.reactions,
-        constraints: consistency::derive_consistency(model, work, &solved.constraints),
+        constraints: derive_consistency(model, work, &solved.constraints),
     })
 }
 

@@ -17,10 +17,10 @@ pub use kinematics::{
 };
 pub use words::{AXES, Dimension, Doubtful, Labels, Meaning, Meanings, shown, why_not};
 
+use body::entries;
+
 use crate::errors::Extent;
 use crate::symbolic::{Components, Graph, Id};
-
-use body::entries;
 
 /// A description, understood.
 pub struct Model {

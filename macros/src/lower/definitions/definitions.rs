@@ -2,21 +2,13 @@
 
 use std::collections::HashMap;
 
+use crate::lower::expressions::{Lowering, Value};
+use crate::model::{Defaults, Dimension, Mass, Motion, Outline, Vector, Workspace, shown};
 use crate::symbolic::Id;
 use crate::syntax::{Composition, Description, Expression};
 
 use super::order::{Definition, definition_order, split_at_axis, split_at_support};
 use super::outline;
-use crate::lower::expressions::Lowering;
-use crate::lower::expressions::Value;
-use crate::model::Defaults;
-use crate::model::Dimension;
-use crate::model::Mass;
-use crate::model::Motion;
-use crate::model::Outline;
-use crate::model::Vector;
-use crate::model::Workspace;
-use crate::model::shown;
 
 impl Lowering<'_> {
     pub fn declarations(&mut self, description: &Description, outline: &mut Outline) -> Defaults {

@@ -1,12 +1,13 @@
 //! Names that mean two things.
 
+use std::collections::{HashMap, HashSet};
+
+use proc_macro2::Ident;
+
 use crate::errors::Errors;
-use crate::lower::expressions::written_motion;
-use crate::lower::expressions::{BUILT_IN, OF_ROD};
+use crate::lower::expressions::{BUILT_IN, OF_ROD, written_motion};
 use crate::model::Motion;
 use crate::syntax::Description;
-use proc_macro2::Ident;
-use std::collections::{HashMap, HashSet};
 
 /// Reports names that are defined twice, or that are built in. Loads have a namespace of their own.
 /// Returns the names that mean two things.

@@ -7,23 +7,12 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint, similar};
 use crate::families::LoadKind;
+use crate::lower::expressions::{
+    has_placeholder, is_drive, is_turning_drive, is_unknown, motion, written_frame, written_motion,
+};
+use crate::model::{Declared, Dimension, Motion, Outline, Output};
 use crate::symbolic::Number;
-use crate::syntax;
-use crate::syntax::Declaration;
-use crate::syntax::Description;
-use crate::syntax::Expression;
-use crate::syntax::Kind;
-use crate::syntax::ROD;
-use crate::syntax::SUPPORTS;
-
-use crate::lower::expressions::has_placeholder;
-use crate::lower::expressions::is_drive;
-use crate::lower::expressions::is_turning_drive;
-use crate::lower::expressions::is_unknown;
-use crate::lower::expressions::{motion, written_frame, written_motion};
-use crate::model::Dimension;
-use crate::model::Motion;
-use crate::model::{Declared, Outline, Output};
+use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
 /// Outputs of later versions.
 const LATER: [&str; 2] = ["linearization", "sensitivity"];

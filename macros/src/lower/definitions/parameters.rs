@@ -1,20 +1,11 @@
 //! Parameters and inputs: their symbols, shapes, dimensions and defaults.
 
+use crate::lower::expressions::{
+    Lowering, UNTURNED, Value, dimension, has_placeholder, lower_unit, strip_unit,
+};
+use crate::model::{Declared, Defaults, Dimension, Frame, Meaning, Motion, Point};
 use crate::symbolic::{Components, Id, Number, Stage};
 use crate::syntax::{Declaration, Expression, Kind};
-
-use crate::lower::expressions::UNTURNED;
-use crate::lower::expressions::Value;
-use crate::lower::expressions::lower_unit;
-use crate::lower::expressions::{Lowering, dimension};
-use crate::lower::expressions::{has_placeholder, strip_unit};
-use crate::model::Declared;
-use crate::model::Defaults;
-use crate::model::Dimension;
-use crate::model::Frame;
-use crate::model::Meaning;
-use crate::model::Motion;
-use crate::model::Point;
 
 impl Lowering<'_> {
     /// A parameter: `arm`, `arm[m]`, `arm = 0.2[m]`, `tip = body(0.1, 0, 0)[m]`.

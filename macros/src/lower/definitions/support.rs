@@ -1,14 +1,9 @@
 //! Supports: `pivot(P)`, `fixed_point(P)`, `fixed_axis(P, direction)`, held at the world origin or
 //! `.at(world(..))`.
 
-use crate::syntax::{self, Description, Expression};
-
 use crate::lower::expressions::Lowering;
-use crate::model::Defaults;
-use crate::model::Dimension;
-use crate::model::Motion;
-use crate::model::Point;
-use crate::model::Support;
+use crate::model::{Defaults, Dimension, Motion, Point, Support};
+use crate::syntax::{self, Description, Expression};
 
 impl Lowering<'_> {
     /// Reads the support that `motion` names, and holds the body by it.

@@ -5,14 +5,11 @@
 //! axes where it is read. Only the offsets of points stay in body axes, from which inertia is made.
 
 use crate::errors::Extent;
+use crate::model::{Attitude, Defaults, Point, Vector};
 use crate::symbolic::Components;
 use crate::syntax::{Description, Support};
 
 use super::lowering::Lowering;
-use crate::model::Attitude;
-use crate::model::Defaults;
-use crate::model::Point;
-use crate::model::Vector;
 
 /// Why something is not known of a rod.
 pub const UNTURNED: &str = "how a rod is turned about its axis is not known";

@@ -1,15 +1,13 @@
 //! Signs, sums, products, comparisons and choices.
 
 use crate::errors::Extent;
+use crate::model::{Dimension, Point, Vector};
 use crate::symbolic::{Comparison, Id};
 use crate::syntax::{Expression, Kind, Operator, Prefix, Step};
 
 use super::lowering::{Lowering, dimension};
 use super::unit::TOO_LARGE;
 use super::value::Value;
-use crate::model::Dimension;
-use crate::model::Point;
-use crate::model::Vector;
 
 impl Lowering<'_> {
     pub fn prefix(&mut self, prefix: Prefix, operand: &Expression) -> Option<Value> {

@@ -2,15 +2,12 @@
 
 use proc_macro2::Ident;
 
+use crate::model::{Attitude, Dimension, Frame, Motion, Point};
 use crate::symbolic::Number;
 
 use super::along_axis::UNTURNED;
 use super::lowering::Lowering;
 use super::value::Value;
-use crate::model::Dimension;
-use crate::model::Motion;
-use crate::model::Point;
-use crate::model::{Attitude, Frame};
 
 impl Lowering<'_> {
     pub fn name(&mut self, name: &Ident) -> Option<Value> {

@@ -1,10 +1,10 @@
 //! Where functions and quotients have no value, and why.
 
 use crate::errors::Extent;
+use crate::model::{Doubtful, why_not};
 use crate::symbolic::Id;
 
 use super::lowering::Lowering;
-use crate::model::{Doubtful, why_not};
 
 impl Lowering<'_> {
     /// Refuses what has no value, at its word; what parameters may bring there is remembered.

@@ -4,17 +4,13 @@ use proc_macro2::Ident;
 
 use crate::errors::{Extent, hint};
 use crate::fraction::Fraction;
+use crate::model::{Dimension, Frame, is_solid};
 use crate::symbolic::{Function, Id, Number};
-use crate::syntax::Expression;
-use crate::syntax::Kind;
-use crate::syntax::Prefix;
+use crate::syntax::{Expression, Kind, Prefix};
 
 use super::lowering::Lowering;
 use super::unit::TOO_LARGE;
 use super::value::Value;
-use crate::model::Dimension;
-use crate::model::Frame;
-use crate::model::is_solid;
 
 pub const VECTOR_METHODS: [&str; 7] = [
     "cross",

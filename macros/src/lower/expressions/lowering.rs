@@ -3,19 +3,13 @@
 //! Every method returns `None` for what was reported, here or before; nothing is reported twice.
 
 use crate::errors::{Errors, Extent};
+use crate::model::{Composed, Defaults, Dimension, Motion, State, Vector, Workspace};
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, UnitExpression};
 
 use super::scope::Scope;
 use super::unit::lower_unit;
 use super::value::Value;
-use crate::model::Composed;
-use crate::model::Defaults;
-use crate::model::Dimension;
-use crate::model::Motion;
-use crate::model::State;
-use crate::model::Vector;
-use crate::model::Workspace;
 
 /// Messages that are given in more than one place.
 const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";

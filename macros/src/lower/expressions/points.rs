@@ -1,6 +1,7 @@
 //! Points, and the components of points and vectors.
 
 use crate::errors::Extent;
+use crate::model::{Dimension, Frame, Motion, Point};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Expression, Kind};
 
@@ -8,10 +9,6 @@ use super::lowering::{Lowering, UNKNOWN};
 use super::unit::lower_unit;
 use super::value::Value;
 use super::written::written_frame;
-use crate::model::Dimension;
-use crate::model::Frame;
-use crate::model::Motion;
-use crate::model::Point;
 
 impl Lowering<'_> {
     /// A point: a name, `(x, y, z)` in body axes, from G or, in the composition of a body, from its

@@ -2,10 +2,9 @@
 
 use crate::errors::{Errors, hint};
 use crate::fraction::Fraction;
+use crate::model::Dimension;
 use crate::symbolic::{Function, Number};
 use crate::syntax::UnitExpression;
-
-use crate::model::Dimension;
 
 /// Units that take the prefixes of [`PREFIXES`]: name, powers of kg, m, s, A, K, mol, cd; the gram
 /// stands in for the kilogram.

@@ -1,10 +1,7 @@
 //! What an expression stands for.
 
+use crate::model::{Dimension, Frame, Point, Vector};
 use crate::symbolic::{Components, Id};
-
-use crate::model::Dimension;
-use crate::model::Point;
-use crate::model::{Frame, Vector};
 
 /// The value of an expression, with its dimension.
 #[derive(Clone, Copy, Debug)]

@@ -3,6 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::hint;
+use crate::model::{Attitude, Dimension, Frame, Motion, Point, Vector};
 use crate::symbolic::{Function, Id};
 use crate::syntax::Expression;
 
@@ -11,10 +12,6 @@ use super::functions::VECTOR_METHODS;
 use super::lowering::{Lowering, dimension};
 use super::unit::TOO_LARGE;
 use super::value::Value;
-use crate::model::Dimension;
-use crate::model::Motion;
-use crate::model::Point;
-use crate::model::{Attitude, Frame, Vector};
 
 impl Lowering<'_> {
     /// In the plane: `w.cross(v)` of a scalar `w` about z.

@@ -2,14 +2,8 @@
 
 use crate::errors::Extent;
 use crate::families::Family;
-use crate::model::Frame;
-use crate::model::Motion;
-use crate::model::is_solid;
-use crate::syntax;
-use crate::syntax::Description;
-use crate::syntax::Expression;
-use crate::syntax::Kind;
-use crate::syntax::Operator;
+use crate::model::{Frame, Motion, is_solid};
+use crate::syntax::{self, Description, Expression, Kind, Operator};
 
 /// Whether a load has unknown components.
 pub fn is_unknown(written: &syntax::Load) -> bool {

@@ -1,10 +1,10 @@
 //! The inertia of a rod.
 
-use super::draft::Draft;
 use crate::lower::expressions::Lowering;
-use crate::model::Attitude;
-use crate::model::Inertia;
+use crate::model::{Attitude, Inertia};
 use crate::symbolic::{Id, Number};
+
+use super::draft::Draft;
 
 impl Lowering<'_> {
     /// The inertia of a rod as one moment J: `J (1 - e e)` is the only tensor that it can have.

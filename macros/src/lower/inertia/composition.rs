@@ -5,20 +5,12 @@
 //! about G (`docs/trust.md`, H3).
 
 use crate::errors::Extent;
+use crate::lower::expressions::{Lowering, base, is_of_solid};
+use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, Point, shown};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Composition, Expression, Kind, Part};
 
 use super::draft::Given;
-use crate::lower::expressions::Lowering;
-use crate::lower::expressions::base;
-use crate::lower::expressions::is_of_solid;
-use crate::model::Composed;
-use crate::model::Defaults;
-use crate::model::Dimension;
-use crate::model::Inertia;
-use crate::model::Mass;
-use crate::model::Point;
-use crate::model::shown;
 
 const NO_MASS: &str = "this part has no mass: write `.mass(1[kg])` behind it";
 const HOLE: &str = "a part of negative mass is a hole, and a hole is a solid or a point: write \

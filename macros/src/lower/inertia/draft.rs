@@ -1,12 +1,9 @@
 //! An inertia as it was written, entry by entry: what an error about it underlines.
 
 use crate::errors::Extent;
+use crate::model::{Defaults, Inertia, Mass};
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, Prefix};
-
-use crate::model::Defaults;
-use crate::model::Inertia;
-use crate::model::Mass;
 
 /// What an inertia is read with.
 #[derive(Clone, Copy)]

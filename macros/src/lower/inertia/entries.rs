@@ -3,15 +3,13 @@
 use proc_macro2::Ident;
 
 use crate::errors::Extent;
+use crate::lower::expressions::Lowering;
+use crate::model::{Dimension, ENTRIES, Inertia};
 use crate::symbolic::Id;
 use crate::syntax::Expression;
 
 use super::draft::{Draft, Entry};
 use super::form::FORMS;
-use crate::lower::expressions::Lowering;
-use crate::model::Dimension;
-use crate::model::ENTRIES;
-use crate::model::Inertia;
 
 impl Lowering<'_> {
     fn refuse_in_plane(&mut self, word: &Ident) -> Option<()> {

@@ -3,23 +3,13 @@
 use proc_macro2::Ident;
 
 use crate::errors::similar;
+use crate::lower::expressions::{Lowering, base, is_of_solid, lower_unit, written_motion};
+use crate::model::{Defaults, Dimension, Inertia, Mass, Motion, is_solid, words};
 use crate::symbolic::Id;
 use crate::syntax::{Description, Expression, Kind};
 
 use super::across_axis::FORMS_OF_ROD;
 use super::draft::{Draft, Entry, Given};
-use crate::lower::expressions::Lowering;
-use crate::lower::expressions::base;
-use crate::lower::expressions::is_of_solid;
-use crate::lower::expressions::lower_unit;
-use crate::lower::expressions::written_motion;
-use crate::model::Defaults;
-use crate::model::Dimension;
-use crate::model::Inertia;
-use crate::model::Mass;
-use crate::model::Motion;
-use crate::model::is_solid;
-use crate::model::words;
 
 impl Lowering<'_> {
     /// Lowers the value of `inertia:` and checks it as far as it is known; `defaults` are the

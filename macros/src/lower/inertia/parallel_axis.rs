@@ -2,10 +2,10 @@
 
 use proc_macro2::Ident;
 
-use super::draft::Draft;
 use crate::lower::expressions::Lowering;
-use crate::model::Mass;
-use crate::model::Point;
+use crate::model::{Mass, Point};
+
+use super::draft::Draft;
 
 impl Lowering<'_> {
     /// The parallel-axis theorem, exactly: `J_G = J_P - m (r^2 1 - r r)`.

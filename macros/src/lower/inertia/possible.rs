@@ -7,17 +7,13 @@
 use proc_macro2::Ident;
 
 use crate::errors::Extent;
+use crate::lower::expressions::Lowering;
+use crate::model::{
+    AXES, Defaults, Inertia, Matrix, Motion, Violation, least_moment, matrix, shown, thinnest,
+};
 use crate::symbolic::{Id, Number};
 
 use super::draft::Draft;
-use crate::lower::expressions::Lowering;
-use crate::model::AXES;
-use crate::model::Defaults;
-use crate::model::Inertia;
-use crate::model::Motion;
-use crate::model::Violation;
-use crate::model::shown;
-use crate::model::{Matrix, least_moment, matrix, thinnest};
 
 impl Lowering<'_> {
     /// Checks an inertia as far as it is known.

@@ -3,17 +3,12 @@
 use proc_macro2::Ident;
 
 use crate::errors::Extent;
+use crate::lower::expressions::Lowering;
+use crate::model::{Dimension, Inertia, Mass, Motion, SOLIDS, Solid, shown};
 use crate::symbolic::{Id, Number};
 use crate::syntax::Expression;
 
 use super::draft::{Draft, Given};
-use crate::lower::expressions::Lowering;
-use crate::model::Dimension;
-use crate::model::Inertia;
-use crate::model::Mass;
-use crate::model::Motion;
-use crate::model::shown;
-use crate::model::{SOLIDS, Solid};
 
 impl Lowering<'_> {
     /// `cylinder(r, h)` and the others: exactly, as everything that is built from numbers.

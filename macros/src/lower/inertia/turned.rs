@@ -6,15 +6,13 @@
 
 use proc_macro2::Ident;
 
+use crate::lower::expressions::Lowering;
+use crate::model::{Dimension, Inertia, Motion};
 use crate::symbolic::{Components, Function, Graph, Id};
 use crate::syntax::Expression;
 
 use super::draft::Draft;
 use super::form::CONSTANT;
-use crate::lower::expressions::Lowering;
-use crate::model::Dimension;
-use crate::model::Inertia;
-use crate::model::Motion;
 
 /// A symmetric matrix, by rows.
 type Matrix = [Components; 3];

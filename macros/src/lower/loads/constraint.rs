@@ -4,16 +4,10 @@ use std::collections::{BTreeMap, HashSet};
 
 use proc_macro2::Ident;
 
+use crate::lower::expressions::{Lowering, Value};
+use crate::model::{AXES, Constraint, Declared, Frame, Level, Meaning};
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Description, Expression};
-
-use crate::lower::expressions::Lowering;
-use crate::lower::expressions::Value;
-use crate::model::AXES;
-use crate::model::Declared;
-use crate::model::Frame;
-use crate::model::Meaning;
-use crate::model::{Constraint, Level};
 
 /// Where a definition mentions a name, itself or by a local.
 fn mention<'d>(

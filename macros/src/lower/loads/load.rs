@@ -1,14 +1,9 @@
 //! Loads, and the pole of the moment balance.
 
 use crate::families::LoadKind;
-use crate::syntax;
-use crate::syntax::Written;
-
 use crate::lower::expressions::Lowering;
-use crate::model::Dimension;
-use crate::model::Frame;
-use crate::model::Load;
-use crate::model::Point;
+use crate::model::{Dimension, Frame, Load, Point};
+use crate::syntax::{self, Written};
 
 impl Lowering<'_> {
     pub fn load(&mut self, written: &syntax::Load) -> Option<Load> {

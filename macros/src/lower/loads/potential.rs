@@ -7,19 +7,11 @@
 use std::collections::HashSet;
 
 use crate::errors::{Errors, Extent};
+use crate::lower::definitions::{Definition, definition_order};
+use crate::lower::expressions::{Lowering, Value, is_drive, is_unknown};
+use crate::model::{Charges, Dimension, Form, Frame, Potential, Potentials, Turns};
 use crate::symbolic::{Components, Id, Node, Stage};
 use crate::syntax::{Description, Expression, Kind, Load};
-
-use crate::lower::definitions::{Definition, definition_order};
-use crate::lower::expressions::Lowering;
-use crate::lower::expressions::Value;
-use crate::lower::expressions::is_drive;
-use crate::lower::expressions::is_unknown;
-use crate::model::Charges;
-use crate::model::Dimension;
-use crate::model::Frame;
-use crate::model::Turns;
-use crate::model::{Form, Potential, Potentials};
 
 impl Lowering<'_> {
     /// Reads all potentials, and the uniform fields on charges.

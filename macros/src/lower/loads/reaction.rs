@@ -3,23 +3,12 @@
 
 use crate::errors::Extent;
 use crate::families::LoadKind;
+use crate::lower::expressions::{
+    Lowering, UNTURNED, Value, direction, is_unknown, lower_unit, placeholders,
+};
+use crate::model::{Dimension, Frame, Meaning, Motion, Point, Reaction};
 use crate::symbolic::{Components, Id, Stage};
-use crate::syntax;
-use crate::syntax::Description;
-use crate::syntax::Expression;
-use crate::syntax::Kind;
-
-use crate::lower::expressions::Lowering;
-use crate::lower::expressions::UNTURNED;
-use crate::lower::expressions::Value;
-use crate::lower::expressions::lower_unit;
-use crate::lower::expressions::{direction, is_unknown, placeholders};
-use crate::model::Dimension;
-use crate::model::Frame;
-use crate::model::Meaning;
-use crate::model::Motion;
-use crate::model::Point;
-use crate::model::Reaction;
+use crate::syntax::{self, Description, Expression, Kind};
 
 impl Lowering<'_> {
     /// A reaction with unknown components; `index` is its place among them.

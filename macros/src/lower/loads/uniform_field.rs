@@ -4,15 +4,10 @@
 //! p x E follow from it, with both sums folded; a net charge of zero is no special case.
 
 use crate::errors::Extent;
+use crate::lower::expressions::{Lowering, Value, dimension};
+use crate::model::{Attitude, Charges, Dimension, Frame, Point, Vector};
 use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Charge, Expression, Load};
-
-use crate::lower::expressions::Value;
-use crate::lower::expressions::{Lowering, dimension};
-use crate::model::Charges;
-use crate::model::Dimension;
-use crate::model::Point;
-use crate::model::{Attitude, Frame, Vector};
 
 /// Names of what changes with the state.
 const STATE: [&str; 6] = [

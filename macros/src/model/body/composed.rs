@@ -1,7 +1,8 @@
 //! What the parts of a body make together.
 
-use super::inertia::Inertia;
 use crate::symbolic::{Components, Graph, Id};
+
+use super::inertia::Inertia;
 
 /// What the parts of a body make together.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,8 @@
 //! What a motion keeps at zero.
 
-use crate::symbolic::Id;
 use proc_macro2::Ident;
+
+use crate::symbolic::Id;
 
 /// A scalar that the motion keeps at zero.
 pub struct Constraint {

@@ -4,10 +4,8 @@ use proc_macro2::Ident;
 
 use crate::errors::Extent;
 use crate::families::Family;
+use crate::model::kinematics::{Point, Vector};
 use crate::symbolic::{Components, Id};
-
-use crate::model::kinematics::Point;
-use crate::model::kinematics::Vector;
 
 /// A given load: a force at a point, a moment, or both.
 pub struct Load {

@@ -1,11 +1,11 @@
 //! What is known of a description whatever is wrong with it: its names, types and signatures.
 
+use proc_macro2::{Ident, TokenStream};
+
 use crate::families::LoadKind;
-use crate::model::kinematics::Frame;
-use crate::model::kinematics::Motion;
+use crate::model::kinematics::{Frame, Motion};
 use crate::model::words::Dimension;
 use crate::symbolic::Number;
-use proc_macro2::{Ident, TokenStream};
 
 /// What can be asked for beyond the accelerations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

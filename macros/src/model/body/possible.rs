@@ -1,7 +1,6 @@
 //! The triangle inequality of moments of inertia, in every frame.
 
-use crate::model::words::AXES;
-use crate::model::words::shown;
+use crate::model::words::{AXES, shown};
 use crate::symbolic::Number;
 
 /// A symmetric matrix, by rows.

@@ -1,8 +1,9 @@
 //! Potentials, in all forms in which they were read.
 
+use proc_macro2::Ident;
+
 use crate::model::kinematics::Turn;
 use crate::symbolic::{Components, Id};
-use proc_macro2::Ident;
 
 /// What becomes a load by differentiation.
 pub struct Potentials {

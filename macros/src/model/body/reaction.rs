@@ -1,15 +1,12 @@
 //! A load of which some components are not known.
 
+use proc_macro2::Ident;
+
 use crate::errors::Extent;
 use crate::families::LoadKind;
-use crate::model::kinematics::Frame;
-use crate::model::kinematics::Motion;
-use crate::model::kinematics::Point;
-use crate::model::kinematics::Vector;
-use crate::model::kinematics::Workspace;
+use crate::model::kinematics::{Frame, Motion, Point, Vector, Workspace};
 use crate::model::words::AXES;
 use crate::symbolic::Components;
-use proc_macro2::Ident;
 
 /// A load of which some components are not known.
 pub struct Reaction {

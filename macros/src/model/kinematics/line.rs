@@ -1,10 +1,9 @@
 //! Vectors of a rod: they are known along its axis alone.
 
-use super::frame::Attitude;
-use super::frame::Frame;
-use super::frame::Vector;
-use super::workspace::Workspace;
 use crate::symbolic::Components;
+
+use super::frame::{Attitude, Frame, Vector};
+use super::workspace::Workspace;
 
 impl Workspace {
     /// A vector that is fixed in the body, from its components in body axes.

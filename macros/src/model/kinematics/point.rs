@@ -1,7 +1,8 @@
 //! Points, fixed in the body, in space, or moving.
 
-use super::frame::Vector;
 use crate::symbolic::Components;
+
+use super::frame::Vector;
 
 /// A point, in metres.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

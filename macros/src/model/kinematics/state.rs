@@ -1,14 +1,12 @@
 //! The state of a body, in symbols, and what holds it.
 
-use super::frame::Attitude;
-use super::frame::Frame;
-use super::frame::Vector;
+use crate::model::words::{Meaning, Meanings};
+use crate::symbolic::{Components, Graph, Id, Stage};
+
+use super::frame::{Attitude, Frame, Vector};
 use super::motion::Motion;
 use super::point::Point;
 use super::workspace::Workspace;
-use crate::model::words::Meaning;
-use crate::model::words::Meanings;
-use crate::symbolic::{Components, Graph, Id, Stage};
 
 /// The state of a body, in symbols. What a motion does not have is zero.
 pub struct State {

@@ -1,12 +1,11 @@
 //! How vectors are turned from one frame to the other.
 
+use crate::model::words::AXES;
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
-use super::frame::Attitude;
-use super::frame::Frame;
+use super::frame::{Attitude, Frame};
 use super::turned_vector::Turn;
 use super::workspace::Workspace;
-use crate::model::words::AXES;
 
 impl Workspace {
     /// `s e` in body axes, of an early s and e along an axis of the world, to be multiplied by what is

@@ -1,12 +1,10 @@
 //! What a description is worked out in, and the algebra of physical vectors.
 
+use crate::model::words::{Doubtful, Labels, Meaning, Meanings};
+use crate::symbolic::{Components, Graph, Id, Node, Stage};
+
 use super::frame::{Attitude, Frame, Vector};
 use super::turned_vector::{Turn, Turns};
-use crate::model::words::Doubtful;
-use crate::model::words::Labels;
-use crate::model::words::Meaning;
-use crate::model::words::Meanings;
-use crate::symbolic::{Components, Graph, Id, Node, Stage};
 
 /// What a description is worked out in: its graph, seen through the two frames of its body, and the words for what is in it. Lowering
 /// begins it, mechanics goes on in it.

@@ -1,8 +1,9 @@
 //! Functions and quotients that have no value somewhere, and why.
 
-use super::shown::shown;
 use crate::errors::Extent;
 use crate::symbolic::{Id, Number};
+
+use super::shown::shown;
 
 /// Something that was written and has no value everywhere, and depends on parameters.
 pub struct Doubtful {

@@ -1,11 +1,8 @@
 //! What the symbols of the graph stand for.
 
-use crate::symbolic::Graph;
-use crate::symbolic::Node;
-use crate::symbolic::Stage;
-use crate::symbolic::Symbol;
-use crate::symbolic::{Components, Id};
 use std::collections::HashMap;
+
+use crate::symbolic::{Components, Graph, Id, Node, Stage, Symbol};
 
 /// What a symbol stands for; the numbers are components, or indices of declarations.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

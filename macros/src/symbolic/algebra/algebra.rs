@@ -3,8 +3,7 @@
 //! What a node is, and how it changes along with its operands, is written once, for all of them.
 
 use crate::symbolic::graph::{Comparison, Id, Node};
-use crate::symbolic::number::Function;
-use crate::symbolic::number::Number;
+use crate::symbolic::number::{Function, Number};
 
 /// The operations of nodes.
 pub trait Algebra {

@@ -1,9 +1,10 @@
 //! How a node changes along with its operands, for all algebras: the chain rule.
 
-use super::algebra::Algebra;
-use super::slopes::{slope, slopes, takes_first};
 use crate::symbolic::graph::{Id, Node};
 use crate::symbolic::number::Function;
+
+use super::algebra::Algebra;
+use super::slopes::{slope, slopes, takes_first};
 
 /// How a node changes along with its operands, one step of the chain rule; `None` is not at all. Steps
 /// (`floor`, `ceil`, `signum`) do not change, and a choice changes as its branches do.

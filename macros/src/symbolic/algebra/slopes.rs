@@ -2,10 +2,10 @@
 
 use core::slice::from_ref;
 
-use super::algebra::Algebra;
 use crate::symbolic::graph::Comparison;
-use crate::symbolic::number::Function;
-use crate::symbolic::number::Number;
+use crate::symbolic::number::{Function, Number};
+
+use super::algebra::Algebra;
 
 /// Derivative of a function of one argument at `a`, where its value is `value`.
 pub fn slope<A: Algebra>(

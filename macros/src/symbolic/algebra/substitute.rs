@@ -1,10 +1,9 @@
 //! The replacement of symbols: by numbers, it is exact evaluation.
 
-use super::algebra;
-use super::algebra::Algebra;
-use crate::symbolic::graph::{Comparison, Graph, Id, Node};
-use crate::symbolic::number::Function;
-use crate::symbolic::number::Number;
+use crate::symbolic::graph::{Comparison, Components, Graph, Id, Node};
+use crate::symbolic::number::{Function, Number};
+
+use super::algebra::{self, Algebra};
 
 impl Graph {
     /// `roots` with symbols replaced: `replacement` answers for those that change.
@@ -43,6 +42,18 @@ impl Graph {
 }
 
 /// Expressions of expressions.
+impl Graph {
+    /// A vector with values in the place of symbols.
+    pub fn replaced(&mut self, components: Components, values: &[(Id, Id)]) -> Components {
+        let value = |id: Id| {
+            let known = values.iter().find(|(symbol, _)| *symbol == id);
+            known.map(|(_, value)| *value)
+        };
+        let images = self.substitute(&components, value);
+        [images[0], images[1], images[2]]
+    }
+}
+
 impl Algebra for Graph {
     type Value = Id;
 

@@ -1,9 +1,9 @@
 //! Expressions in the order in which they are computed, for one state after the other.
 
-use super::algebra;
-use super::algebra::Algebra;
-use super::chain_rule;
 use crate::symbolic::graph::{Graph, Id, Node};
+
+use super::algebra::{self, Algebra};
+use super::chain_rule;
 
 /// All that some roots are made of, children first.
 pub struct Tape<'a> {

@@ -3,11 +3,9 @@
 //! The nodes are walked in the order in which they were made, children first, without recursion,
 //! and the results are built by the simplifying constructors.
 
-use crate::symbolic::algebra::chain_rule;
-use crate::symbolic::algebra::{slope, slopes};
+use crate::symbolic::algebra::{chain_rule, slope, slopes};
 use crate::symbolic::graph::{Graph, Id, Node};
-use crate::symbolic::number::Function;
-use crate::symbolic::number::Number;
+use crate::symbolic::number::{Function, Number};
 
 impl Graph {
     /// The partial derivatives of `roots` with respect to the symbol `by`.

@@ -9,8 +9,7 @@ use std::collections::HashMap;
 
 use crate::symbolic::algebra::takes_first;
 use crate::symbolic::graph::{Graph, Id, Node};
-use crate::symbolic::number::Function;
-use crate::symbolic::number::Number;
+use crate::symbolic::number::{Function, Number};
 
 /// A power of a base, its exponent in halves: `s`, its root and the square of that share one base.
 type Power = (Id, i32);

@@ -9,9 +9,9 @@
 //! `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, `x` being zero or not a number,
 //! it may be given one.
 
+use crate::symbolic::number::{Function, Number};
+
 use super::nodes::{Comparison, Graph, Id, Node, ONE, Stage, ZERO};
-use crate::symbolic::number::Function;
-use crate::symbolic::number::Number;
 
 impl Graph {
     pub fn number(&mut self, number: Number) -> Id {

@@ -2,8 +2,9 @@
 
 use core::ops::AddAssign;
 
-use super::nodes::{Graph, Id, Node};
 use crate::symbolic::number::Function;
+
+use super::nodes::{Graph, Id, Node};
 
 /// Operations of a program; a negation is free.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Debug)]

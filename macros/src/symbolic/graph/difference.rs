@@ -6,8 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use super::nodes::{Graph, Id, Node, Stage};
 use crate::symbolic::number::Number;
+
+use super::nodes::{Graph, Id, Node, Stage};
 
 /// A difference that takes more steps than these to multiply out is taken as it stands.
 const STEPS: usize = 1000;

@@ -8,10 +8,9 @@ use core::cmp::Ordering;
 use core::hash::BuildHasherDefault;
 use std::collections::HashMap;
 
+use crate::symbolic::number::{Function, Number, Spectrum};
+
 use super::hash::WordHasher;
-use crate::symbolic::number::Function;
-use crate::symbolic::number::Number;
-use crate::symbolic::number::Spectrum;
 
 /// An expression in a [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -1,8 +1,9 @@
 //! Products and quotients: a product is written `early * late`, and there is no division by what is
 //! known early.
 
-use super::nodes::{Graph, Id, Node};
 use crate::symbolic::number::Number;
+
+use super::nodes::{Graph, Id, Node};
 
 impl Graph {
     pub fn multiply(&mut self, a: Id, b: Id) -> Id {

@@ -1,7 +1,8 @@
 //! From a graph to straight-line code: which expressions become statements, and in which order.
 
-use super::nodes::{Graph, Id, Node, Stage};
 use crate::symbolic::number::Function;
+
+use super::nodes::{Graph, Id, Node, Stage};
 
 /// Operations that one statement may hold before it is split.
 const STATEMENT: u32 = 14;

@@ -1,7 +1,8 @@
 //! What tensors of numbers are in axes of their own, found once.
 
-use super::nodes::{Components, Graph};
 use crate::symbolic::number::{Matrix, Spectrum};
+
+use super::nodes::{Components, Graph};
 
 impl Graph {
     /// The entries of a tensor, if all of them are numbers.

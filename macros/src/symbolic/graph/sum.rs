@@ -1,8 +1,9 @@
 //! Sums: like terms are collected, common early factors are taken out, what is known early is
 //! gathered, and signs become subtractions.
 
-use super::nodes::{Graph, Id, Node};
 use crate::symbolic::number::Number;
+
+use super::nodes::{Graph, Id, Node};
 
 impl Graph {
     pub fn add(&mut self, a: Id, b: Id) -> Id {

@@ -1,7 +1,8 @@
 //! Vectors and symmetric matrices of expressions, component by component.
 
-use super::nodes::{Components, Graph, Id, Node};
 use crate::symbolic::number::Function;
+
+use super::nodes::{Components, Graph, Id, Node};
 
 impl Graph {
     pub fn zeros(&mut self) -> Components {

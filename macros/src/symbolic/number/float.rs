@@ -1,6 +1,7 @@
 //! Binary numbers of so many bits.
 
-use dashu_float::{FBig, round::mode::HalfEven};
+use dashu_float::FBig;
+use dashu_float::round::mode::HalfEven;
 
 /// Bits kept of a number that is not rational.
 pub(in crate::symbolic) const PRECISION: usize = 256;

@@ -1,9 +1,10 @@
 //! The rules of [`super::recurrence`], operation by operation.
 
-use super::convolution::{Factor, Product, Readers};
-use super::recurrences::Recurrences;
 use crate::symbolic::graph::{Graph, Id, Node, Stage};
 use crate::symbolic::number::Function;
+
+use super::convolution::{Factor, Product, Readers};
+use super::recurrences::Recurrences;
 
 /// Recurrences while they are written.
 pub(in crate::symbolic) struct Expansion<'g> {

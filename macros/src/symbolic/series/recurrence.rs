@@ -18,10 +18,11 @@
 //! In what is written for n, symbols of their own stand for n-th coefficients, and the expressions
 //! of the description for their values at the start.
 
-use super::expansion::Expansion;
-use super::recurrences::{Coordinate, Recurrences};
 use crate::symbolic::graph::{Graph, Id, Node, Stage};
 use crate::symbolic::number::Function;
+
+use super::expansion::Expansion;
+use super::recurrences::{Coordinate, Recurrences};
 
 impl Graph {
     /// The first place in `roots` where there is no Taylor series, if these symbols move.

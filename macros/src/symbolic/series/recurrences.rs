@@ -1,7 +1,8 @@
 //! What the recurrences of a series are: products, sums, and what follows from them, level by level.
 
-use super::convolution::Sum;
 use crate::symbolic::graph::Id;
+
+use super::convolution::Sum;
 
 /// A coordinate of a motion.
 #[derive(Clone, Copy, Debug)]

@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::identity::{Residues, Side};
 use crate::symbolic::algebra::takes_first;
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::Function;
+
+use super::identity::{Residues, Side};
 
 /// Branches that are taken one by one. Where there are more, one of them is that on which choices are
 /// symbols: what holds whatever the sign of a root, and of any mixture of two sides, holds on all.

@@ -1,10 +1,8 @@
 //! The degrees of expressions: how likely an expression that is not zero is zero at a random place.
 
-use crate::symbolic::algebra::Algebra;
-use crate::symbolic::algebra::Tape;
+use crate::symbolic::algebra::{Algebra, Tape};
 use crate::symbolic::graph::Comparison;
-use crate::symbolic::number::Function;
-use crate::symbolic::number::Number;
+use crate::symbolic::number::{Function, Number};
 
 /// Bounds of the degrees of numerator and denominator, in symbols and in all that is taken for one.
 #[derive(Clone, Copy)]

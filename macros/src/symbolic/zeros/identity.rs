@@ -13,9 +13,7 @@
 
 use crate::symbolic::algebra::Algebra;
 use crate::symbolic::graph::Comparison;
-use crate::symbolic::number::Function;
-use crate::symbolic::number::Number;
-use crate::symbolic::number::Residue;
+use crate::symbolic::number::{Function, Number, Residue};
 
 /// Residues on one branch; `None` is a quotient by zero.
 pub struct Residues<'a> {

@@ -4,9 +4,10 @@
 //! root and at all scales: see [`super::identity`]. All else may be zero somewhere or everywhere, and
 //! is treated as not zero. Values of doubles or of long numbers prove nothing.
 
-use super::branches::on_branches;
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::Residue;
+
+use super::branches::on_branches;
 
 /// The value of an expression at one random place, on each branch; `None` where there is none.
 #[derive(Clone)]

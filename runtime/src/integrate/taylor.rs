@@ -149,6 +149,8 @@ pub struct Motion<'b, B: Taylor, const N: usize> {
     /// The polynomial of a step over such a place, and whether the last step was one.
     passage: [<B::State as Coordinates>::Array; passage::ROWS],
     is_passage: bool,
+    /// Whether each step goes on from where the last one ended.
+    goes_on: bool,
 }
 
 impl<B: Taylor, const N: usize> fmt::Debug for Motion<'_, B, N> {
@@ -181,6 +183,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             expansions: Expansions::default(),
             passage: [<B::State as Coordinates>::Array::default(); passage::ROWS],
             is_passage: false,
+            goes_on: true,
         }
     }
 
@@ -202,6 +205,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     pub(super) fn replace(&mut self, state: &B::State) {
         self.axes = self.body().axes(self.now.time, state);
         self.now.replace(state);
+        self.goes_on = false;
         self.renew();
     }
 
@@ -265,7 +269,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         };
         let step = match passed {
             Some(step) => step,
-            None => self.follow(permitted, end, input, (tolerance, is_held))?,
+            None => self.follow(permitted, end, input, (tolerance, is_held && self.goes_on))?,
         };
         Ok(Some(self.taken(time, step)))
     }

@@ -204,14 +204,6 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
                 );
                 outputs.push(Output::Inverse);
             }
-            Some((_, Output::Taylor)) if !description.constraints.is_empty() => {
-                errors.push(
-                    word.span(),
-                    "`taylor` under constraints is not there yet: use a motion with a support, \
-                     or leave `taylor` out, and `integrate` takes Runge-Kutta steps",
-                );
-                outputs.push(Output::Taylor);
-            }
             Some((_, output)) => outputs.push(*output),
             None if LATER.contains(&written.as_str()) => {
                 errors.push(

@@ -1,6 +1,6 @@
 //! Parameters, inputs, points and locals, in the order of what they refer to.
 
-mod definitions;
+mod in_order;
 mod names;
 mod order;
 mod outline;

@@ -61,16 +61,6 @@ impl Lowering<'_> {
     fn constraint(&mut self, written: &Definition) -> Option<Vec<Constraint>> {
         let expression = written.value.as_ref()?;
         let name = &written.name;
-        if self.motion.is_supported() {
-            let motion = self.motion.word();
-            return self.report(
-                name.span(),
-                format!(
-                    "constraints beside a support are not there yet: instead of `motion: \
-                     {motion}(..)`, write the support as a constraint too"
-                ),
-            );
-        }
         let components = match self.value(expression)? {
             Value::Scalar(id, _) => vec![(name.to_string(), id)],
             Value::Components(_, components, _) => self.named_components(name, components),

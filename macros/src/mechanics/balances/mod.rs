@@ -15,5 +15,5 @@ pub use kinetic::twice_kinetic;
 pub use loads::{arm, check_moment_free, given_parts, moments_about, resultant, uniform_field};
 pub use moments::inertia_about_center;
 pub use newton_euler::{derive_accelerations, solve_balances};
-pub use response::response;
+pub use response::{free_moment, response};
 pub use rod::{is_along_axis, turned_by, turning};

@@ -5,10 +5,23 @@ use crate::symbolic::Components;
 
 use super::dyadic::{Dyadic, cheapest};
 use super::euler_equations::{inverse_inertia, is_diagonal};
-use super::moments::inertia_about_center;
+use super::moments::{inertia_about_center, moment_of_inertia};
 
-/// Of a force (world axes) and a moment about the center (body axes): `F / m`, `J^-1 M`, as far as
-/// the motion has them.
+/// The part of a moment about the center (body axes) along which the body may turn; about a hinge, that
+/// along its axis stands in the place of z.
+pub fn free_moment(model: &Model, work: &mut Workspace, moment: Components) -> Components {
+    let graph = &mut work.graph;
+    match model.hinge(graph) {
+        Some(d) => {
+            let zero = graph.zero();
+            [zero, zero, graph.dot(d, moment)]
+        }
+        None => moment,
+    }
+}
+
+/// Of a force (world axes) and a [`free_moment`] about the center: `F / m`, `J^-1 M`, as far as the motion
+/// has them.
 pub fn response(
     model: &Model,
     work: &mut Workspace,
@@ -28,7 +41,11 @@ pub fn response(
     if !model.motion.has_attitude() || work.graph.is_zero_vector(&moment) {
         return (linear, zeros);
     }
-    let angular = match inertia_about_center(model, work) {
+    let mut inertia = inertia_about_center(model, work);
+    if let Some(d) = model.hinge(&mut work.graph) {
+        inertia = Inertia::Scalar(moment_of_inertia(work, &inertia, d));
+    }
+    let angular = match inertia {
         Inertia::Absent => zeros,
         Inertia::Scalar(inertia) => {
             let inverse = work.graph.divide(one, inertia);

@@ -11,14 +11,16 @@
 //! positive: a sum of squares over masses.
 
 use crate::errors::Errors;
-use crate::mechanics::balances::{check_moment_free, moments_about, response, rod, solve_balances};
+use crate::mechanics::balances::{check_moment_free, response, rod, solve_balances};
 use crate::mechanics::proofs::samples;
 use crate::mechanics::variation::Rates;
-use crate::model::{Frame, Model, Workspace};
+use crate::model::{Frame, Load, Model, Vector, Workspace};
 use crate::symbolic::{Components, Elimination, Function, Id, Residue, Row, Sample, Size};
 
 use super::active::active;
 use super::constrained::{Constrained, differentiate};
+use super::inertial::{balances_of, inertial_change};
+use super::left_over::balances_left;
 use super::pushes::{Push, given_loads, pushes};
 use super::redundancy::{check_elimination, check_independent};
 use super::rod::check_pushes;
@@ -44,27 +46,26 @@ pub fn derive_constrained(
     if let Some(axis) = model.state.axis {
         check_pushes(model, work, axis, &pushes, errors)?;
     }
-    let (free_linear, free_angular, moment) = unconstrained(model, work, errors)?;
+    let loads = given_loads(model, work);
+    if let Some(axis) = model.state.axis {
+        rod::check_loads(model, work, &loads, axis, errors)?;
+    }
+    let free = solve_balances(model, work, &loads, Vec::new(), ["free", "free_angular"]);
     let mut rows = Vec::new();
     for constraint in &constraints {
-        rows.push(constraint_row(
-            work,
-            constraint,
-            &pushes,
-            (free_linear, free_angular),
-        ));
+        rows.push(constraint_row(work, constraint, &pushes, free));
     }
-    if !model.motion.has_attitude() {
-        rows.extend(moment_rows(model, work, &pushes, moment, errors)?);
-    }
+    let left = rows_left(model, work, &pushes, &loads, free, errors)?;
+    rows.extend(left.iter().map(|(_, row)| row.clone()));
     let rows = sampled(model, work, rows, &constraints, &pushes);
     let elimination = work.graph.solve_guarded(rows, pushes.len());
-    check_elimination(model, &constraints, &pushes, &elimination, errors)?;
+    let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
+    check_elimination(model, &constraints, &left, &pushes, &elimination, errors)?;
     name_unknowns(model, work, &pushes, &elimination);
-    let linear = pushed(work, free_linear, &pushes, &elimination.values, |push| {
+    let linear = pushed(work, free.0, &pushes, &elimination.values, |push| {
         push.linear
     });
-    let angular = pushed(work, free_angular, &pushes, &elimination.values, |push| {
+    let angular = pushed(work, free.1, &pushes, &elimination.values, |push| {
         push.angular
     });
     let angular = match model.state.axis {
@@ -79,29 +80,6 @@ pub fn derive_constrained(
         constraints,
         reactions,
     })
-}
-
-/// The accelerations by the given loads alone, and their moment about G in world axes.
-fn unconstrained(
-    model: &Model,
-    work: &mut Workspace,
-    errors: &mut Errors,
-) -> Option<(Components, Components, Components)> {
-    let loads = given_loads(model, work);
-    if let Some(axis) = model.state.axis {
-        rod::check_loads(model, work, &loads, axis, errors)?;
-    }
-    let (linear, angular) =
-        solve_balances(model, work, &loads, Vec::new(), ["free", "free_angular"]);
-    let center = model.state.center(work);
-    let moments = moments_about(model, work, &loads, center);
-    let moment = work.sum(moments);
-    let moment = if model.motion.has_attitude() {
-        work.graph.zeros()
-    } else {
-        work.components(moment, Frame::World)
-    };
-    Some((linear, angular, moment))
 }
 
 /// An equation for the unknowns, not sampled yet.
@@ -133,22 +111,55 @@ fn constraint_row(
     (coefficients, graph.negate(known))
 }
 
-/// Of a body that does not turn: the moments about G sum to zero.
-fn moment_rows(
+/// The balances that the free accelerations leave over: the moments about G, of a body that does not turn;
+/// those that a support meets, if its reactions are asked for.
+fn rows_left(
     model: &Model,
     work: &mut Workspace,
     pushes: &[Push],
-    given: Components,
+    loads: &[Load],
+    free: (Components, Components),
     errors: &mut Errors,
-) -> Option<Vec<Equation>> {
-    let axes = if model.motion.is_planar() { 2..3 } else { 0..3 };
+) -> Option<Vec<(&'static str, Equation)>> {
+    let balances = balances_left(model, work);
+    let supporting: Vec<&Push> = pushes.iter().filter(|push| push.supports).collect();
+    let is_asked = !model.motion.is_supported() || !supporting.is_empty();
+    if balances.is_empty() || !is_asked {
+        return Some(Vec::new());
+    }
+    let in_body = |push: &&Push| model.reactions[push.reaction].frame == Frame::Body;
+    let frame = if model.motion.is_supported() && supporting.iter().all(in_body) {
+        Frame::Body
+    } else {
+        Frame::World
+    };
+    let in_frame = |work: &mut Workspace, (force, moment): (Vector, Vector)| {
+        let force = work.components(force, frame);
+        (force, work.components(moment, frame))
+    };
+    let known = balances_of(model, work, loads, Vec::new(), (&free.0, &free.1));
+    let known = in_frame(work, known);
+    let mut units = Vec::new();
+    for push in pushes {
+        let (force, moment) = inertial_change(model, work, push.linear, push.angular);
+        let unit = (work.add(push.load.0, force), work.add(push.load.1, moment));
+        units.push(in_frame(work, unit));
+    }
     let mut rows = Vec::new();
-    for axis in axes {
-        let coefficients: Vec<Id> = pushes.iter().map(|push| push.moment[axis]).collect();
-        let is_empty = coefficients.iter().all(|id| work.graph.is_zero(*id));
-        if !is_empty {
-            rows.push((coefficients, work.graph.negate(given[axis])));
-        } else if !work.graph.is_zero(given[axis]) {
+    for row in balances {
+        let graph = &mut work.graph;
+        let mut of = |(force, moment): (Components, Components)| {
+            graph.dot(row.direction, row.of(force, moment))
+        };
+        let (coefficients, known): (Vec<Id>, Id) =
+            (units.iter().map(|unit| of(*unit)).collect(), of(known));
+        if !coefficients.iter().all(|id| graph.is_zero(*id)) {
+            rows.push((row.name, (coefficients, graph.negate(known))));
+        } else if model.motion.is_supported() {
+            if !graph.is_zero(known) {
+                rows.push((row.name, (coefficients, graph.negate(known))));
+            }
+        } else if !graph.is_zero(known) {
             check_moment_free(model, work, &model.loads, errors)?;
         }
     }
@@ -194,7 +205,7 @@ fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Pu
         linear, angular, ..
     } = constraint.rates;
     let gradient = [linear, angular].concat();
-    let load = [push.force, push.body_moment].concat();
+    let load = [push.force, push.moment].concat();
     let values = samples(work, &[gradient, load].concat());
     let (a, b) = values.split_at(values.len() / 2);
     if !push.is_followed && are_parallel(a, b) {
@@ -207,7 +218,7 @@ fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Pu
         graph.add(first, second)
     };
     let of_gradient = product([linear, angular], [by_gradient.0, by_gradient.1]);
-    let of_load = product([push.force, push.body_moment], [push.linear, push.angular]);
+    let of_load = product([push.force, push.moment], [push.linear, push.angular]);
     let square = graph.multiply(of_gradient, of_load);
     Size::Product(graph.apply(Function::Sqrt, &[square]))
 }
@@ -262,7 +273,7 @@ fn name_accelerations(
     linear: Components,
     angular: Components,
 ) {
-    let scalar = model.motion.is_planar();
+    let scalar = model.motion.is_planar() || model.motion.is_hinged();
     let labels = &mut work.labels;
     labels.describe("linear", "(1.3) with the reactions, world axes");
     labels.vector("linear", linear);

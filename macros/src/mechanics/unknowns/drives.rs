@@ -19,7 +19,7 @@ use crate::mechanics::proofs::{all_vanish, samples};
 use crate::model::{Frame, Model, Reaction, Vector, Workspace};
 use crate::symbolic::{self, Components, Elimination, Id, Size};
 
-use super::reactions::balances_without_unknowns;
+use super::inertial::balances_without_unknowns;
 use super::unknown::Row;
 
 /// One unit of an unknown.

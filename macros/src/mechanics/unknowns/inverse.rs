@@ -11,7 +11,9 @@ use crate::model::{Meaning, Model, Output, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;
-use super::reactions::{assemble, balances_left, solve_unknowns};
+use super::left_over::balances_left;
+use super::reactions::assemble;
+use super::reactions::solve_unknowns;
 use super::solvability::check_determined;
 use super::unknown::{ReactionExpressions, Row, Unmoved};
 

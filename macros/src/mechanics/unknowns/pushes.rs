@@ -5,7 +5,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::families::{Family, LoadKind};
-use crate::mechanics::balances::{arm, response};
+use crate::mechanics::balances::{arm, free_moment, response};
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Frame, Load, Meaning, Model, Point, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Graph, Id, Node};
@@ -19,11 +19,13 @@ pub struct Push {
     pub direction: Vector,
     /// Another load depends on it.
     pub is_followed: bool,
-    /// Its force, world axes, and its moment about G in world axes (of a body that does not turn)
-    /// and in body axes (of one that does); with what follows it.
+    /// Its force, and its moment about the center; with what follows it.
+    pub load: (Vector, Vector),
+    /// The same along which the body moves freely: the force in world axes, and the moment.
     pub force: Components,
     pub moment: Components,
-    pub body_moment: Components,
+    /// It acts where the body is held, and makes no acceleration.
+    pub supports: bool,
     /// The acceleration that it makes: of G, world axes; angular, body axes.
     pub linear: Components,
     pub angular: Components,
@@ -121,25 +123,26 @@ fn push(model: &Model, work: &mut Workspace, reaction: usize, axis: usize, place
         }
     }
     let (force, moment) = (work.sum(forces), work.sum(moments));
-    let turns = model.motion.has_attitude();
+    let load = (force, moment);
     let force = work.components(force, Frame::World);
-    let in_axes = work.components(moment, if turns { Frame::Body } else { Frame::World });
-    let zeros = work.graph.zeros();
-    let (moment, body_moment) = if turns {
-        (zeros, in_axes)
+    let moment = if model.motion.has_attitude() {
+        let moment = work.components(moment, Frame::Body);
+        free_moment(model, work, moment)
     } else {
-        (in_axes, zeros)
+        work.graph.zeros()
     };
-    let (linear, angular) = response(model, work, force, body_moment);
+    let (linear, angular) = response(model, work, force, moment);
+    let moves = [linear, angular].concat();
     Push {
         reaction,
         axis,
         place,
         direction,
         is_followed,
+        supports: model.motion.is_supported() && all_vanish(work, &moves),
+        load,
         force,
         moment,
-        body_moment,
         linear,
         angular,
     }

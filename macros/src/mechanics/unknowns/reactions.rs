@@ -11,12 +11,12 @@
 
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
-use crate::mechanics::balances::{
-    arm, given_parts, inertia_about_center, moments_about, resultant,
-};
-use crate::model::{Frame, Inertia, Meaning, Model, Reaction, Vector, Workspace};
-use crate::symbolic::{Components, Equation, Id, Node};
+use crate::mechanics::balances::arm;
+use crate::model::{Frame, Model, Reaction, Vector, Workspace};
+use crate::symbolic::{Components, Equation, Id};
 
+use super::inertial::balances_without_unknowns;
+use super::left_over::balances_left;
 use super::solvability::{check_solution, check_workless};
 use super::unknown::{ReactionExpressions, Row, Solved, Unknown, Unmoved};
 
@@ -164,177 +164,6 @@ fn list_unknowns<'m>(loads: &[&'m Reaction]) -> Vec<Unknown<'m>> {
         })
     });
     all.collect()
-}
-
-/// The balances that do not determine the accelerations.
-pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<Row> {
-    let graph = &mut work.graph;
-    let (zero, one) = (graph.zero(), graph.one());
-    let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
-    let mut rows = Vec::new();
-    if !model.motion.translates() {
-        for axis in 0..model.motion.axes() {
-            let name = [
-                "the forces along x",
-                "the forces along y",
-                "the forces along z",
-            ][axis];
-            rows.push(Row {
-                name,
-                kind: LoadKind::Force,
-                direction: unit(axis),
-            });
-        }
-    }
-    let moment_names = [
-        "the moments about x",
-        "the moments about y",
-        "the moments about z",
-    ];
-    if !model.motion.has_attitude() {
-        let axes = if model.motion.is_planar() { 2..3 } else { 0..3 };
-        rows.extend(axes.map(|axis| Row {
-            name: moment_names[axis],
-            kind: LoadKind::Moment,
-            direction: unit(axis),
-        }));
-    } else if let (false, Some(d)) = (model.motion.is_planar(), model.hinge(&mut work.graph)) {
-        rows.extend(across(work, d).map(|(name, direction)| Row {
-            name,
-            kind: LoadKind::Moment,
-            direction,
-        }));
-    }
-    rows
-}
-
-/// Two directions across an axis: the other two axes, if it is one of them.
-fn across(work: &mut Workspace, d: Components) -> [(&'static str, Components); 2] {
-    let graph = &mut work.graph;
-    let (zero, one) = (graph.zero(), graph.one());
-    let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
-    let along = (0..3).find(|axis| graph.is_along(d, *axis));
-    if let Some(axis) = along {
-        let name = |axis: usize| {
-            [
-                "the moments about x",
-                "the moments about y",
-                "the moments about z",
-            ][axis]
-        };
-        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-        return [(name(i), unit(i)), (name(j), unit(j))];
-    }
-    let zero_axis = (0..3).find(|axis| graph.is_zero(d[*axis]));
-    let first = match zero_axis {
-        Some(axis) => unit(axis),
-        None => graph.cross(d, unit(0)),
-    };
-    let second = graph.cross(d, first);
-    let name = "the moments across the axis";
-    [(name, first), (name, second)]
-}
-
-/// Sum of the given forces and their moment about the center, less the inertial ones.
-pub fn balances_without_unknowns(
-    model: &Model,
-    work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
-) -> (Vector, Vector) {
-    let center = model.state.center(work);
-    let mut force = resultant(work, &model.loads);
-    let moments = moments_about(model, work, &model.loads, center);
-    let mut moment = work.sum(moments);
-    for (given_force, given_moment) in given_parts(model, work, center) {
-        force = work.add(force, given_force);
-        moment = work.add(moment, given_moment);
-    }
-    let (inertial_force, inertial_moment) = inertial(model, work, linear, angular);
-    let force = work.add(force, inertial_force);
-    let moment = work.add(moment, inertial_moment);
-    (force, moment)
-}
-
-/// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
-fn inertial(
-    model: &Model,
-    work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
-) -> (Vector, Vector) {
-    let hinge = model.hinge(&mut work.graph);
-    let graph = &mut work.graph;
-    let rate = match hinge {
-        Some(d) => graph.scale_vector(angular[2], d),
-        None => *angular,
-    };
-    let symbols: Vec<(Id, Id)> = accelerations(model, work, linear, &rate, angular);
-    let acceleration = model.state.acceleration;
-    let graph = &mut work.graph;
-    let acceleration = Vector {
-        body: graph.replaced(acceleration.body, &symbols),
-        world: graph.replaced(acceleration.world, &symbols),
-    };
-    let zero = work.zero_vector();
-    let force = match model.mass {
-        Some(mass) => {
-            let rate = work.scale(mass, acceleration);
-            work.negate(rate)
-        }
-        None => zero,
-    };
-    let w = model.state.angular_velocity;
-    let inertia = inertia_about_center(model, work);
-    let graph = &mut work.graph;
-    let change = match inertia {
-        Inertia::Absent => graph.zeros(),
-        Inertia::Scalar(moment) => graph.scale_vector(moment, rate),
-        Inertia::Spatial(rows) => {
-            let momentum = graph.transform(&rows, w);
-            let gyroscopic = graph.cross(w, momentum);
-            let driven = graph.transform(&rows, rate);
-            graph.add_vectors(driven, gyroscopic)
-        }
-    };
-    let change = graph.negate_vector(change);
-    let moment = work.vector(Frame::Body, change);
-    (force, moment)
-}
-
-/// The symbols of the accelerations and the expressions they are.
-fn accelerations(
-    model: &Model,
-    work: &Workspace,
-    linear: &Components,
-    rate: &Components,
-    angular: &Components,
-) -> Vec<(Id, Id)> {
-    let graph = &work.graph;
-    let state = &model.state;
-    let symbols: Vec<Id> = graph.reachable(
-        &[
-            state.acceleration.body,
-            state.acceleration.world,
-            state.angular_acceleration,
-        ]
-        .concat(),
-        |_| true,
-    );
-    let value = |id: Id| {
-        let Node::Symbol(symbol) = graph.node(id) else {
-            return None;
-        };
-        match work.meanings.of(*symbol) {
-            Meaning::LinearAcceleration(axis) => Some((id, linear[axis])),
-            Meaning::AngularAcceleration(axis) if model.motion.is_hinged() => {
-                Some((id, angular[axis]))
-            }
-            Meaning::AngularAcceleration(axis) => Some((id, rate[axis])),
-            _ => None,
-        }
-    };
-    symbols.into_iter().filter_map(value).collect()
 }
 
 /// How an unknown enters a row: a force along its axis, and by its arm as a moment.

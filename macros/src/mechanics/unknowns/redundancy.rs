@@ -113,6 +113,7 @@ fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<u
 pub fn check_elimination(
     model: &Model,
     constraints: &[Constrained],
+    left: &[&str],
     pushes: &[Push],
     elimination: &Elimination,
     errors: &mut Errors,
@@ -136,6 +137,14 @@ pub fn check_elimination(
                     "no unknown reaction keeps `{}`: mark one with `_` in `reactions`, with a part \
                      against it",
                     constraint.name
+                ),
+            );
+        } else if let Some(push) = pushes.iter().find(|push| push.supports) {
+            let balance = left[*row - constraints.len()];
+            errors.push(
+                push.place,
+                format!(
+                    "nothing balances {balance}: leave another component of a reaction unknown"
                 ),
             );
         } else if let Some(push) = pushes.first() {

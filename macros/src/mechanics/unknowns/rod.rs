@@ -18,7 +18,7 @@ pub fn check_pushes(
     let graph = &mut work.graph;
     let parts: Vec<Id> = pushes
         .iter()
-        .map(|push| graph.dot(axis.unit, push.body_moment))
+        .map(|push| graph.dot(axis.unit, push.moment))
         .collect();
     let wrong = turning(work, &parts);
     for index in &wrong {

@@ -153,7 +153,10 @@ impl Sweep<'_> {
             }
             Meaning::Time => self.work.graph.one(),
             Meaning::Position(axis) => state.velocity.world[axis],
-            Meaning::Angle => state.angular_velocity[2],
+            Meaning::Angle => match self.work.meanings.symbol_of(Meaning::AngularVelocity(2)) {
+                Some(symbol) => self.work.graph.symbol_id(symbol),
+                None => return,
+            },
             Meaning::Axis(part) => match state.axis {
                 Some(axis) => axis.rate[part],
                 None => return,

@@ -3,7 +3,7 @@
 use crate::symbolic::graph::{Id, Node};
 use crate::symbolic::number::Function;
 
-use super::algebra::Algebra;
+use super::operations::Algebra;
 use super::slopes::{slope, slopes, takes_first};
 
 /// How a node changes along with its operands, one step of the chain rule; `None` is not at all. Steps

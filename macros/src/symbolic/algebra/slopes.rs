@@ -5,7 +5,7 @@ use core::slice::from_ref;
 use crate::symbolic::graph::Comparison;
 use crate::symbolic::number::{Function, Number};
 
-use super::algebra::Algebra;
+use super::operations::Algebra;
 
 /// Derivative of a function of one argument at `a`, where its value is `value`.
 pub fn slope<A: Algebra>(

@@ -3,7 +3,7 @@
 use crate::symbolic::graph::{Comparison, Components, Graph, Id, Node};
 use crate::symbolic::number::{Function, Number};
 
-use super::algebra::{self, Algebra};
+use super::operations::{self, Algebra};
 
 impl Graph {
     /// `roots` with symbols replaced: `replacement` answers for those that change.
@@ -35,7 +35,7 @@ impl Graph {
             Node::Symbol(_) | Node::Number(_) | Node::Truth(_) | Node::Undefined => id,
             operation => {
                 let operation = operation.clone();
-                algebra::value(self, &operation, image)
+                operations::value(self, &operation, image)
             }
         }
     }

@@ -2,8 +2,8 @@
 
 use crate::symbolic::graph::{Graph, Id, Node};
 
-use super::algebra::{self, Algebra};
 use super::chain_rule;
+use super::operations::{self, Algebra};
 
 /// All that some roots are made of, children first.
 pub struct Tape<'a> {
@@ -39,7 +39,9 @@ impl Tape<'_> {
         for &id in &self.order {
             let value = match self.graph.node(id) {
                 Node::Symbol(_) => symbol(algebra, id),
-                node => algebra::value(algebra, node, |operand| self.of(&values, operand).clone()),
+                node => {
+                    operations::value(algebra, node, |operand| self.of(&values, operand).clone())
+                }
             };
             values.push(value);
         }

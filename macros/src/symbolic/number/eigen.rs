@@ -4,8 +4,8 @@
 //! are found exactly, and equal are eigenvalues that are proved to be. Three different ones come from
 //! Jacobi's method at [`WORKING`] bits.
 
+use super::exact::Number;
 use super::float::Float;
-use super::number::Number;
 
 /// A symmetric matrix, by rows.
 pub type Matrix = [[Number; 3]; 3];

@@ -15,9 +15,9 @@ use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
 use super::ball::{Ball, NONE};
+use super::exact::{Irrational, Kind, Number, Term};
 use super::float::{Float, PRECISION};
 use super::function::Function;
-use super::number::{Irrational, Kind, Number, Term};
 use super::residue::Residue;
 
 /// Bits of a value that are right; with fewer, it is computed again.

@@ -2,15 +2,15 @@
 
 mod ball;
 mod eigen;
+mod exact;
 mod float;
 mod function;
 pub mod irrational;
-mod number;
 mod rational_residues;
 mod residue;
 mod values;
 
 pub use eigen::{Matrix, PrincipalAxes, Spectrum, Symmetry, scaled};
+pub use exact::Number;
 pub use function::Function;
-pub use number::Number;
 pub use residue::Residue;

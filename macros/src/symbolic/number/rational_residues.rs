@@ -1,6 +1,6 @@
 //! Numbers and their residues.
 
-use super::number::Number;
+use super::exact::Number;
 use super::residue::{DIGITS, PRIME, Residue, minus};
 
 impl Residue {

@@ -2,10 +2,10 @@
 
 use dashu_ratio::RBig;
 
+use super::exact::Number;
 use super::float::Float;
 use super::function::Function;
 use super::irrational::root_residue;
-use super::number::Number;
 use super::residue::Residue;
 
 /// Whole exponents that are powers; beyond, they are exponentials.

@@ -48,7 +48,9 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
         outputs: check_outputs(description, errors),
         reactions: by_name(description, is_unknown),
         drives: by_name(description, is_drive),
-        has_turning_drive: description.loads.iter().any(is_turning_drive),
+        has_turning_drive: description.loads.iter().any(is_turning_drive)
+            || !description.constraints.is_empty()
+            || written_motion(description) == Some(Motion::Rod),
         is_constrained: !description.constraints.is_empty(),
         loads: description
             .loads
@@ -189,20 +191,6 @@ fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> 
                     "there are no unknown drives: leave components open, as in `moments: [motor = \
                      body(0, 0, _)]`",
                 );
-            }
-            Some((_, Output::Inverse)) if !description.constraints.is_empty() => {
-                errors.push(
-                    word.span(),
-                    "inverse dynamics under constraints is not there yet: use a motion with a support",
-                );
-                outputs.push(Output::Inverse);
-            }
-            Some((_, Output::Inverse)) if written_motion(description) == Some(Motion::Rod) => {
-                errors.push(
-                    word.span(),
-                    "inverse dynamics of a rod is not there yet: make the drive an input",
-                );
-                outputs.push(Output::Inverse);
             }
             Some((_, output)) => outputs.push(*output),
             None if LATER.contains(&written.as_str()) => {

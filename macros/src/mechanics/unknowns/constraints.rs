@@ -23,7 +23,7 @@ use super::inertial::{balances_of, inertial_change};
 use super::left_over::balances_left;
 use super::pushes::{Push, given_loads, pushes};
 use super::redundancy::{check_elimination, check_independent};
-use super::rod::check_pushes;
+use super::rod::check_across;
 use super::unknown::ReactionExpressions;
 
 /// The motion under constraints.
@@ -44,7 +44,10 @@ pub fn derive_constrained(
     check_independent(work, &constraints, errors)?;
     let pushes = pushes(model, work, errors)?;
     if let Some(axis) = model.state.axis {
-        check_pushes(model, work, axis, &pushes, errors)?;
+        let moments = pushes
+            .iter()
+            .map(|push| (push.name(model), push.place, push.moment));
+        check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
     }
     let loads = given_loads(model, work);
     if let Some(axis) = model.state.axis {

@@ -14,17 +14,19 @@
 
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
-use crate::mechanics::balances::{arm, response};
+use crate::mechanics::balances::{arm, free_moment, response};
 use crate::mechanics::proofs::{all_vanish, samples};
 use crate::model::{Frame, Model, Reaction, Vector, Workspace};
 use crate::symbolic::{self, Components, Elimination, Id, Size};
 
-use super::inertial::balances_without_unknowns;
+use super::inertial::{balances_of, balances_without_unknowns};
+use super::pushes::{given_loads, pushes};
+use super::rod::check_across;
 use super::unknown::Row;
 
 /// One unit of an unknown.
 struct Column<'m> {
-    drive: &'m Reaction,
+    load: &'m Reaction,
     axis: usize,
     place: Extent,
     /// In the axes in which it is written.
@@ -41,8 +43,8 @@ struct Equation {
     right: Id,
 }
 
-/// Solves for the drives of the model. `rows` are the balances
-/// along the directions in which the body moves freely.
+/// Solves for the drives of the model, under constraints together with the reactions that keep these. `rows` are the
+/// balances along the directions in which the body moves freely, and those that hold one that does not turn.
 pub fn solve_drives(
     model: &Model,
     work: &mut Workspace,
@@ -50,17 +52,31 @@ pub fn solve_drives(
     (linear, angular): (&Components, &Components),
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
-    let columns = columns(model, work);
-    let rest = balances_without_unknowns(model, work, linear, angular);
+    let columns = columns(model, work, errors)?;
+    if let Some(axis) = model.state.axis {
+        let moments = columns.iter().map(|column| column.turning(model));
+        check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
+    }
+    let rest = if model.constraints.is_empty() {
+        balances_without_unknowns(model, work, linear, angular)
+    } else {
+        let loads = given_loads(model, work);
+        balances_of(model, work, &loads, Vec::new(), (linear, angular))
+    };
     let equations = match as_many(model, work, rows, &columns, rest) {
         Some(equations) => equations,
-        None => nearest(model, work, &columns, rest),
+        None => {
+            let mut equations = nearest(model, work, &columns, rest);
+            // a body that does not turn is held by what is left of the balances
+            let held = rows.iter().filter(|row| is_held(model, row)).cloned();
+            let held: Vec<Row> = held.collect();
+            let frames = (Frame::World, Frame::World);
+            equations.extend(balances(work, &held, &columns, rest, frames));
+            equations
+        }
     };
     let elimination = eliminate(work, equations, columns.len());
-    let names: Vec<String> = columns
-        .iter()
-        .map(|column| column.drive.component_name(model.motion, column.axis))
-        .collect();
+    let names: Vec<String> = columns.iter().map(|column| column.name(model)).collect();
     for column in &elimination.undetermined {
         let name = &names[*column];
         let message = if columns.len() == 1 {
@@ -87,7 +103,7 @@ pub fn solve_drives(
     for drive in &model.drives {
         let mut whole = work.zero_vector();
         let own = columns.iter().zip(&elimination.values);
-        for (column, value) in own.filter(|(column, _)| column.drive.name == drive.name) {
+        for (column, value) in own.filter(|(column, _)| column.load.name == drive.name) {
             let part = work.scale(*value, column.direction);
             whole = work.add(whole, part);
         }
@@ -96,9 +112,36 @@ pub fn solve_drives(
     Some(vectors)
 }
 
-fn columns<'m>(model: &'m Model, work: &mut Workspace) -> Vec<Column<'m>> {
+impl Column<'_> {
+    fn name(&self, model: &Model) -> String {
+        self.load.component_name(model.motion, self.axis)
+    }
+
+    /// Of a rod.
+    fn turning(&self, model: &Model) -> (String, Extent, Components) {
+        (self.name(model), self.place, self.moment.world)
+    }
+}
+
+fn columns<'m>(
+    model: &'m Model,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<Vec<Column<'m>>> {
     let center = model.state.center(work);
     let mut columns = Vec::new();
+    if !model.constraints.is_empty() {
+        // what a support carries follows from the motion, and drives nothing
+        let pushes = pushes(model, work, errors)?.into_iter();
+        columns.extend(pushes.filter(|push| !push.supports).map(|push| Column {
+            load: &model.reactions[push.reaction],
+            axis: push.axis,
+            place: push.place,
+            direction: push.direction,
+            force: push.load.0,
+            moment: push.load.1,
+        }));
+    }
     for drive in &model.drives {
         for (axis, place) in &drive.unknown {
             let direction = drive.direction(work, *axis);
@@ -110,7 +153,7 @@ fn columns<'m>(model: &'m Model, work: &mut Workspace) -> Vec<Column<'m>> {
                 }
             };
             columns.push(Column {
-                drive,
+                load: drive,
                 axis: *axis,
                 place: *place,
                 direction,
@@ -119,7 +162,12 @@ fn columns<'m>(model: &'m Model, work: &mut Workspace) -> Vec<Column<'m>> {
             });
         }
     }
-    columns
+    Some(columns)
+}
+
+/// Whether a balance is one of moments of a body that does not turn.
+fn is_held(model: &Model, row: &Row) -> bool {
+    row.kind == LoadKind::Moment && !model.motion.has_attitude()
 }
 
 /// The balances in which unknowns have a part, if there are as many along some axes.
@@ -133,39 +181,51 @@ fn as_many(
     use Frame::{Body, World};
     // the moments about an axis that is fixed in the body
     let is_hinged = model.motion.is_hinged();
-    for (of_forces, of_moments) in [(World, Body), (Body, Body), (World, World), (Body, World)] {
-        if is_hinged && of_moments == World {
+    for frames in [(World, Body), (Body, Body), (World, World), (Body, World)] {
+        if is_hinged && frames.1 == World {
             continue;
         }
-        let along = |work: &mut Workspace, row: &Row, force: Vector, moment: Vector| {
-            let (vector, frame) = match row.kind {
-                LoadKind::Force => (force, of_forces),
-                LoadKind::Moment => (moment, of_moments),
-            };
-            let components = work.components(vector, frame);
-            work.graph.dot(row.direction, components)
-        };
-        let mut equations = Vec::new();
-        for row in rows {
-            let each = columns.iter();
-            let coefficients: Vec<Id> = each
-                .map(|column| along(work, row, column.force, column.moment))
-                .collect();
-            if all_vanish(work, &coefficients) {
-                continue;
-            }
-            let rest = along(work, row, rest.0, rest.1);
-            equations.push(Equation {
-                sizes: vec![Size::Terms; coefficients.len()],
-                coefficients,
-                right: work.graph.negate(rest),
-            });
-        }
+        let equations = balances(work, rows, columns, rest, frames);
         if equations.len() <= columns.len() {
             return Some(equations);
         }
     }
     None
+}
+
+/// The balances in which unknowns have a part, of forces and of moments in these axes.
+fn balances(
+    work: &mut Workspace,
+    rows: &[Row],
+    columns: &[Column<'_>],
+    rest: (Vector, Vector),
+    (of_forces, of_moments): (Frame, Frame),
+) -> Vec<Equation> {
+    let along = |work: &mut Workspace, row: &Row, force: Vector, moment: Vector| {
+        let (vector, frame) = match row.kind {
+            LoadKind::Force => (force, of_forces),
+            LoadKind::Moment => (moment, of_moments),
+        };
+        let components = work.components(vector, frame);
+        work.graph.dot(row.direction, components)
+    };
+    let mut equations = Vec::new();
+    for row in rows {
+        let each = columns.iter();
+        let coefficients: Vec<Id> = each
+            .map(|column| along(work, row, column.force, column.moment))
+            .collect();
+        if all_vanish(work, &coefficients) {
+            continue;
+        }
+        let rest = along(work, row, rest.0, rest.1);
+        equations.push(Equation {
+            sizes: vec![Size::Terms; coefficients.len()],
+            coefficients,
+            right: work.graph.negate(rest),
+        });
+    }
+    equations
 }
 
 /// Gauss's principle.
@@ -185,7 +245,8 @@ fn nearest(
     };
     let in_axes = |work: &mut Workspace, force: Vector, moment: Vector| {
         let force = work.components(force, of_forces);
-        (force, work.components(moment, Frame::Body))
+        let moment = work.components(moment, Frame::Body);
+        (force, free_moment(model, work, moment))
     };
     let loads: Vec<(Components, Components)> = columns
         .iter()

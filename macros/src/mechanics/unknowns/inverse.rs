@@ -31,7 +31,16 @@ pub fn derive_inverse(
         rows.extend(balances_left(model, work));
     }
     let (linear, angular) = given_accelerations(model, work);
-    let solved = solve(model, work, rows, (&linear, &angular), errors)?;
+    let motion = (&linear, &angular);
+    let solved = if model.constraints.is_empty() && model.state.axis.is_none() {
+        solve(model, work, rows, motion, errors)?
+    } else {
+        let mut rows = free_balances(model, work);
+        if !model.motion.has_attitude() {
+            rows.extend(balances_left(model, work));
+        }
+        solve_drives(model, work, &rows, motion, errors)?
+    };
     let drives = model.drives.iter().zip(solved).map(|(drive, vector)| {
         let components = work.components(vector, drive.frame);
         let vector = work.graph.results(components);
@@ -85,7 +94,7 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
     rows
 }
 
-/// The symbols of the accelerations; that of a hinge stands in the place of z.
+/// The symbols of the accelerations; that of a hinge stands in the place of z, and of a rod there is `u x u''`.
 fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Components) {
     let state = &model.state;
     let roots = [
@@ -106,6 +115,9 @@ fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Comp
             Meaning::AngularAcceleration(axis) => angular[axis] = id,
             _ => {}
         }
+    }
+    if model.state.axis.is_some() {
+        angular = state.angular_acceleration;
     }
     (linear, angular)
 }

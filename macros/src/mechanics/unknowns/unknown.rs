@@ -19,6 +19,7 @@ pub struct Unknown<'m> {
 }
 
 /// A row of the balances that is left over.
+#[derive(Clone)]
 pub struct Row {
     pub name: &'static str,
     /// Of a force or of a moment, from the components of the resultants.

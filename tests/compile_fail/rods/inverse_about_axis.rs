@@ -4,7 +4,7 @@ rigid_body!(Stick {
     motion: rod(body(1, 0, 0)),
     mass: 2[kg],
     inertia: rod(0.5[m]),
-    forces: [motor = world(0, 0, _)],
+    moments: [motor = world(0, 0, _)],
     outputs: [inverse],
 });
 

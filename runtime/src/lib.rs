@@ -67,38 +67,31 @@
 #[cfg(feature = "ensemble")]
 extern crate alloc;
 
-pub mod attitude;
-pub mod body;
-pub mod columns;
-pub mod constrained;
+mod bodies;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 pub mod exact;
-pub mod field;
-pub mod gyroscopic;
-pub mod inertia;
 pub mod integrate;
-#[cfg(feature = "ensemble")]
-pub mod lanes;
-pub mod load;
-pub mod operations;
-pub mod precession;
+mod mechanics;
+mod numbers;
 pub mod prelude;
-pub mod principal;
 #[doc(hidden)]
 pub mod private;
-pub mod scalar;
-mod scale;
-#[doc(hidden)]
-pub mod schema;
 pub mod state;
-pub mod structure;
 pub mod taylor;
-pub mod top;
-mod twofold;
-pub mod wrench;
+mod tops;
+
+pub use bodies::{body, columns, constrained, operations, structure};
+pub use mechanics::{attitude, field, gyroscopic, inertia, load, principal, wrench};
+#[cfg(feature = "ensemble")]
+pub use numbers::lanes;
+pub use numbers::scalar;
+#[doc(hidden)]
+pub use private::schema;
+pub use tops::{precession, top};
 
 pub use nalgebra;
+#[doc(no_inline)]
 pub use scalar::{Dual, Scalar};
 
 #[doc = include_str!("rigid_body.md")]

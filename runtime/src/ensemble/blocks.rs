@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::Range;
 
-use crate::columns::{Columns, Sink, Source};
-use crate::lanes::{Lanes, Register};
+use crate::bodies::columns::{Columns, Sink, Source};
+use crate::numbers::lanes::{Lanes, Register};
 
 /// Members of one block: a cache line for each number, which is one register, or two, or eight.
 pub(super) const BLOCK: usize = 8;

@@ -7,9 +7,10 @@
 
 use core::ops::Range;
 
-use super::moves::{Limits, MemberError, Moves};
+use super::moves::{MemberError, Moves};
+use super::plan::Limits;
 use super::{Blocks, Ensemble};
-use crate::columns::Generic;
+use crate::bodies::columns::Generic;
 #[cfg(feature = "progress")]
 use crate::integrate::Bar;
 use crate::integrate::{Instants, IntegrationError, Sample, Sampled};

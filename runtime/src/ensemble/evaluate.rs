@@ -7,10 +7,11 @@ use rayon::iter::{IndexedParallelIterator as _, ParallelIterator as _};
 
 use super::blocks::{BLOCK, Group, GroupMut, Row};
 use super::{Blocks, Ensemble, Members};
-use crate::body::RigidBody;
-use crate::columns::{Columns, Generic};
-use crate::integrate::{cf4_step, exact};
-use crate::lanes::{Lanes, Register, Work};
+use crate::bodies::body::RigidBody;
+use crate::bodies::columns::{Columns, Generic};
+use crate::integrate::cf4_step;
+use crate::numbers::count::real;
+use crate::numbers::lanes::{Lanes, Register, Work};
 use crate::state::State;
 
 /// The acceleration of a body of this kind.
@@ -62,7 +63,7 @@ impl<B: Generic> Ensemble<B> {
         steps: usize,
         mut observer: impl FnMut(usize),
     ) {
-        let step = (times.end - times.start) / exact(steps);
+        let step = (times.end - times.start) / real(steps);
         let round = steps.div_ceil(ROUNDS).max(1);
         for done in (0..steps).step_by(round) {
             let last = steps.min(done + round);
@@ -198,7 +199,7 @@ impl<B: Generic> Work for Advance<'_, B> {
                 let (body, input) = block.group::<B, S>(simd, group);
                 let mut state = read(simd, rows, group);
                 for k in self.steps.clone() {
-                    let time = Lanes::splat(simd, self.start + exact(k) * self.step);
+                    let time = Lanes::splat(simd, self.start + real(k) * self.step);
                     let since = time - Lanes::splat(simd, self.start);
                     state = match body.input_after(&input, since) {
                         Some(moved) => cf4_step(&body, time, &state, &moved, step),

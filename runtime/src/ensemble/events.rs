@@ -8,7 +8,7 @@ use super::Ensemble;
 use super::course::AsGiven;
 use super::integration::EnsembleIntegration;
 use super::moves::{MemberError, OneByOne, indices};
-use crate::columns::Generic;
+use crate::bodies::columns::Generic;
 use crate::integrate::{Event, Integrate, Method};
 
 /// An event in the motion of a member.

@@ -5,8 +5,9 @@ use core::borrow::Borrow;
 
 use super::Ensemble;
 use super::course::{AsGiven, Course, EnsembleControl, EnsembleSamples};
-use super::moves::{Limits, MemberError, Moves, OneByOne};
-use crate::columns::Generic;
+use super::moves::{MemberError, Moves, OneByOne};
+use super::plan::Limits;
+use crate::bodies::columns::Generic;
 #[cfg(doc)]
 use crate::integrate::Fixed;
 use crate::integrate::{Integrate, Sampled, TOLERANCE, Tolerant};

@@ -8,17 +8,18 @@ use alloc::vec::Vec;
 #[cfg(feature = "rayon")]
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
+use super::Ensemble;
 use super::blocks::{BLOCK, GroupMut, Row};
 use super::evaluate::{in_chunks, read};
+use super::plan::{Limits, Plan};
 use super::ways::{Apart, Ways};
-use super::{Ensemble, Members};
-use crate::body::RigidBody;
-use crate::columns::{Columns, Generic};
+use crate::bodies::body::RigidBody;
+use crate::bodies::columns::{Columns, Generic};
 use crate::integrate::{
-    Course, Equations, Fixed, Held, IntegrationError, Method, Pace, Run as _, RungeKutta, Tolerant,
-    add, exact,
+    Course, Equations, Fixed, Held, IntegrationError, Method, Run as _, RungeKutta, Tolerant, add,
 };
-use crate::lanes::{Lanes, Register, Work};
+use crate::numbers::count::real;
+use crate::numbers::lanes::{Lanes, Register, Work};
 use crate::state::Coordinates;
 
 /// A member whose motion ended before its time.
@@ -55,26 +56,6 @@ pub trait Moves<B: Generic> {
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Result<(), MemberError<B::State>>;
-}
-
-/// What the steps of all members keep to.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Limits {
-    /// No step is longer \[s\].
-    pub max_step: f64,
-    /// Steps end at these times \[s\], in any order.
-    pub breaks: Vec<f64>,
-    /// When the inputs were given \[s\].
-    pub given: f64,
-}
-
-impl Limits {
-    pub(super) fn pace(&self) -> Pace<core::slice::Iter<'_, f64>> {
-        Pace {
-            max_step: self.max_step,
-            breaks: self.breaks.iter(),
-        }
-    }
 }
 
 /// Every member for itself, by any method, with steps of its own.
@@ -133,7 +114,7 @@ impl<F: Fn(f64)> Done<F> {
 
     fn add(&self, members: usize) {
         let before = self.count.fetch_add(members, Ordering::Relaxed);
-        (self.observer)(exact((before + members).min(self.all)) / exact(self.all));
+        (self.observer)(real((before + members).min(self.all)) / real(self.all));
     }
 }
 
@@ -196,7 +177,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
                 times: time..end,
                 limits,
             };
-            let step = (end - time) / exact(steps);
+            let step = (end - time) / real(steps);
             let is_done = width.run(Advance {
                 plan: &plan,
                 step,
@@ -224,16 +205,6 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             }
         }
     }
-}
-
-/// What moves, how, and when.
-pub(super) struct Plan<'e, M, B: Generic> {
-    pub(super) fixed: Fixed<M>,
-    pub(super) members: &'e Members<B>,
-    /// The block of the first rows.
-    pub(super) first: usize,
-    pub(super) times: Range<f64>,
-    pub(super) limits: &'e Limits,
 }
 
 /// The members of each register that take the same steps; says whether those are all.
@@ -291,7 +262,7 @@ where
     let mut coordinates = state.coordinates();
     let mut lost = <L::State as Coordinates>::Array::default();
     for k in 0..steps {
-        let time = Lanes::splat(simd, start + exact(k) * step);
+        let time = Lanes::splat(simd, start + real(k) * step);
         let length = Lanes::splat(simd, step);
         let mut change = M::increment(equations, time, &coordinates, length);
         L::State::keep(&coordinates, &mut change);

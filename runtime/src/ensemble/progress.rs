@@ -5,7 +5,7 @@ use core::ops::Range;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Ensemble;
-use crate::columns::Generic;
+use crate::bodies::columns::Generic;
 
 impl<B: Generic> Ensemble<B> {
     /// As [`Self::cf4`], with a bar on standard error that shows the steps done and the time left. Nothing is shown where standard

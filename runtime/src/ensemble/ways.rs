@@ -9,12 +9,13 @@ use core::ops::Range;
 
 use super::blocks::{BLOCK, GroupMut, Row};
 use super::evaluate::read;
-use super::moves::{Limits, Plan};
-use crate::body::RigidBody;
-use crate::columns::{Columns, Generic};
-use crate::integrate::{Equations, Fixed, RungeKutta, Stretch, Within, add, exact};
-use crate::lanes::{Lanes, Register, Work};
-use crate::scalar::Scalar;
+use super::plan::{Limits, Plan};
+use crate::bodies::body::RigidBody;
+use crate::bodies::columns::{Columns, Generic};
+use crate::integrate::{Equations, Fixed, RungeKutta, Stretch, Within, add};
+use crate::numbers::count::real;
+use crate::numbers::lanes::{Lanes, Register, Work};
+use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
 /// How far each member of a register has come: as a course leads a run of equal steps, so that each moves as it would alone, to the bit.
@@ -202,7 +203,7 @@ impl<M: RungeKutta, B: Generic> Work for Apart<'_, M, B> {
 
 impl Way {
     fn time(&self) -> f64 {
-        self.start + exact(self.taken) * self.step()
+        self.start + real(self.taken) * self.step()
     }
 
     /// Zero at the end.
@@ -210,7 +211,7 @@ impl Way {
         if self.steps == 0 {
             0.0
         } else {
-            (self.end - self.start) / exact(self.steps)
+            (self.end - self.start) / real(self.steps)
         }
     }
 

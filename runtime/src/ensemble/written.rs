@@ -6,7 +6,7 @@ use core::fmt;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 use super::{Ensemble, Members};
-use crate::columns::{Columns, Generic, Sink, Source};
+use crate::bodies::columns::{Columns, Generic, Sink, Source};
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Ensemble")]

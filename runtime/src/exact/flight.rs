@@ -1,6 +1,7 @@
 //! Bodies that move and turn, neither depending on the other.
 
-use super::{GreatCircle, Parabola, Path};
+use super::{GreatCircle, Parabola};
+use crate::bodies::path::Path;
 use crate::state::{Hinge, Planar, Rod, Rotation, Spatial};
 
 /// A parabola of G and a rotation.

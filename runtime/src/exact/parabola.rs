@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::Path;
+use crate::bodies::path::Path;
 use crate::state::{Hinge, PlanarTranslation, Translation};
 
 /// A point under constant acceleration, in D coordinates: `x₀ + v₀ t + a t²/2`. One coordinate may be an angle.

@@ -2,12 +2,12 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::Path;
-use super::jacobi::{Elliptic, Jacobi};
-use super::phase::Phase;
-use crate::private::math;
+use crate::bodies::path::Path;
+use crate::exact::elliptic::jacobi::{Elliptic, Jacobi};
+use crate::exact::elliptic::phase::Phase;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 use crate::state::Hinge;
-use crate::twofold::Twofold;
 
 /// π/2 less the double next to it.
 const QUARTER_REST: f64 = 6.123_233_995_736_766e-17;

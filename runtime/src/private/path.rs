@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 
 use crate::exact::{AxialTorque, FreeRotation, LagrangeTop};
-use crate::inertia::InertiaTensor;
-use crate::principal::PrincipalAxes;
+use crate::mechanics::inertia::InertiaTensor;
+use crate::mechanics::principal::PrincipalAxes;
 use crate::state::Rotation;
 
 /// Of a tensor that the constructor has checked: its entries xx, yy, zz, xy, yz, zx. Axes that are principal stay, in any order.

@@ -1,7 +1,7 @@
 //! How far it is to the constraints, and the way back: Newton's method in the metric of the kinetic energy.
 
-use crate::body::Singular;
-use crate::constrained::Inconsistent;
+use crate::bodies::body::Singular;
+use crate::bodies::constrained::Inconsistent;
 use crate::state::State;
 
 /// One constraint in one state, as generated code tells of it.

@@ -5,9 +5,10 @@ use core::ops::Range;
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3, Vector4};
 
-use super::{State, generic};
-use crate::attitude::generic::kinematics;
-use crate::scalar::Scalar;
+use super::generic;
+use super::space::State;
+use crate::mechanics::attitude::generic::kinematics;
+use crate::numbers::scalar::Scalar;
 
 /// A state as a list of coordinates: position, attitude or angle or axis, velocity, and their rates, those that there are,
 /// in this order; components x, y, z, of an attitude with the scalar last.

@@ -4,10 +4,10 @@ use nalgebra::Vector2;
 #[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
 
-use super::State;
 #[cfg(feature = "serde")]
 use super::finite;
-use crate::scalar::Scalar;
+use super::space::State;
+use crate::numbers::scalar::Scalar;
 
 /// State of `motion: pivot` and `motion: fixed_axis`, one degree of freedom; its acceleration is a scalar \[rad/s²\].
 ///

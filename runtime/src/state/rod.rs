@@ -7,9 +7,9 @@ use nalgebra::{SVector, Unit, UnitQuaternion, UnitVector3, Vector3};
 #[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
 
-use super::State;
-use crate::attitude;
-use crate::scalar::{Scalar, either};
+use super::space::State;
+use crate::mechanics::attitude;
+use crate::numbers::scalar::{Scalar, either};
 
 /// State of `motion: rod(axis)`, five degrees of freedom: |u| = 1 and u·u̇ = 0.
 ///
@@ -199,7 +199,7 @@ mod written {
     use serde::{Deserialize, Serialize};
 
     use super::super::finite;
-    use crate::scalar::Scalar;
+    use crate::numbers::scalar::Scalar;
 
     /// How far |u|² may be from 1, and u·u̇ from 0 relative to |u̇|: as for attitudes, nine printed digits pass, single
     /// precision does not, and what passes is right to rounding after the first step. It is kept as it was read.

@@ -2,8 +2,8 @@
 
 use nalgebra::{Vector3, Vector4};
 
-use crate::integrate::exact;
-use crate::private::math;
+use crate::numbers::count::real;
+use crate::numbers::math;
 use crate::state::Coordinates;
 
 /// The axes of a body, or such that do not spin with it.
@@ -93,8 +93,8 @@ impl Axes {
             for n in (j..N).rev() {
                 let (q, w) = read::<S>(&terms[n - 1], places);
                 let (q, w) = (
-                    times(&q, &turning) * (0.5 / exact(j)),
-                    w.cross(&turning) / exact(j),
+                    times(&q, &turning) * (0.5 / real(j)),
+                    w.cross(&turning) / real(j),
                 );
                 write::<S>(&mut terms[n], places, &q, &w);
                 let (sum_q, sum_w) = read::<S>(&coefficients[n], places);

@@ -1,7 +1,7 @@
 //! The coefficients of a motion.
 
 use super::{Arithmetic, Axes, Products};
-use crate::integrate::exact;
+use crate::numbers::count::real;
 use crate::state::Coordinates;
 
 /// A motion as a polynomial in the time since its start, coordinate by coordinate.
@@ -58,7 +58,7 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
         n: usize,
         rates: [f64; COUNT],
     ) -> [f64; COUNT] {
-        let next = products.times(rates, 1.0 / exact(n));
+        let next = products.times(rates, 1.0 / real(n));
         let row = self.coefficients[n].as_mut();
         row.copy_from_slice(&next[..row.len()]);
         next
@@ -116,7 +116,7 @@ pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
         }
     };
     for (pair, rows) in coefficients[1..].chunks(2).enumerate().rev() {
-        let order = exact(2 * pair + 1);
+        let order = real(2 * pair + 1);
         climb(&mut even, &rows[0], order);
         if let Some(row) = rows.get(1) {
             climb(&mut odd, row, order + 1.0);

@@ -5,8 +5,8 @@ use nalgebra::Quaternion;
 use super::reversal::Reversal;
 use super::sweep::{Place, Sweep};
 use super::wobble::{lag, tilt};
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// P, put together of precession before the spin reverses, the reversal, and precession after it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,9 +6,9 @@
 use nalgebra::Quaternion;
 
 use super::sweep::{Place, Sweep};
-use crate::attitude;
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::mechanics::attitude;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// |τ| up to which series go: from there on `ε = b/λ²` is no more than 1/81.
 const REACH: f64 = 9.0;

@@ -1,7 +1,7 @@
 //! A vector `(w, 0, u)` of which the third component is linear in time.
 
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// `u = u₀ + b t`
 #[derive(Clone, Copy, Debug, PartialEq)]

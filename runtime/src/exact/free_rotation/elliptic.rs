@@ -32,14 +32,14 @@
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-use crate::attitude;
-use crate::exact::jacobi::{Elliptic, Jacobi};
-use crate::exact::phase::Phase;
-use crate::exact::third_kind::ThirdKind;
-use crate::private::math;
-use crate::scale;
+use crate::exact::elliptic::jacobi::{Elliptic, Jacobi};
+use crate::exact::elliptic::phase::Phase;
+use crate::exact::elliptic::third_kind::ThirdKind;
+use crate::mechanics::attitude;
+use crate::numbers::math;
+use crate::numbers::scale;
+use crate::numbers::twofold::Twofold;
 use crate::state::Rotation;
-use crate::twofold::Twofold;
 
 /// The motion from one state on.
 #[derive(Clone, Copy, Debug, PartialEq)]

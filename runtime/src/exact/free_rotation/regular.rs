@@ -10,10 +10,10 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use crate::attitude;
-use crate::scale;
+use crate::mechanics::attitude;
+use crate::numbers::scale;
+use crate::numbers::twofold::Twofold;
 use crate::state::Rotation;
-use crate::twofold::Twofold;
 
 /// Two rotations, each at a constant rate.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -18,11 +18,11 @@
 
 use nalgebra::Complex;
 
-use crate::exact::jacobi::Elliptic;
-use crate::exact::phase::{Phase, Reading};
-use crate::exact::third_kind::ThirdKind;
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::exact::elliptic::jacobi::Elliptic;
+use crate::exact::elliptic::phase::{Phase, Reading};
+use crate::exact::elliptic::third_kind::ThirdKind;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// One of the two, as a function of time.
 #[derive(Clone, Copy, Debug, PartialEq)]

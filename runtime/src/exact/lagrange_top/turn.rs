@@ -4,8 +4,8 @@ use core::ops::Mul;
 
 use nalgebra::{Quaternion, Vector3};
 
-use crate::scale;
-use crate::twofold::Twofold;
+use crate::numbers::scale;
+use crate::numbers::twofold::Twofold;
 
 /// A rotation: the scalar, then the vector.
 #[derive(Clone, Copy)]

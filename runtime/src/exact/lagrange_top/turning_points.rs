@@ -18,8 +18,8 @@
 
 use core::f64::consts::FRAC_PI_3;
 
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// What the motion depends on, at time zero.
 #[derive(Clone, Copy)]

@@ -11,7 +11,7 @@ use crate::numbers::lanes::{Lanes, Register};
 pub(super) const BLOCK: usize = 8;
 
 /// One number of each member of a block.
-pub(super) type Row = [f64; BLOCK];
+pub(super) type Eight = [f64; BLOCK];
 
 /// A list of values, kept as columns of their scalars.
 ///
@@ -30,7 +30,7 @@ pub(super) type Row = [f64; BLOCK];
 pub struct Blocks<C> {
     /// As many rows as there are columns, of the first block, then of the second, and so on. The last block is filled with
     /// values of the list as they once were: they are computed with, and nobody sees them.
-    rows: Vec<Row>,
+    rows: Vec<Eight>,
     len: usize,
     kind: PhantomData<C>,
 }
@@ -103,11 +103,11 @@ impl<C: Columns<f64>> Blocks<C> {
 
     /// The rows of a block, if there is one.
     #[inline(always)]
-    pub(super) fn block(&self, index: usize) -> Option<&[Row]> {
+    pub(super) fn block(&self, index: usize) -> Option<&[Eight]> {
         self.rows.get(range::<C>(index))
     }
 
-    pub(super) fn rows_mut(&mut self) -> &mut [Row] {
+    pub(super) fn rows_mut(&mut self) -> &mut [Eight] {
         &mut self.rows
     }
 
@@ -161,7 +161,7 @@ pub(super) fn range<C: Columns<f64>>(block: usize) -> Range<usize> {
     C::COUNT * block..C::COUNT * (block + 1)
 }
 
-fn write<C: Columns<f64>>(rows: &mut [Row], block: usize, lane: usize, value: &C) {
+fn write<C: Columns<f64>>(rows: &mut [Eight], block: usize, lane: usize, value: &C) {
     value.write(&mut ColumnMut {
         rows: rows[range::<C>(block)].iter_mut(),
         lane,
@@ -170,7 +170,7 @@ fn write<C: Columns<f64>>(rows: &mut [Row], block: usize, lane: usize, value: &C
 
 /// One member of a block.
 struct Column<'a> {
-    rows: &'a [Row],
+    rows: &'a [Eight],
     lane: usize,
 }
 
@@ -184,7 +184,7 @@ impl Source<f64> for Column<'_> {
 
 /// One member of a block, to be written.
 struct ColumnMut<'a> {
-    rows: core::slice::IterMut<'a, Row>,
+    rows: core::slice::IterMut<'a, Eight>,
     lane: usize,
 }
 
@@ -198,7 +198,7 @@ impl Sink<f64> for ColumnMut<'_> {
 /// As many members of a block as a register holds, the first ones, or the next ones, by an index.
 pub(super) struct Group<'a, S> {
     pub(super) simd: S,
-    pub(super) rows: &'a [Row],
+    pub(super) rows: &'a [Eight],
     pub(super) index: usize,
 }
 
@@ -214,7 +214,7 @@ impl<S: Register> Source<Lanes<S>> for Group<'_, S> {
 
 /// As many members of a block as a register holds, to be written.
 pub(super) struct GroupMut<'a> {
-    pub(super) rows: core::slice::IterMut<'a, Row>,
+    pub(super) rows: core::slice::IterMut<'a, Eight>,
     pub(super) index: usize,
 }
 

@@ -5,7 +5,7 @@ use core::ops::Range;
 #[cfg(feature = "rayon")]
 use rayon::iter::{IndexedParallelIterator as _, ParallelIterator as _};
 
-use super::blocks::{BLOCK, Group, GroupMut, Row};
+use super::blocks::{BLOCK, Eight, Group, GroupMut};
 use super::{Blocks, Ensemble, Members};
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
@@ -76,7 +76,7 @@ impl<B: Generic> Ensemble<B> {
         let (width, members) = (self.width, &self.members);
         let columns = <B::State as Columns<f64>>::COUNT;
         in_chunks(self.states.rows_mut(), columns, |first, rows| {
-            width.run(Advance {
+            width.run(Cf4 {
                 members,
                 first,
                 start,
@@ -92,7 +92,11 @@ impl<B: Generic> Ensemble<B> {
 const CHUNK: usize = 32;
 
 /// Does some work on all blocks; it is told which block is the first of its rows.
-pub(super) fn in_chunks(rows: &mut [Row], columns: usize, work: impl Fn(usize, &mut [Row]) + Sync) {
+pub(super) fn in_chunks(
+    rows: &mut [Eight],
+    columns: usize,
+    work: impl Fn(usize, &mut [Eight]) + Sync,
+) {
     #[cfg(not(feature = "rayon"))]
     let chunks = rows.chunks_mut(columns * CHUNK).enumerate();
     #[cfg(feature = "rayon")]
@@ -105,8 +109,8 @@ pub(super) type Laned<B, S> = <B as Generic>::With<Lanes<S>>;
 
 /// The members of one block, by the rows of their bodies and of their inputs.
 pub(super) struct Block<'m> {
-    bodies: &'m [Row],
-    inputs: &'m [Row],
+    bodies: &'m [Eight],
+    inputs: &'m [Eight],
 }
 
 impl<B: Generic> Members<B> {
@@ -139,7 +143,7 @@ impl Block<'_> {
 
 /// What a group has in the rows of its block, over lanes.
 #[inline(always)]
-pub(super) fn read<D: Columns<Lanes<S>>, S: Register>(simd: S, rows: &[Row], group: usize) -> D {
+pub(super) fn read<D: Columns<Lanes<S>>, S: Register>(simd: S, rows: &[Eight], group: usize) -> D {
     D::read(&mut Group {
         simd,
         rows,
@@ -152,7 +156,7 @@ struct Accelerate<'e, B: Generic> {
     states: &'e Blocks<B::State>,
     first: usize,
     time: f64,
-    accelerations: &'e mut [Row],
+    accelerations: &'e mut [Eight],
 }
 
 impl<B: Generic> Work for Accelerate<'_, B> {
@@ -177,16 +181,16 @@ impl<B: Generic> Work for Accelerate<'_, B> {
     }
 }
 
-struct Advance<'e, B: Generic> {
+struct Cf4<'e, B: Generic> {
     members: &'e Members<B>,
     first: usize,
     start: f64,
     step: f64,
     steps: Range<usize>,
-    states: &'e mut [Row],
+    states: &'e mut [Eight],
 }
 
-impl<B: Generic> Work for Advance<'_, B> {
+impl<B: Generic> Work for Cf4<'_, B> {
     type Output = ();
 
     #[inline(always)]

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::Ensemble;
-use super::blocks::{BLOCK, GroupMut, Row};
+use super::blocks::{BLOCK, Eight, GroupMut};
 use super::evaluate::{in_chunks, read};
 use super::plan::{Limits, Plan};
 use super::ways::{Apart, Ways};
@@ -212,7 +212,7 @@ struct Advance<'e, M, B: Generic> {
     plan: &'e Plan<'e, M, B>,
     step: f64,
     steps: usize,
-    states: &'e mut [Row],
+    states: &'e mut [Eight],
 }
 
 impl<M: RungeKutta, B: Generic> Work for Advance<'_, M, B> {

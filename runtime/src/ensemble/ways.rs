@@ -7,7 +7,7 @@
 
 use core::ops::Range;
 
-use super::blocks::{BLOCK, GroupMut, Row};
+use super::blocks::{BLOCK, Eight, GroupMut};
 use super::evaluate::read;
 use super::plan::{Limits, Plan};
 use crate::bodies::body::RigidBody;
@@ -166,7 +166,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
     /// A part of the ways of all members, in a register.
     #[inline(always)]
     fn register<S: Register>(&self, simd: S, part: fn(&Way) -> f64) -> Lanes<S> {
-        let row: Row = core::array::from_fn(|lane| part(&self.each[lane]));
+        let row: Eight = core::array::from_fn(|lane| part(&self.each[lane]));
         let (registers, _) = S::as_simd_f64s(&row);
         Lanes::new(simd, registers[0])
     }
@@ -175,7 +175,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
 /// The members of those registers in which each has steps of its own.
 pub(super) struct Apart<'e, M, B: Generic> {
     pub(super) plan: &'e Plan<'e, M, B>,
-    pub(super) states: &'e mut [Row],
+    pub(super) states: &'e mut [Eight],
 }
 
 impl<M: RungeKutta, B: Generic> Work for Apart<'_, M, B> {

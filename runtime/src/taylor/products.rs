@@ -15,20 +15,20 @@ use super::Arithmetic;
 #[derive(Clone, Debug)]
 pub struct Products<A, const WIDTH: usize, const N: usize> {
     arithmetic: A,
-    weights: Row<WIDTH>,
+    weights: Aligned<WIDTH>,
     /// With their weights.
-    left: [Row<WIDTH>; N],
-    right: [Row<WIDTH>; N],
+    left: [Aligned<WIDTH>; N],
+    right: [Aligned<WIDTH>; N],
 }
 
 /// The same coefficient of several series; registers are read fastest where they are aligned.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-struct Row<const WIDTH: usize>([f64; WIDTH]);
+struct Aligned<const WIDTH: usize>([f64; WIDTH]);
 
 impl<A, const WIDTH: usize, const N: usize> From<A> for Products<A, WIDTH, N> {
     fn from(arithmetic: A) -> Self {
-        let zero = Row([0.0; WIDTH]);
+        let zero = Aligned([0.0; WIDTH]);
         Self {
             arithmetic,
             weights: zero,
@@ -136,8 +136,8 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
     fn add<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &self,
         terms: &mut [[f64; LANES]; COUNT],
-        left: &Row<WIDTH>,
-        right: &Row<WIDTH>,
+        left: &Aligned<WIDTH>,
+        right: &Aligned<WIDTH>,
     ) {
         for (p, term) in terms.iter_mut().enumerate() {
             let place = FIRST + p * LANES;
@@ -158,7 +158,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
     }
 }
 
-impl<const WIDTH: usize> Row<WIDTH> {
+impl<const WIDTH: usize> Aligned<WIDTH> {
     /// COUNT numbers from a place on.
     #[inline(always)]
     fn part<const COUNT: usize>(&self, place: usize) -> [f64; COUNT] {

@@ -50,11 +50,11 @@ use sweep::Sweep;
 /// assert!((end.angular_velocity.xy().norm() - 0.3).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AxialTorque(Motion);
+pub struct AxialTorque(Case);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "it is evaluated in place")]
-enum Motion {
+enum Case {
     Free(FreeRotation),
     Spinning(Spinning),
 }
@@ -65,11 +65,11 @@ impl AxialTorque {
     #[must_use]
     pub fn new(moments: [f64; 2], axis: UnitVector3<f64>, torque: f64, state: &Rotation) -> Self {
         Self(if torque == 0.0 {
-            Motion::Free(FreeRotation::symmetric(moments, axis, state))
+            Case::Free(FreeRotation::symmetric(moments, axis, state))
         } else {
             // towards the torque
             let axis = axis.into_inner() * f64::copysign(1.0, torque);
-            Motion::Spinning(Spinning::new(moments, axis, torque.abs(), state))
+            Case::Spinning(Spinning::new(moments, axis, torque.abs(), state))
         })
     }
 }
@@ -79,15 +79,15 @@ impl Path for AxialTorque {
 
     fn at(&self, time: f64) -> Rotation {
         match &self.0 {
-            Motion::Free(free) => free.at(time),
-            Motion::Spinning(spinning) => spinning.at(time),
+            Case::Free(free) => free.at(time),
+            Case::Spinning(spinning) => spinning.at(time),
         }
     }
 
     fn pace(&self, time: f64) -> f64 {
         match &self.0 {
-            Motion::Free(free) => free.pace(time),
-            Motion::Spinning(spinning) => {
+            Case::Free(free) => free.pace(time),
+            Case::Spinning(spinning) => {
                 let w = spinning.angular_velocity(time, [0.0, 1.0]);
                 // from rest it turns by half a radian in 1/√(N/C)
                 1.0 / (w.norm() + math::sqrt(spinning.acceleration))

@@ -36,11 +36,11 @@ use regular::Regular;
 /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FreeRotation(Motion);
+pub struct FreeRotation(Case);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "it is evaluated in place")]
-enum Motion {
+enum Case {
     Regular(Regular),
     Circling(Circling),
 }
@@ -84,19 +84,15 @@ impl FreeRotation {
             .iter()
             .all(|(pair, rates, ..)| are_equal(*pair) || rates.contains(&0.0));
         if is_steady {
-            return Self(Motion::Regular(Regular::steady(state)));
+            return Self(Case::Regular(Regular::steady(state)));
         }
         for (pair, _, along, axis) in pairs {
             if are_equal(pair) {
                 let both = [pair[0], along];
-                return Self(Motion::Regular(Regular::symmetric(
-                    both,
-                    axis.into(),
-                    state,
-                )));
+                return Self(Case::Regular(Regular::symmetric(both, axis.into(), state)));
             }
         }
-        Self(Motion::Circling(Circling::new(moments, axes, state)))
+        Self(Case::Circling(Circling::new(moments, axes, state)))
     }
 
     /// From the moment across an axis of symmetry and the one about it \[kg m²\], and the axis, in the body.
@@ -111,7 +107,7 @@ impl FreeRotation {
     /// ```
     #[must_use]
     pub fn symmetric(moments: [f64; 2], axis: UnitVector3<f64>, state: &Rotation) -> Self {
-        Self(Motion::Regular(Regular::symmetric(
+        Self(Case::Regular(Regular::symmetric(
             moments,
             axis.into_inner(),
             state,
@@ -131,7 +127,7 @@ impl FreeRotation {
     /// ```
     #[must_use]
     pub fn steady(state: &Rotation) -> Self {
-        Self(Motion::Regular(Regular::steady(state)))
+        Self(Case::Regular(Regular::steady(state)))
     }
 
     /// The time after which the angular velocity in the body repeats \[s\]; none where it is constant, and on the separatrix,
@@ -139,8 +135,8 @@ impl FreeRotation {
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         match &self.0 {
-            Motion::Regular(regular) => regular.period(),
-            Motion::Circling(circling) => circling.period(),
+            Case::Regular(regular) => regular.period(),
+            Case::Circling(circling) => circling.period(),
         }
     }
 }
@@ -150,8 +146,8 @@ impl Path for FreeRotation {
 
     fn at(&self, time: f64) -> Rotation {
         match &self.0 {
-            Motion::Regular(regular) => regular.at(time),
-            Motion::Circling(circling) => circling.at(time),
+            Case::Regular(regular) => regular.at(time),
+            Case::Circling(circling) => circling.at(time),
         }
     }
 

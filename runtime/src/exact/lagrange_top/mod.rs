@@ -16,7 +16,7 @@ mod parameter;
 mod turn;
 mod turning_points;
 
-use parameter::{Given, Parameter};
+use parameter::{Ingredients, Parameter};
 use turn::Turn;
 use turning_points::{Start, TurningPoints};
 
@@ -50,10 +50,10 @@ use turning_points::{Start, TurningPoints};
 /// assert_eq!(top.at(1.0).angular_velocity.z, 100.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LagrangeTop(Motion);
+pub struct LagrangeTop(Case);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Motion {
+enum Case {
     Free(FreeRotation),
     Nutating(Nutation),
 }
@@ -69,12 +69,12 @@ impl LagrangeTop {
         state: &Rotation,
     ) -> Self {
         if couple == Vector3::zeros() {
-            return Self(Motion::Free(FreeRotation::symmetric(moments, axis, state)));
+            return Self(Case::Free(FreeRotation::symmetric(moments, axis, state)));
         }
         Self(
             match Nutation::new(moments, axis.into_inner(), &couple, state) {
-                Some(nutation) => Motion::Nutating(nutation),
-                None => Motion::Free(FreeRotation::steady(state)),
+                Some(nutation) => Case::Nutating(nutation),
+                None => Case::Free(FreeRotation::steady(state)),
             },
         )
     }
@@ -84,8 +84,8 @@ impl LagrangeTop {
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         match &self.0 {
-            Motion::Free(_) => None,
-            Motion::Nutating(nutation) => nutation.period(),
+            Case::Free(_) => None,
+            Case::Nutating(nutation) => nutation.period(),
         }
     }
 }
@@ -95,15 +95,15 @@ impl Path for LagrangeTop {
 
     fn at(&self, time: f64) -> Rotation {
         match &self.0 {
-            Motion::Free(free) => free.at(time),
-            Motion::Nutating(nutation) => nutation.at(time),
+            Case::Free(free) => free.at(time),
+            Case::Nutating(nutation) => nutation.at(time),
         }
     }
 
     fn pace(&self, time: f64) -> f64 {
         match &self.0 {
-            Motion::Free(free) => free.pace(time),
-            Motion::Nutating(nutation) => {
+            Case::Free(free) => free.pace(time),
+            Case::Nutating(nutation) => {
                 let turning = self.at(0.0).angular_velocity.norm();
                 // falling from upright, it turns at twice the rate of the phase
                 1.0 / (turning + 2.0 * nutation.phase.rate.abs())
@@ -201,7 +201,7 @@ impl Nutation {
                 start.zenith
             };
             let about = start.vertical + start.spin * pole * Twofold::from(sign);
-            let given = Given {
+            let given = Ingredients {
                 sign,
                 distances,
                 apart,

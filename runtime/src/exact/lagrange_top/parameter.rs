@@ -51,7 +51,7 @@ struct Form {
 }
 
 /// What a parameter is made from.
-pub(super) struct Given {
+pub(super) struct Ingredients {
     /// 1 for α, -1 for β
     pub sign: f64,
     /// Of u₁, u₂ and, times 2a, u₃ from the pole where the parameter is zero.
@@ -73,8 +73,8 @@ pub(super) struct Given {
 }
 
 impl Parameter {
-    pub fn new(given: &Given, phase: &Phase) -> Self {
-        let Given {
+    pub fn new(given: &Ingredients, phase: &Phase) -> Self {
+        let Ingredients {
             sign,
             distances: [first, second, third],
             apart,

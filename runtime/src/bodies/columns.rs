@@ -1,7 +1,8 @@
 //! Types that hold a fixed number of scalars, seen as those scalars one after another.
 //!
-//! What many bodies have is kept by columns, and a body with its state is made of one number of each; or of several at
-//! once, which is a body over lanes. `rigid_body!` implements these traits for bodies that are generic over their scalar.
+//! What many bodies have is kept by columns, and a body with its state is made of one number of
+//! each; or of several at once, which is a body over lanes. `rigid_body!` implements these traits
+//! for bodies that are generic over their scalar.
 
 use core::fmt::Debug;
 

@@ -1,10 +1,12 @@
 //! Bodies under constraints: how far a state is from them, and the way back.
 //!
-//! The equations of motion keep a constraint in its second derivative, `g̈ = 0`: what rounding and the error of the steps
-//! leave in `ġ` stays, and `g` grows with time. [`Constrained::project`] takes it away again, along
+//! The equations of motion keep a constraint in its second derivative, `g̈ = 0`: what rounding and
+//! the error of the steps leave in `ġ` stays, and `g` grows with time. [`Constrained::project`]
+//! takes it away again, along
 //!
 //! ```text
-//! q - M⁻¹ Aᵀ λ,   A M⁻¹ Aᵀ λ = g        A = ∂g/∂q: the nearest state, in the metric of the kinetic energy
+//! q - M⁻¹ Aᵀ λ,   A M⁻¹ Aᵀ λ = g        A = ∂g/∂q:
+//! the nearest state, in the metric of the kinetic energy
 //! ```
 //!
 //! first in the positions, by Newton's method, then in the velocities, which enter linearly.
@@ -26,8 +28,9 @@ pub trait Constrained: RigidBody {
         input: &Self::Input,
     ) -> Self::Violations;
 
-    /// Whether the state meets its constraints, in positions and in velocities, to rounding: to the fraction [`Inconsistent::ROUNDING`] of what
-    /// they would be if all of the state went across them. An integration begins with it.
+    /// Whether the state meets its constraints, in positions and in velocities, to rounding: to the
+    /// fraction [`Inconsistent::ROUNDING`] of what they would be if all of the state went across
+    /// them. An integration begins with it.
     ///
     /// # Errors
     /// [`Inconsistent`] with the constraint that is violated most; positions come first.
@@ -38,10 +41,12 @@ pub trait Constrained: RigidBody {
         input: &Self::Input,
     ) -> Result<(), Inconsistent>;
 
-    /// Moves the state to the nearest one that meets its constraints, in positions and in velocities, to rounding.
+    /// Moves the state to the nearest one that meets its constraints, in positions and in
+    /// velocities, to rounding.
     ///
     /// # Errors
-    /// [`Inconsistent`] with the worst constraint that cannot be met from here; the state is then as near as was found.
+    /// [`Inconsistent`] with the worst constraint that cannot be met from here; the state is then
+    /// as near as was found.
     fn project(
         &self,
         time: Self::Scalar,
@@ -68,19 +73,23 @@ pub struct Inconsistent {
     pub constraint: &'static str,
     /// By how much.
     pub violation: f64,
-    /// Whether that is a velocity: the rate of the constraint, or the value of a constraint of velocities.
+    /// Whether that is a velocity: the rate of the constraint, or the value of a constraint of
+    /// velocities.
     pub is_velocity: bool,
-    /// Whether it is a start; [`Constrained::project`] finds the nearest state that meets all, if there is one.
+    /// Whether it is a start; [`Constrained::project`] finds the nearest state that meets all, if
+    /// there is one.
     pub is_start: bool,
 }
 
 impl Inconsistent {
-    /// What is left of a constraint, as a fraction of the terms it is summed from, is a failure above this. Newton's method
-    /// goes on to rounding in any case: this number decides only whether it got there.
+    /// What is left of a constraint, as a fraction of the terms it is summed from, is a failure
+    /// above this. Newton's method goes on to rounding in any case: this number decides only
+    /// whether it got there.
     pub const TOLERANCE: f64 = 1e-9;
 
-    /// What a start may be off by, as a fraction of its size: some thousand roundings, of those who computed it and of what computes the constraint.
-    /// Numbers of 12 digits are not enough, and are put on the constraints by [`Constrained::project`].
+    /// What a start may be off by, as a fraction of its size: some thousand roundings, of those who
+    /// computed it and of what computes the constraint. Numbers of 12 digits are not enough, and
+    /// are put on the constraints by [`Constrained::project`].
     pub const ROUNDING: f64 = 1e-12;
 }
 

@@ -16,11 +16,13 @@ pub enum Stage {
 /// ```
 /// use newton_euler::operations::{Operations, Stage};
 ///
-/// let planar = Operations { add: 1, mul: 2, trig: 2, ..Operations::none("acceleration", Stage::State) };
+/// let planar =
+///     Operations { add: 1, mul: 2, trig: 2, ..Operations::none("acceleration", Stage::State) };
 /// assert_eq!(planar.total(), 3);
 /// assert_eq!(
 ///     planar.to_string(),
-///     "acceleration                 state      mul   2  add   1  div   0  sqrt   0  trig   2  other   0",
+///     "acceleration                 state      \
+///      mul   2  add   1  div   0  sqrt   0  trig   2  other   0",
 /// );
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

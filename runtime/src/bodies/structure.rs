@@ -1,7 +1,9 @@
-//! What the accelerations of a body depend on, known at compile time: what generic integrators branch on.
+//! What the accelerations of a body depend on, known at compile time: what generic integrators
+//! branch on.
 //!
-//! An integrator for any [`RigidBody`] computes more than most bodies need. [`Structured::STRUCTURE`] says what a body does not
-//! need; since it is a constant, a branch on it costs nothing:
+//! An integrator for any [`RigidBody`] computes more than most bodies need.
+//! [`Structured::STRUCTURE`] says what a body does not need; since it is a constant, a branch on it
+//! costs nothing:
 //!
 //! ```
 //! use newton_euler::prelude::*;
@@ -29,7 +31,8 @@
 //!
 //! # What it pays for
 //!
-//! Multiplications and additions of one evaluation before and after, of a body with an attitude quaternion q:
+//! Multiplications and additions of one evaluation before and after, of a body with an attitude
+//! quaternion q:
 //!
 //! | what is done otherwise | for which structures | before, after |
 //! |---|---|---|
@@ -39,14 +42,16 @@
 //! | axes that do not spin with the body | [`angular.body`](Dependence::body) about one axis, and [`keeps_spin`](Structure::keeps_spin) | 20, 12 products of series for the heavy symmetric top, and steps up to 2.4 times as long |
 //! | a closed form | [`is_torque_free`](Structure::is_torque_free), [`linear`](Structure::linear) constant | no steps |
 //!
-//! Some changes of variables need nothing of the structure. Half the angular velocity as state, `q' = q h`, saves three
-//! multiplications of 23 operations wherever there is an attitude. The momentum as state, `L' = K - ω × L` with `ω = J⁻¹ L`,
-//! takes 27 operations in the place of 40 where a tensor keeps its products of inertia. A scaled quaternion `s q`, with
-//! `s² = 2 T / m`, turns a constant force T along one axis of the body in 10 operations, not 13. They are for integrators that own the
-//! state from one end to the other.
+//! Some changes of variables need nothing of the structure. Half the angular velocity as state,
+//! `q' = q h`, saves three multiplications of 23 operations wherever there is an attitude. The
+//! momentum as state, `L' = K - ω × L` with `ω = J⁻¹ L`, takes 27 operations in the place of 40
+//! where a tensor keeps its products of inertia. A scaled quaternion `s q`, with `s² = 2 T / m`,
+//! turns a constant force T along one axis of the body in 10 operations, not 13. They are for
+//! integrators that own the state from one end to the other.
 //!
-//! Of these, [`integrate::taylor`](crate::integrate::taylor) takes the axes that do not spin: [`Axes`](crate::taylor::Axes). What is not read costs it
-//! no products as it is, and γ none fewer than q: its four replace the four that turn the weight.
+//! Of these, [`integrate::taylor`](crate::integrate::taylor) takes the axes that do not spin:
+//! [`Axes`](crate::taylor::Axes). What is not read costs it no products as it is, and γ none fewer
+//! than q: its four replace the four that turn the weight.
 
 use crate::bodies::body::RigidBody;
 
@@ -87,8 +92,9 @@ pub trait Structured: RigidBody {
 
 /// The structure of the accelerations of a body.
 ///
-/// All that it says holds in every state, for all inputs and for all parameters; what it does not say may hold too. A motion's
-/// missing acceleration is zero: that of G under `rotation` and where a point is held, the angular one under `translation`.
+/// All that it says holds in every state, for all inputs and for all parameters; what it does not
+/// say may hold too. A motion's missing acceleration is zero: that of G under `rotation` and where
+/// a point is held, the angular one under `translation`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Structure {
     /// What the acceleration of G depends on, world axes.
@@ -97,17 +103,20 @@ pub struct Structure {
     pub angular: Dependence,
     /// The acceleration of G is zero. Then the path of G is `x + v t`.
     pub is_force_free: bool,
-    /// No moment acts about G, or about the point that is held. Then the angular momentum about it is constant in space, and
-    /// the motion has a closed form: elliptic functions, for a symmetric body [`precession`](crate::precession) (Landau and
-    /// Lifshitz, *Mechanics*, §§ 33, 37; van Zon and Schofield, *J. Comput. Phys.* 225 (2007) 145).
+    /// No moment acts about G, or about the point that is held. Then the angular momentum about it
+    /// is constant in space, and the motion has a closed form: elliptic functions, for a symmetric
+    /// body [`precession`](crate::precession) (Landau and Lifshitz, *Mechanics*, §§ 33, 37; van Zon
+    /// and Schofield, *J. Comput. Phys.* 225 (2007) 145).
     pub is_torque_free: bool,
-    /// The angular velocity about the axis of [`angular.body`](Dependence::body), or about all, is constant. It is no unknown
-    /// then, and in axes that do not spin with the body the gyroscopic term is linear in the other two.
+    /// The angular velocity about the axis of [`angular.body`](Dependence::body), or about all, is
+    /// constant. It is no unknown then, and in axes that do not spin with the body the gyroscopic
+    /// term is linear in the other two.
     pub keeps_spin: bool,
-    /// In which planes through the origin of the world a motion stays. For x, y and z: if the body's axis is along the world's,
-    /// the position and the velocity of G perpendicular to it and the angular velocity along it, the accelerations are those of a
-    /// motion in the plane. One angle is enough for it, and no rounding takes it out of the plane. Of motions in space; of a rod,
-    /// which has no axes that turn, the axis lies in the plane.
+    /// In which planes through the origin of the world a motion stays. For x, y and z: if the
+    /// body's axis is along the world's, the position and the velocity of G perpendicular to it and
+    /// the angular velocity along it, the accelerations are those of a motion in the plane. One
+    /// angle is enough for it, and no rounding takes it out of the plane. Of motions in space; of a
+    /// rod, which has no axes that turn, the axis lies in the plane.
     pub planes: [bool; 3],
 }
 
@@ -125,8 +134,8 @@ impl Structure {
 
 /// What one acceleration depends on.
 ///
-/// What neither acceleration reads need not be known while the rest is integrated: it follows by quadrature, and what reads
-/// nothing has a closed form.
+/// What neither acceleration reads need not be known while the rest is integrated: it follows by
+/// quadrature, and what reads nothing has a closed form.
 #[allow(
     clippy::struct_excessive_bools,
     reason = "each quantity is read or not"
@@ -145,19 +154,21 @@ pub struct Dependence {
     pub angular_velocity: bool,
     /// The inputs.
     pub input: bool,
-    /// Directions e, world axes, about which the world may be turned: positions, velocities and attitude are turned about the
-    /// line along e through the origin, at the same inputs, and the acceleration turns with them. Components in body axes do
-    /// not change at all.
+    /// Directions e, world axes, about which the world may be turned: positions, velocities and
+    /// attitude are turned about the line along e through the origin, at the same inputs, and the
+    /// acceleration turns with them. Components in body axes do not change at all.
     ///
-    /// With weight along -e alone the angular acceleration reads of the attitude just `γ = Rᵀ e`, with `γ' = γ × ω`: three
-    /// numbers in the place of four, and the yaw follows by quadrature (Landau and Lifshitz, *Mechanics*, § 35).
+    /// With weight along -e alone the angular acceleration reads of the attitude just `γ = Rᵀ e`,
+    /// with `γ' = γ × ω`: three numbers in the place of four, and the yaw follows by quadrature
+    /// (Landau and Lifshitz, *Mechanics*, § 35).
     pub world: Symmetry,
-    /// Directions e, body axes, about which the axes of the body may be turned: the attitude is turned about e before all else,
-    /// the components of the angular velocity are written in the turned axes, and so are those of the acceleration. A linear
-    /// acceleration, in world axes, does not change. None of a rod and of a hinge, which have no such axes.
+    /// Directions e, body axes, about which the axes of the body may be turned: the attitude is
+    /// turned about e before all else, the components of the angular velocity are written in the
+    /// turned axes, and so are those of the acceleration. A linear acceleration, in world axes,
+    /// does not change. None of a rod and of a hinge, which have no such axes.
     ///
-    /// The body may then be described in axes that do not spin with it about e, in which all changes more slowly: see
-    /// [`Axes`](crate::taylor::Axes).
+    /// The body may then be described in axes that do not spin with it about e, in which all
+    /// changes more slowly: see [`Axes`](crate::taylor::Axes).
     pub body: Symmetry,
 }
 

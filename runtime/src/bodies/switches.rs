@@ -2,11 +2,13 @@
 
 use crate::numbers::scalar::Scalar;
 
-/// A time is the same as another if they differ by less than this fraction of the terms that they are computed from.
+/// A time is the same as another if they differ by less than this fraction of the terms that they
+/// are computed from.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// The times at which the equations of a body change, as [`RigidBody::switches`](crate::body::RigidBody::switches) tells them. Of all that it is told, it keeps what a step needs:
-/// which is next, and whether one is here.
+/// The times at which the equations of a body change, as
+/// [`RigidBody::switches`](crate::body::RigidBody::switches) tells them. Of all that it is told, it
+/// keeps what a step needs: which is next, and whether one is here.
 #[derive(Clone, Copy, Debug)]
 pub struct Switches {
     now: f64,
@@ -34,12 +36,14 @@ impl Switches {
         }
     }
 
-    /// The equations before this time \[s\] are others than those after it. What is not finite is no time.
+    /// The equations before this time \[s\] are others than those after it. What is not finite is
+    /// no time.
     pub fn at<T: Scalar>(&mut self, time: T) {
         self.put(time.lane(self.lane), 0.0);
     }
 
-    /// The same, of a time that is rounded as terms of this size \[s\] are, from which it is computed.
+    /// The same, of a time that is rounded as terms of this size \[s\] are, from which it is
+    /// computed.
     pub fn near<T: Scalar, S: Scalar>(&mut self, time: T, size: S) {
         self.put(time.lane(self.lane), size.lane(self.lane).abs());
     }
@@ -80,7 +84,8 @@ impl Switches {
 pub struct Stretch {
     /// Where it ends in the direction of the motion \[s\]; infinite if it does not.
     pub(crate) next: f64,
-    /// Between which times they are evaluated, so that each stage of a step is on its own side of a switch, one that falls on it too.
+    /// Between which times they are evaluated, so that each stage of a step is on its own side of a
+    /// switch, one that falls on it too.
     pub(crate) lower: f64,
     pub(crate) upper: f64,
     /// When the input was given.

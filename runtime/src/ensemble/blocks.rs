@@ -15,8 +15,8 @@ pub(super) type Eight = [f64; BLOCK];
 
 /// A list of values, kept as columns of their scalars.
 ///
-/// The columns are cut into blocks of eight values and the blocks stand one after another, so that a block is read from one
-/// place in memory however many columns there are.
+/// The columns are cut into blocks of eight values and the blocks stand one after another, so that
+/// a block is read from one place in memory however many columns there are.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -28,8 +28,9 @@ pub(super) type Eight = [f64; BLOCK];
 /// ```
 #[derive(Clone, Debug)]
 pub struct Blocks<C> {
-    /// As many rows as there are columns, of the first block, then of the second, and so on. The last block is filled with
-    /// values of the list as they once were: they are computed with, and nobody sees them.
+    /// As many rows as there are columns, of the first block, then of the second, and so on. The
+    /// last block is filled with values of the list as they once were: they are computed with, and
+    /// nobody sees them.
     rows: Vec<Eight>,
     len: usize,
     kind: PhantomData<C>,

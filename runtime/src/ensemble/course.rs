@@ -18,7 +18,8 @@ use crate::integrate::{Instants, IntegrationError, Sample, Sampled};
 /// What acts on the members over time: [`AsGiven`], or a function asked at equal intervals, by
 /// [`EnsembleIntegration::control`](super::EnsembleIntegration::control).
 pub trait EnsembleControl<B: Generic> {
-    /// Sets the inputs that act from a time \[s\] on, and says until when they are held: a time towards `end`, or beyond.
+    /// Sets the inputs that act from a time \[s\] on, and says until when they are held: a time
+    /// towards `end`, or beyond.
     fn set(&mut self, ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64;
 }
 
@@ -143,7 +144,8 @@ fn at_first<S>(error: IntegrationError<S>) -> MemberError<S> {
     MemberError { index: 0, error }
 }
 
-/// The states of all members at equal intervals: see [`EnsembleIntegration::samples`](super::EnsembleIntegration::samples).
+/// The states of all members at equal intervals: see
+/// [`EnsembleIntegration::samples`](super::EnsembleIntegration::samples).
 #[derive(Debug)]
 pub struct EnsembleSamples<'e, B: Generic, M, C> {
     course: Course<'e, B, M, C>,

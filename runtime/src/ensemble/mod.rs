@@ -1,8 +1,9 @@
 //! Many bodies of one kind.
 //!
-//! Their states, inputs and parameters are kept by columns, and they are evaluated and moved several at a time, in the
-//! widest registers that the processor has: that is found at run time, so that no flags are needed for building. A member
-//! moves as it would alone, to the bit, whatever its neighbours are, how wide the registers and how many the threads.
+//! Their states, inputs and parameters are kept by columns, and they are evaluated and moved
+//! several at a time, in the widest registers that the processor has: that is found at run time, so
+//! that no flags are needed for building. A member moves as it would alone, to the bit, whatever
+//! its neighbours are, how wide the registers and how many the threads.
 //!
 //! With the feature `rayon` all processor cores are used, with `progress` long runs show a bar.
 
@@ -199,7 +200,8 @@ impl<B: Generic> Ensemble<B> {
         self.width
     }
 
-    /// Computes in registers of this width, or of the next narrower that the processor has; the results are the same.
+    /// Computes in registers of this width, or of the next narrower that the processor has; the
+    /// results are the same.
     pub fn set_width(&mut self, width: Width) {
         let narrower = Width::ALL.into_iter().rev();
         let mut there = narrower.filter(|other| *other <= width && other.is_there());

@@ -45,10 +45,12 @@ impl<S: fmt::Debug + 'static> core::error::Error for MemberError<S> {
 
 /// A method for all members of an ensemble.
 pub trait Moves<B: Generic> {
-    /// Moves all members between two times \[s\], with the inputs held, and tells an observer what part of them is done.
+    /// Moves all members between two times \[s\], with the inputs held, and tells an observer what
+    /// part of them is done.
     ///
     /// # Errors
-    /// [`MemberError`] with the first of those that do not come to the end; the ensemble stays where it is.
+    /// [`MemberError`] with the first of those that do not come to the end; the ensemble stays
+    /// where it is.
     fn moved(
         &self,
         ensemble: &mut Ensemble<B>,
@@ -130,7 +132,8 @@ pub(super) fn indices(count: usize) -> Range<usize> {
     0..count
 }
 
-/// In lanes: each member moves as it would alone, to the bit. Of a motion that does not stay finite, the error has the state at the start.
+/// In lanes: each member moves as it would alone, to the bit. Of a motion that does not stay
+/// finite, the error has the state at the start.
 impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     fn moved(
         &self,

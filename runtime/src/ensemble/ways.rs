@@ -18,7 +18,8 @@ use crate::numbers::lanes::{Lanes, Register, Work};
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// How far each member of a register has come: as a course leads a run of equal steps, so that each moves as it would alone, to the bit.
+/// How far each member of a register has come: as a course leads a run of equal steps, so that each
+/// moves as it would alone, to the bit.
 pub(super) struct Ways<'e, M> {
     fixed: Fixed<M>,
     limits: &'e Limits,

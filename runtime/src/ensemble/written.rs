@@ -1,4 +1,5 @@
-//! Ensembles as they are serialised: states as states, parameters and inputs as lists of numbers, all checked on reading.
+//! Ensembles as they are serialised: states as states, parameters and inputs as lists of numbers,
+//! all checked on reading.
 
 use alloc::vec::Vec;
 use core::fmt;

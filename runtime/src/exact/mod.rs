@@ -1,7 +1,8 @@
 //! Closed forms: motions that are functions of time.
 //!
-//! `outputs: [flow]` writes them for a body that has one, as [`Flow`](crate::body::Flow); here they are for use by hand. Each is a
-//! [`Path`], set up once from a state and then evaluated at any times, past or far ahead.
+//! `outputs: [flow]` writes them for a body that has one, as [`Flow`](crate::body::Flow); here they
+//! are for use by hand. Each is a [`Path`], set up once from a state and then evaluated at any
+//! times, past or far ahead.
 //!
 //! | what | from |
 //! |---|---|
@@ -13,8 +14,9 @@
 //! | [`Parabola`] | constant acceleration |
 //! | [`Flight`] | a [`Parabola`] of G, and one of the rotations |
 //!
-//! Elliptic functions are [`Jacobi`]'s, integrals of the third kind are [`r_j`]. They are our own: of the libraries that there are,
-//! none has elliptic functions from the complementary modulus, which carries the digits near a separatrix.
+//! Elliptic functions are [`Jacobi`]'s, integrals of the third kind are [`r_j`]. They are our own:
+//! of the libraries that there are, none has elliptic functions from the complementary modulus,
+//! which carries the digits near a separatrix.
 
 mod axial_torque;
 mod elliptic;

@@ -18,7 +18,8 @@ const NEAR: f64 = 1e-5;
 /// As such a cosine: squares of what is larger do not underflow.
 const LEAST: f64 = 1e-150;
 
-/// A body that turns about a fixed axis under its weight: `θ'' = -Ω² sin(θ - θ₀)`, at any amplitude.
+/// A body that turns about a fixed axis under its weight: `θ'' = -Ω² sin(θ - θ₀)`, at any
+/// amplitude.
 ///
 /// With φ = θ - θ₀, it swings or it goes round, by which of `cos(φ/2)` and `|φ'|/2Ω` is the larger:
 ///
@@ -27,16 +28,21 @@ const LEAST: f64 = 1e-150;
 /// goes round    φ/2 = am(k Ω t + u₀, 1/k)         φ' = 2 k Ω dn        k² = sin²(φ/2) + φ'²/4Ω²
 /// ```
 ///
-/// k' is written as a product, and keeps its digits near the separatrix between the two. The angle is not wrapped. Next to upright
-/// its digits are those of the tilt that it leaves; below 1e-150, at rest, it stays upright. A θ₀ that is the double next to a quarter
-/// turn, or to several, is taken for these.
+/// k' is written as a product, and keeps its digits near the separatrix between the two. The angle
+/// is not wrapped. Next to upright its digits are those of the tilt that it leaves; below 1e-150,
+/// at rest, it stays upright. A θ₀ that is the double next to a quarter turn, or to several, is
+/// taken for these.
 ///
 /// ```
 /// use newton_euler::exact::{Path, Pendulum};
 /// use newton_euler::prelude::*;
 ///
 /// // half a period from 90 degrees: K(1/√2) = 1.8540746773013719
-/// let swing = Pendulum::new(2.0, 0.0, &Hinge { angle: core::f64::consts::FRAC_PI_2, angular_velocity: 0.0 });
+/// let swing = Pendulum::new(
+///     2.0,
+///     0.0,
+///     &Hinge { angle: core::f64::consts::FRAC_PI_2, angular_velocity: 0.0 },
+/// );
 /// assert!((swing.at(1.854_074_677_301_371_9).angle + core::f64::consts::FRAC_PI_2).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +68,8 @@ enum Course {
 }
 
 impl Pendulum {
-    /// From the rate Ω of small oscillations \[rad/s\], the angle θ₀ at which it hangs at rest, and the state at time zero.
+    /// From the rate Ω of small oscillations \[rad/s\], the angle θ₀ at which it hangs at rest, and
+    /// the state at time zero.
     #[must_use]
     pub fn new(rate: f64, hanging: f64, state: &Hinge) -> Self {
         let mut wrapped = 2.0 * math::floor((state.angle - hanging) / TAU + 0.5);

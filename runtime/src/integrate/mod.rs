@@ -1,7 +1,8 @@
 //! Integration of the motion.
 //!
-//! [`Integrate::integrate`] is the one way in: from a body and a state to the state at an end, to samples, steps or events, under inputs that are
-//! held or given by a controller, by the method that is best for the body or by another.
+//! [`Integrate::integrate`] is the one way in: from a body and a state to the state at an end, to
+//! samples, steps or events, under inputs that are held or given by a controller, by the method
+//! that is best for the body or by another.
 //!
 //! | method | for | error, and what it keeps |
 //! |---|---|---|
@@ -12,8 +13,8 @@
 //! | [`Fixed`]`<`[`Midpoint`]`>` | games: long runs in few steps | of order 2; energy does not drift |
 //! | [`Projected`] | bodies under constraints | that of the method it is given |
 //!
-//! Beside it are single steps and whole motions as functions: [`cf4`] on the group of rotations, for any [`RigidBody`](crate::body::RigidBody) over
-//! any scalar, [`taylor()`] and [`Motion`].
+//! Beside it are single steps and whole motions as functions: [`cf4`] on the group of rotations,
+//! for any [`RigidBody`](crate::body::RigidBody) over any scalar, [`taylor()`] and [`Motion`].
 
 #![allow(
     clippy::float_cmp,

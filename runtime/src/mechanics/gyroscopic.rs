@@ -1,7 +1,8 @@
 //! The gyroscopic moment ω × Jω and the moment of the inertial forces, the completed (1.9).
 //!
-//! In axes fixed in the body, with J constant and positive products of inertia (`Jxy = +∫xy dm`; the entries of the
-//! tensor are their negatives), the moment of the inertial forces about the center of mass is
+//! In axes fixed in the body, with J constant and positive products of inertia (`Jxy = +∫xy dm`;
+//! the entries of the tensor are their negatives), the moment of the inertial forces about the
+//! center of mass is
 //!
 //! ```text
 //! M_i = -(J ω̇ + ω × Jω) = -J ω̇ + G_sq (ω_x², ω_y², ω_z²) + G_prod (ω_y ω_z, ω_z ω_x, ω_x ω_y)
@@ -13,34 +14,37 @@
 //!
 //! # The erratum of (1.9)
 //!
-//! The chapter "Dynamics of a rigid body" that this library follows prints (1.9) **without its third term**. The matrix
-//! on the squares is right in every entry and sign, and so is `-J ω̇`; the matrix on the products is missing. The
-//! printed equation is exact only where those products vanish, which for a general body means rotation about one
-//! coordinate axis: the unbalanced rotor, from which it may have been written. Everything else comes out wrong:
+//! The chapter "Dynamics of a rigid body" that this library follows prints (1.9) **without its
+//! third term**. The matrix on the squares is right in every entry and sign, and so is `-J ω̇`; the
+//! matrix on the products is missing. The printed equation is exact only where those products
+//! vanish, which for a general body means rotation about one coordinate axis: the unbalanced rotor,
+//! from which it may have been written. Everything else comes out wrong:
 //!
-//! - In principal axes it says `M_i = -J ω̇`: no gyroscopic moment at all. A free body keeps its ω, its axis cones about
-//!   ω and not about the angular momentum, and nothing flips about its intermediate axis (J = (1, 2, 3) with
-//!   ω = (0.01, 1, 0.01) should, with a period of 39.1 s). A heavy symmetric top moves as if it were spherical: it
-//!   precesses at J₃/J₁ times its rate.
-//! - It is not an equation between tensors. J = diag(1, 2, 3), ω = (1, 1, 0): nothing in these axes, (0, 0, -1), which is
-//!   right, in axes turned by 45° about z.
+//! - In principal axes it says `M_i = -J ω̇`: no gyroscopic moment at all. A free body keeps its ω,
+//!   its axis cones about ω and not about the angular momentum, and nothing flips about its
+//!   intermediate axis (J = (1, 2, 3) with ω = (0.01, 1, 0.01) should, with a period of 39.1 s). A
+//!   heavy symmetric top moves as if it were spherical: it precesses at J₃/J₁ times its rate.
+//! - It is not an equation between tensors. J = diag(1, 2, 3), ω = (1, 1, 0): nothing in these
+//!   axes, (0, 0, -1), which is right, in axes turned by 45° about z.
 //! - It does work. The full gyroscopic moment never does: `ω · (ω × Jω) = 0`.
 //! - Angular momentum is not conserved in space.
 //!
-//! It was found by computer algebra on two routes that had to agree: the derivative of the tensor times ω, and the sum
-//! of `-m r × (ω̇ × r + ω × (ω × r))` over mass points with symbolic coordinates. The coefficients of the squares were those
-//! printed, the coefficients of the products were not zero. `tests/erratum.rs` pins each statement to its numbers.
+//! It was found by computer algebra on two routes that had to agree: the derivative of the tensor
+//! times ω, and the sum of `-m r × (ω̇ × r + ω × (ω × r))` over mass points with symbolic
+//! coordinates. The coefficients of the squares were those printed, the coefficients of the
+//! products were not zero. `tests/erratum.rs` pins each statement to its numbers.
 //!
-//! A second one is of convention. (1.5) writes the inertia matrix with entries +`Jxy`, which as a tensor means
-//! `Jxy = -∫xy dm`; (1.9) needs `Jxy = +∫xy dm`: read with (1.5), all of `G_sq` changes sign. Here a product of
-//! inertia is positive (+∫xy dm), an entry of the tensor is its negative, and [`InertiaTensor`] asks which is meant.
+//! A second one is of convention. (1.5) writes the inertia matrix with entries +`Jxy`, which as a
+//! tensor means `Jxy = -∫xy dm`; (1.9) needs `Jxy = +∫xy dm`: read with (1.5), all of `G_sq`
+//! changes sign. Here a product of inertia is positive (+∫xy dm), an entry of the tensor is its
+//! negative, and [`InertiaTensor`] asks which is meant.
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::mechanics::inertia::InertiaTensor;
 
-/// The matrix on the squares of (1.9), `G_sq` of the [module](self) \[kg m²\]: body axes, to be multiplied with
-/// `(ω_x², ω_y², ω_z²)`.
+/// The matrix on the squares of (1.9), `G_sq` of the [module](self) \[kg m²\]: body axes, to be
+/// multiplied with `(ω_x², ω_y², ω_z²)`.
 ///
 /// ```
 /// use newton_euler::{gyroscopic, prelude::*};
@@ -55,8 +59,8 @@ pub fn squares(inertia: &InertiaTensor) -> Matrix3<f64> {
     Matrix3::new(0.0, yz, -yz, -zx, 0.0, zx, xy, -xy, 0.0)
 }
 
-/// The matrix on the products, missing in the printed (1.9), `G_prod` of the [module](self) \[kg m²\]: body axes, to be
-/// multiplied with `(ω_y ω_z, ω_z ω_x, ω_x ω_y)`.
+/// The matrix on the products, missing in the printed (1.9), `G_prod` of the [module](self) \[kg
+/// m²\]: body axes, to be multiplied with `(ω_y ω_z, ω_z ω_x, ω_x ω_y)`.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -90,7 +94,8 @@ pub fn matrix(inertia: &InertiaTensor, angular_velocity: &Vector3<f64>) -> Matri
     angular_velocity.cross_matrix() * inertia.matrix()
 }
 
-/// The derivative of `ω × Jω` by ω at ω₀, `[ω₀]× J - [Jω₀]×` \[kg m²/s\]; ω₀ in body axes \[rad/s\].
+/// The derivative of `ω × Jω` by ω at ω₀, `[ω₀]× J - [Jω₀]×` \[kg m²/s\]; ω₀ in body axes
+/// \[rad/s\].
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -98,7 +103,8 @@ pub fn matrix(inertia: &InertiaTensor, angular_velocity: &Vector3<f64>) -> Matri
 ///
 /// let inertia = InertiaTensor::principal(1.0, 2.0, 3.0)?;
 /// let about_y = gyroscopic::linearization(&inertia, &Vector3::y());
-/// assert_eq!((about_y[(0, 2)], about_y[(2, 0)]), (1.0, 1.0)); // equal signs: the intermediate axis is unstable
+/// // equal signs: the intermediate axis is unstable
+/// assert_eq!((about_y[(0, 2)], about_y[(2, 0)]), (1.0, 1.0));
 /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
 /// ```
 #[must_use]
@@ -106,10 +112,11 @@ pub fn linearization(inertia: &InertiaTensor, angular_velocity: &Vector3<f64>) -
     matrix(inertia, angular_velocity) - inertia.times(angular_velocity).cross_matrix()
 }
 
-/// The gyroscopic moment `ω × Jω` \[N m\], in body axes, as ω is \[rad/s\]. It stands on the left of `J ω̇ + ω × Jω = K`.
+/// The gyroscopic moment `ω × Jω` \[N m\], in body axes, as ω is \[rad/s\]. It stands on the left
+/// of `J ω̇ + ω × Jω = K`.
 ///
-/// Computed as `ω × (J - λ1)ω` with `λ = Jzz`, which is the same since `ω × ω = 0`, takes two operations fewer, and keeps all
-/// digits of bodies that are nearly spherical.
+/// Computed as `ω × (J - λ1)ω` with `λ = Jzz`, which is the same since `ω × ω = 0`, takes two
+/// operations fewer, and keeps all digits of bodies that are nearly spherical.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -134,7 +141,8 @@ pub fn torque(inertia: &InertiaTensor, angular_velocity: &Vector3<f64>) -> Vecto
     w.cross(&deviatoric)
 }
 
-/// The moment of the inertial forces about G, `M_i = -(J ω̇ + ω × Jω)`, the completed (1.9) \[N m\]; body axes throughout.
+/// The moment of the inertial forces about G, `M_i = -(J ω̇ + ω × Jω)`, the completed (1.9) \[N
+/// m\]; body axes throughout.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -1,7 +1,8 @@
 //! Principal axes of inertia, by Jacobi's method.
 //!
-//! Each plane rotation of the method is a rotation about a coordinate axis, so the axes accumulate as a product of unit
-//! quaternions: they are right-handed and orthogonal by construction, also for repeated or nearly repeated moments.
+//! Each plane rotation of the method is a rotation about a coordinate axis, so the axes accumulate
+//! as a product of unit quaternions: they are right-handed and orthogonal by construction, also for
+//! repeated or nearly repeated moments.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
@@ -11,13 +12,14 @@ use crate::numbers::math;
 /// Sweeps through the three planes. Convergence is quadratic and takes four to six.
 const SWEEPS: usize = 12;
 
-/// Principal moments and axes of an inertia tensor: J = R diag(moments) Rᵀ with R the rotation of `axes`.
+/// Principal moments and axes of an inertia tensor: J = R diag(moments) Rᵀ with R the rotation of
+/// `axes`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrincipalAxes {
     /// Principal moments, ascending \[kg m²\].
     pub moments: Vector3<f64>,
-    /// Takes components along principal axes to components along the axes of the tensor; the identity if these are
-    /// principal and in order. Among equal moments the axes are a choice.
+    /// Takes components along principal axes to components along the axes of the tensor; the
+    /// identity if these are principal and in order. Among equal moments the axes are a choice.
     pub axes: UnitQuaternion<f64>,
 }
 
@@ -46,7 +48,8 @@ pub(crate) fn diagonalized(matrix: &Matrix3<f64>) -> PrincipalAxes {
     }
 }
 
-/// Turns axes A and B about axis C, by at most π/4, so that the entry (A, B) vanishes; returns the turn, if there is something to turn.
+/// Turns axes A and B about axis C, by at most π/4, so that the entry (A, B) vanishes; returns the
+/// turn, if there is something to turn.
 fn annihilated<const A: usize, const B: usize, const C: usize>(
     j: &mut Matrix3<f64>,
 ) -> Option<Quaternion<f64>> {

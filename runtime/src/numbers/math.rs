@@ -1,6 +1,7 @@
 //! Elementary functions: the names and meanings of std's methods on `f64`, in libm.
 //!
-//! Every sine of this library, generated or not, is this one, so that results do not depend on the platform's.
+//! Every sine of this library, generated or not, is this one, so that results do not depend on the
+//! platform's.
 
 /// One function of one number each, forwarded to libm.
 macro_rules! unary {
@@ -59,7 +60,8 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     libm::sincos(x)
 }
 
-/// The smaller; of a number and NaN, the number; of 0 and -0, which for std's `min` are in any order, the second.
+/// The smaller; of a number and NaN, the number; of 0 and -0, which for std's `min` are in any
+/// order, the second.
 #[inline]
 #[must_use]
 #[expect(clippy::eq_op, reason = "NaN alone is not equal to itself")]
@@ -67,7 +69,8 @@ pub fn min<T: Copy + PartialOrd>(x: T, y: T) -> T {
     if x < y || y != y { x } else { y }
 }
 
-/// The larger; of a number and NaN, the number; of 0 and -0, which for std's `max` are in any order, the second.
+/// The larger; of a number and NaN, the number; of 0 and -0, which for std's `max` are in any
+/// order, the second.
 #[inline]
 #[must_use]
 #[expect(clippy::eq_op, reason = "NaN alone is not equal to itself")]

@@ -1,10 +1,11 @@
 //! Numbers of twice the precision, for sums that cancel and phases that grow.
 //!
-//! Each is the sum of two doubles, the second below half a unit in the last place of the first. T. J. Dekker, A
-//! floating-point technique for extending the available precision, Numerische Mathematik 18 (1971) 224; error bounds: M.
-//! Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic,
-//! ACM TOMS 44 (2017) 15res. With u = 2⁻⁵³, relative errors are below 3u² for sums, 5u² for products and 10u² for
-//! quotients; where doubles overflow the result is not a number.
+//! Each is the sum of two doubles, the second below half a unit in the last place of the first. T.
+//! J. Dekker, A floating-point technique for extending the available precision, Numerische
+//! Mathematik 18 (1971) 224; error bounds: M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous
+//! error bounds for basic building blocks of double-word arithmetic, ACM TOMS 44 (2017) 15res. With
+//! u = 2⁻⁵³, relative errors are below 3u² for sums, 5u² for products and 10u² for quotients; where
+//! doubles overflow the result is not a number.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -18,7 +19,8 @@ pub(crate) struct Twofold {
 }
 
 impl Twofold {
-    /// The exact product of two doubles (unless it underflows): from their halves, whose products are exact.
+    /// The exact product of two doubles (unless it underflows): from their halves, whose products
+    /// are exact.
     pub(crate) fn product(a: f64, b: f64) -> Self {
         let high = a * b;
         let ([a, of_a], [b, of_b]) = (halves(a), halves(b));

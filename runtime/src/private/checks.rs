@@ -41,7 +41,8 @@ pub fn check_planar_inertia<T: Scalar>(value: T) -> Result<(), InvalidBody> {
     }
 }
 
-/// The entries xx, yy, zz, xy, yz, zx of an inertia tensor \[kg m²\]: that of a possible body, and invertible.
+/// The entries xx, yy, zz, xy, yz, zx of an inertia tensor \[kg m²\]: that of a possible body, and
+/// invertible.
 ///
 /// # Errors
 /// [`InvalidBody::Inertia`] with the violated condition.

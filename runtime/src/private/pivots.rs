@@ -3,11 +3,12 @@
 use crate::bodies::body::Singular;
 use crate::numbers::scalar::Scalar;
 
-/// The reciprocal of the divisor of an unknown, where it depends on the configuration, given the largest of the terms it was
-/// summed from.
+/// The reciprocal of the divisor of an unknown, where it depends on the configuration, given the
+/// largest of the terms it was summed from.
 ///
 /// # Errors
-/// [`Singular`] if it is zero to [`Singular::TOLERANCE`] of that term in units of the scalar's precision, or not a number.
+/// [`Singular`] if it is zero to [`Singular::TOLERANCE`] of that term in units of the scalar's
+/// precision, or not a number.
 #[inline(always)]
 pub fn reciprocal<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> Result<T, Singular> {
     let tolerance = Singular::TOLERANCE / f64::EPSILON * T::EPSILON;
@@ -25,8 +26,8 @@ pub fn reciprocal<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> Res
     Ok(divisor.constant(1.0, 1.0) / divisor)
 }
 
-/// The same where there is no way to return an error, of each number for itself: where the divisor is nothing but rounding, what is computed
-/// with it is not a number.
+/// The same where there is no way to return an error, of each number for itself: where the divisor
+/// is nothing but rounding, what is computed with it is not a number.
 #[inline(always)]
 #[must_use]
 pub fn determined<T: Scalar>(divisor: T, scale: T) -> T {

@@ -4,9 +4,9 @@ use core::ops::{Add, Mul, Sub};
 
 /// A point of the space of states: what an integrator needs to know of it.
 ///
-/// That space is a product of straight lines and rotations, so states are not added: a state is moved by a
-/// displacement, an element of the tangent space at that state. Angular displacements are rotation vectors in body
-/// axes, as angular velocities are.
+/// That space is a product of straight lines and rotations, so states are not added: a state is
+/// moved by a displacement, an element of the tangent space at that state. Angular displacements
+/// are rotation vectors in body axes, as angular velocities are.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -30,8 +30,9 @@ pub trait State: Clone {
     /// The derivative of this state with respect to time, given the acceleration in it.
     fn rate(&self, acceleration: &Self::Acceleration) -> Self::Rate;
 
-    /// The state at the end of a displacement: coordinates are added, attitudes become `attitude * exp(rotation)`
-    /// and stay unit (see [`attitude::normalized`](crate::attitude::normalized)).
+    /// The state at the end of a displacement: coordinates are added, attitudes become
+    /// `attitude * exp(rotation)` and stay unit (see
+    /// [`attitude::normalized`](crate::attitude::normalized)).
     #[must_use]
     fn moved(&self, displacement: &Self::Rate) -> Self;
 }

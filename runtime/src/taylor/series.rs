@@ -50,7 +50,8 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
         self.coefficients[0] = state.coordinates();
     }
 
-    /// Coefficient n of the coordinates, and what fills their last register, from coefficient n - 1 of their rates.
+    /// Coefficient n of the coordinates, and what fills their last register, from coefficient n - 1
+    /// of their rates.
     #[inline(always)]
     pub fn extend<A: Arithmetic, const WIDTH: usize, const COUNT: usize>(
         &mut self,
@@ -100,7 +101,8 @@ fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) 
     even
 }
 
-/// How fast coordinates change on a polynomial, from a place in their list on; zero before it. As in [`evaluate`], neither half waits for the other.
+/// How fast coordinates change on a polynomial, from a place in their list on; zero before it. As
+/// in [`evaluate`], neither half waits for the other.
 #[inline(always)]
 pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
     coefficients: &[S::Array; N],

@@ -1,4 +1,5 @@
-//! Steady precession: a body that spins about an axis of its own while that axis turns about one fixed in space.
+//! Steady precession: a body that spins about an axis of its own while that axis turns about one
+//! fixed in space.
 //!
 //! Both rates are constant, and attitude and angular velocity are functions of time in closed form,
 //!
@@ -6,9 +7,10 @@
 //! q(t) = exp(n Ω t) q(0) exp(e₃ ψ̇ t)        ω(t) = Ω R(q(t))ᵀ n + ψ̇ e₃
 //! ```
 //!
-//! with n the axis of precession in the world, Ω its rate, e₃ the body's third axis and ψ̇ the spin relative to the
-//! precessing frame. For n = z and q(0) = `q_x(θ)` this is `q_z(Ω t) q_x(θ) q_z(ψ̇ t)`. No angles are used, so nothing
-//! is special where the two axes coincide. What moves like this: [`top`](crate::top).
+//! with n the axis of precession in the world, Ω its rate, e₃ the body's third axis and ψ̇ the spin
+//! relative to the precessing frame. For n = z and q(0) = `q_x(θ)` this is
+//! `q_z(Ω t) q_x(θ) q_z(ψ̇ t)`. No angles are used, so nothing is special where the two axes
+//! coincide. What moves like this: [`top`](crate::top).
 
 use nalgebra::{Quaternion, UnitQuaternion, UnitVector3, Vector3};
 
@@ -19,8 +21,8 @@ use crate::state::Rotation;
 
 /// A steady precession, as a function of time.
 ///
-/// Phases are formed in twice the precision and reduced exactly: their error stays near 1e-16 rad, for rates known so
-/// well, however long the motion lasts.
+/// Phases are formed in twice the precision and reduced exactly: their error stays near 1e-16 rad,
+/// for rates known so well, however long the motion lasts.
 ///
 /// ```
 /// use core::f64::consts::TAU;
@@ -31,7 +33,11 @@ use crate::state::Rotation;
 /// let tilted = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 23.44_f64.to_radians());
 /// let earth = Precession::new(tilted, Vector3::z_axis(), -TAU / 25_772.0, TAU * 366.24);
 /// let half = earth.at(12_886.0).attitude * Vector3::z();
-/// assert!((half - Vector3::new(0.0, 23.44_f64.to_radians().sin(), 23.44_f64.to_radians().cos())).norm() < 1e-15);
+/// assert!(
+///     (half - Vector3::new(0.0, 23.44_f64.to_radians().sin(), 23.44_f64.to_radians().cos()))
+///         .norm()
+///         < 1e-15
+/// );
 /// assert!((earth.tilt() - 23.44_f64.to_radians()).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,8 +49,8 @@ pub struct Precession {
 }
 
 impl Precession {
-    /// From the attitude at time zero, the axis of precession in world axes, the rate about it and the spin about the
-    /// body's third axis relative to the precessing frame \[rad/s\].
+    /// From the attitude at time zero, the axis of precession in world axes, the rate about it and
+    /// the spin about the body's third axis relative to the precessing frame \[rad/s\].
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -101,13 +107,15 @@ impl Precession {
         self.spin.value()
     }
 
-    /// `Ω₃ = ψ̇ + Ω cos θ`, the component of the angular velocity along the body's third axis \[rad/s\].
+    /// `Ω₃ = ψ̇ + Ω cos θ`, the component of the angular velocity along the body's third axis
+    /// \[rad/s\].
     #[must_use]
     pub fn axial_rate(&self) -> f64 {
         self.spin() + self.rate() * self.axis.dot(&self.third_axis())
     }
 
-    /// The axis of precession, a unit vector in world axes; zero for a body without angular momentum.
+    /// The axis of precession, a unit vector in world axes; zero for a body without angular
+    /// momentum.
     #[must_use]
     pub const fn axis(&self) -> Vector3<f64> {
         self.axis

@@ -6,19 +6,21 @@ use crate::state::State;
 
 /// The balances (1.3) and (1.4), open to inspection; wrenches in world axes.
 pub trait Balance: RigidBody {
-    /// [`Wrench`](crate::wrench::Wrench), [`PlanarWrench`](crate::wrench::PlanarWrench) or, for `motion: rotation`, the
-    /// moment alone.
+    /// [`Wrench`](crate::wrench::Wrench), [`PlanarWrench`](crate::wrench::PlanarWrench) or, for
+    /// `motion: rotation`, the moment alone.
     type Wrench;
     /// The unknown reactions; `()` where there are none.
     type Reactions;
     /// An array of [`Load`](crate::load::Load) or [`PlanarLoad`](crate::load::PlanarLoad).
     type Loads;
 
-    /// The resultant of the given loads (all but unknown reactions), its moment about G, world axes \[N, N m\].
+    /// The resultant of the given loads (all but unknown reactions), its moment about G, world axes
+    /// \[N, N m\].
     fn applied(&self, time: Self::Scalar, state: &Self::State, input: &Self::Input)
     -> Self::Wrench;
 
-    /// The left sides of (1.3) and (1.4), about the pole, world axes \[N, N m\]: zero on a true motion.
+    /// The left sides of (1.3) and (1.4), about the pole, world axes \[N, N m\]: zero on a true
+    /// motion.
     fn residual(
         &self,
         time: Self::Scalar,
@@ -34,13 +36,15 @@ pub trait Balance: RigidBody {
 
 /// Kinetic and potential energy \[J\].
 ///
-/// Their sum is conserved if the potential contains neither time nor input and no other load does work; in general
-/// dE/dt is the derivative of the potential in time at fixed state, plus the power of the other loads.
+/// Their sum is conserved if the potential contains neither time nor input and no other load does
+/// work; in general dE/dt is the derivative of the potential in time at fixed state, plus the power
+/// of the other loads.
 pub trait Energy: RigidBody {
     /// `½ m v² + ½ ω·Jω`, of the degrees of freedom that the motion has.
     fn kinetic_energy(&self, state: &Self::State) -> Self::Scalar;
 
-    /// The sum of potentials and of the potentials of uniform fields; zero for weight with G at the world origin.
+    /// The sum of potentials and of the potentials of uniform fields; zero for weight with G at the
+    /// world origin.
     fn potential_energy(
         &self,
         time: Self::Scalar,
@@ -74,11 +78,13 @@ pub trait Momentum: RigidBody {
 /// With the motion known, the balances are linear in the unknown reactions R,
 ///
 /// ```text
-/// A R = b        A: the sum and the moments of unit reactions,   b = (m a_G, J ω̇ + ω × Jω) - given loads
+/// A R = b        A: the sum and the moments of unit reactions,
+///                b = (m a_G, J ω̇ + ω × Jω) - given loads
 /// ```
 ///
-/// and `acceleration` has used up the equations in the free directions; the rest gives the reactions. Where A depends on
-/// the configuration and may lose rank in it, [`Self::Reactions`] is a `Result` with [`Singular`](super::Singular) as its error.
+/// and `acceleration` has used up the equations in the free directions; the rest gives the
+/// reactions. Where A depends on the configuration and may lose rank in it, [`Self::Reactions`] is
+/// a `Result` with [`Singular`](super::Singular) as its error.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -103,7 +109,8 @@ pub trait Momentum: RigidBody {
 ///
 ///     fn reactions(&self, _time: f64, state: &Hinge, (): &()) -> Vector2<f64> {
 ///         let (sine, cosine) = state.angle.sin_cos();
-///         let tension = self.mass * (9.80665 * cosine + self.length * state.angular_velocity.powi(2));
+///         let tension =
+///             self.mass * (9.80665 * cosine + self.length * state.angular_velocity.powi(2));
 ///         Vector2::new(-sine, cosine) * tension
 ///     }
 /// }
@@ -112,11 +119,12 @@ pub trait Momentum: RigidBody {
 /// assert_eq!(bob.reactions(0.0, &Hinge::default(), &()).y, 2.0 * 9.80665);
 /// ```
 pub trait Reactions: RigidBody {
-    /// One field for each load with unknowns, world axes \[N, N m\]; or a `Result` of that and [`Singular`](super::Singular).
+    /// One field for each load with unknowns, world axes \[N, N m\]; or a `Result` of that and
+    /// [`Singular`](super::Singular).
     type Reactions;
 
-    /// The reactions in the motion that [`RigidBody::acceleration`] gives. About which pole the balances are written does
-    /// not matter.
+    /// The reactions in the motion that [`RigidBody::acceleration`] gives. About which pole the
+    /// balances are written does not matter.
     fn reactions(
         &self,
         time: Self::Scalar,
@@ -127,12 +135,14 @@ pub trait Reactions: RigidBody {
 
 /// Inverse dynamics, `outputs: [inverse]`: the drives that go with a given motion.
 ///
-/// The force and moment balances, (1.3) and (1.4), with the acceleration given and the drives unknown. The motion is taken to
-/// be one that the drives can make: a balance in which they have no part is not looked at, and where they are fewer than
-/// the others, the acceleration that they leave over is least in the metric of the kinetic energy (Gauss's principle).
+/// The force and moment balances, (1.3) and (1.4), with the acceleration given and the drives
+/// unknown. The motion is taken to be one that the drives can make: a balance in which they have no
+/// part is not looked at, and where they are fewer than the others, the acceleration that they
+/// leave over is least in the metric of the kinetic energy (Gauss's principle).
 pub trait Inverse: RigidBody {
-    /// One field for each drive with unknown components, in the axes in which it is written \[N, N m\]; or a `Result` of
-    /// that and [`Singular`](super::Singular), where drives turn against each other.
+    /// One field for each drive with unknown components, in the axes in which it is written \[N, N
+    /// m\]; or a `Result` of that and [`Singular`](super::Singular), where drives turn against each
+    /// other.
     type Drives;
 
     /// The drives with which the body has this acceleration.
@@ -159,7 +169,11 @@ pub trait Inverse: RigidBody {
 ///     outputs: [flow],
 /// });
 ///
-/// let thrown = Spatial { velocity: [0.0, 1.0, 7.0].into(), angular_velocity: [1.0, 15.0, 1.0].into(), ..Spatial::default() };
+/// let thrown = Spatial {
+///     velocity: [0.0, 1.0, 7.0].into(),
+///     angular_velocity: [1.0, 15.0, 1.0].into(),
+///     ..Spatial::default()
+/// };
 /// let brick = Brick::default();
 /// let caught = brick.flow(&thrown, 1.4);
 /// let (there, back) = (brick.path(&thrown), brick.path(&caught));

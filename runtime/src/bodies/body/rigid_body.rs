@@ -41,9 +41,10 @@ pub trait RigidBody {
         input: &Self::Input,
     ) -> <Self::State as State>::Acceleration;
 
-    /// Tells the times at which the equations change by a condition on time, such as the start and the end of a pulse: steps of
-    /// [`integrate`](crate::integrate::Integrate::integrate) end there, and each is taken with the equations of its own side. None, unless it
-    /// is said here; [`rigid_body!`](crate::rigid_body) finds the conditions of a description.
+    /// Tells the times at which the equations change by a condition on time, such as the start and
+    /// the end of a pulse: steps of [`integrate`](crate::integrate::Integrate::integrate) end
+    /// there, and each is taken with the equations of its own side. None, unless it is said here;
+    /// [`rigid_body!`](crate::rigid_body) finds the conditions of a description.
     ///
     /// ```
     /// use newton_euler::{integrate::Switches, prelude::*};
@@ -77,8 +78,9 @@ pub trait RigidBody {
     /// ```
     fn switches(&self, _input: &Self::Input, _times: &mut Switches) {}
 
-    /// The name of a load that is infinite or not a number in this state, which is what the error of an integration says. None, unless it is said here:
-    /// a body of [`rigid_body!`](crate::rigid_body) names those that it can tell.
+    /// The name of a load that is infinite or not a number in this state, which is what the error
+    /// of an integration says. None, unless it is said here: a body of
+    /// [`rigid_body!`](crate::rigid_body) names those that it can tell.
     fn lost_load(
         &self,
         _time: Self::Scalar,
@@ -88,8 +90,8 @@ pub trait RigidBody {
         None
     }
 
-    /// The input some time \[s\] after it was given, if a part of it moves: a value with its rate and acceleration goes on with them. None, unless it
-    /// is said here: inputs are held.
+    /// The input some time \[s\] after it was given, if a part of it moves: a value with its rate
+    /// and acceleration goes on with them. None, unless it is said here: inputs are held.
     fn input_after(&self, _input: &Self::Input, _duration: Self::Scalar) -> Option<Self::Input> {
         None
     }

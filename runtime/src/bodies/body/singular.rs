@@ -4,8 +4,9 @@ use core::fmt;
 
 /// A configuration in which the balances do not determine what is asked.
 ///
-/// Solving them divides by a quantity that depends on the configuration and vanishes in this one, such as the sine of the
-/// angle between two guides: there its load is undetermined, or grows beyond bounds.
+/// Solving them divides by a quantity that depends on the configuration and vanishes in this one,
+/// such as the sine of the angle between two guides: there its load is undetermined, or grows
+/// beyond bounds.
 ///
 /// ```
 /// use newton_euler::body::Singular;
@@ -13,7 +14,8 @@ use core::fmt;
 /// let toggle = Singular { unknown: "knee.normal", value: 1e-17, scale: 0.8 };
 /// assert_eq!(
 ///     toggle.to_string(),
-///     "singular configuration: the divisor of `knee.normal` is 1e-17, nothing but rounding of terms of size 0.8",
+///     "singular configuration: the divisor of `knee.normal` is 1e-17, \
+///      nothing but rounding of terms of size 0.8",
 /// );
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,8 +29,9 @@ pub struct Singular {
 }
 
 impl Singular {
-    /// A divisor not above this fraction of its largest term is singular: eight units in the last place, which a sum of a
-    /// few rounded products may leave of zero. What is above has lost digits in proportion, but is determined.
+    /// A divisor not above this fraction of its largest term is singular: eight units in the last
+    /// place, which a sum of a few rounded products may leave of zero. What is above has lost
+    /// digits in proportion, but is determined.
     pub const TOLERANCE: f64 = 8.0 * f64::EPSILON;
 }
 

@@ -18,24 +18,31 @@ mod wobble;
 use passage::Passage;
 use sweep::Sweep;
 
-/// A body that is symmetric about an axis e, under a constant couple N e that turns with it: so a stage spins up, or down and over.
+/// A body that is symmetric about an axis e, under a constant couple N e that turns with it: so a
+/// stage spins up, or down and over.
 ///
-/// With the moments A across the axis and C about it, the rate of spin is linear in time, `r = r₀ + N t/C`. The angular velocity across the
-/// axis keeps its length w, and turns in the body by an angle that is quadratic in time. With θ the angle of spin, `∫ r dt`, and a the
-/// direction of that angular velocity at time zero,
+/// With the moments A across the axis and C about it, the rate of spin is linear in time,
+/// `r = r₀ + N t/C`. The angular velocity across the axis keeps its length w, and turns in the body
+/// by an angle that is quadratic in time. With θ the angle of spin, `∫ r dt`, and a the direction
+/// of that angular velocity at time zero,
 ///
 /// ```text
-/// q(t) = q(0) P(t) exp(κ θ e/2)      P' = P (w a + u e)/2      κ = 1 - C/A      u = r C/A = u₀ + b t      b = N/A
+/// q(t) = q(0) P(t) exp(κ θ e/2)      P' = P (w a + u e)/2      κ = 1 - C/A
+/// u = r C/A = u₀ + b t               b = N/A
 /// ```
 ///
-/// where `w a + u e` is L/A, seen from axes that follow e and the angular velocity across it. The parameters of Cayley and Klein of P
-/// are functions of the parabolic cylinder, `α'' + (λ² - 2 i b) α/4 = 0` with `λ² = w² + u²`: M. Romano, Celestial Mechanics and
-/// Dynamical Astronomy 101 (2008) 375; of a spherical body 100 (2008) 181. Where λ² is above `81 b` they are computed by an expansion in
-/// `b/λ²`, in which precession about L is the first term; below, while the spin reverses, by Taylor series from places that are set up
-/// with the path. So a torque that vanishes leaves steady precession, and the cost of an evaluation is bounded, whatever the time: about
-/// that of a [`LagrangeTop`](super::LagrangeTop). The set-up costs a dozen of them, two or three where w² is above `81 b`.
+/// where `w a + u e` is L/A, seen from axes that follow e and the angular velocity across it. The
+/// parameters of Cayley and Klein of P are functions of the parabolic cylinder,
+/// `α'' + (λ² - 2 i b) α/4 = 0` with `λ² = w² + u²`: M. Romano, Celestial Mechanics and Dynamical
+/// Astronomy 101 (2008) 375; of a spherical body 100 (2008) 181. Where λ² is above `81 b` they are
+/// computed by an expansion in `b/λ²`, in which precession about L is the first term; below, while
+/// the spin reverses, by Taylor series from places that are set up with the path. So a torque that
+/// vanishes leaves steady precession, and the cost of an evaluation is bounded, whatever the time:
+/// about that of a [`LagrangeTop`](super::LagrangeTop). The set-up costs a dozen of them, two or
+/// three where w² is above `81 b`.
 ///
-/// The error of the attitude is within 4e-15 and one rounding for each radian turned; the sign of the quaternion is continuous in time.
+/// The error of the attitude is within 4e-15 and one rounding for each radian turned; the sign of
+/// the quaternion is continuous in time.
 ///
 /// ```
 /// use newton_euler::exact::{AxialTorque, Path};
@@ -60,8 +67,8 @@ enum Case {
 }
 
 impl AxialTorque {
-    /// From the moments across the axis and about it \[kg m²\], of G, or of the point that is held; the axis, in the body; the moment
-    /// N about it \[N m\], and the state at time zero.
+    /// From the moments across the axis and about it \[kg m²\], of G, or of the point that is held;
+    /// the axis, in the body; the moment N about it \[N m\], and the state at time zero.
     #[must_use]
     pub fn new(moments: [f64; 2], axis: UnitVector3<f64>, torque: f64, state: &Rotation) -> Self {
         Self(if torque == 0.0 {

@@ -54,7 +54,8 @@ impl Sweep {
         (place.along - self.start) / self.rate
     }
 
-    /// `∫ λ dt` between two places, over the time between them: with y the difference of `asinh(u/w)`,
+    /// `∫ λ dt` between two places, over the time between them: with y the difference of
+    /// `asinh(u/w)`,
     ///
     /// ```text
     /// ∫ λ dt = (u λ + w² asinh(u/w))/2b, between the two      tanh(y/2) = b t/(λ₀ + λ₁)

@@ -1,15 +1,16 @@
 //! Carlson's symmetric elliptic integral of the third kind.
 //!
-//! B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numerical Algorithms 10 (1995) 13; NIST
-//! Digital Library of Mathematical Functions, 19.36(i).
+//! B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numerical Algorithms
+//! 10 (1995) 13; NIST Digital Library of Mathematical Functions, 19.36(i).
 
 use crate::numbers::math;
 use crate::numbers::scale;
 
 /// `R_J(x, y, z, p) = (3/2) ∫₀^∞ dt / ((t + p) √((t + x)(t + y)(t + z)))`.
 ///
-/// x, y and z are not negative, and p is positive; where two of x, y, z are zero, or p is, it is infinite. By duplication: all arguments come four times
-/// nearer to each other in each step, then the Taylor series is summed to the terms of seventh order.
+/// x, y and z are not negative, and p is positive; where two of x, y, z are zero, or p is, it is
+/// infinite. By duplication: all arguments come four times nearer to each other in each step, then
+/// the Taylor series is summed to the terms of seventh order.
 ///
 /// ```
 /// use newton_euler::exact::r_j;

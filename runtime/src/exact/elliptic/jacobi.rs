@@ -1,8 +1,8 @@
 //! Jacobi's elliptic functions, from the complementary modulus.
 //!
-//! By the arithmetic-geometric mean: R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions,
-//! Numerische Mathematik 7 (1965) 78. All sums are of positive terms, so that cn and dn keep their digits where they are
-//! small, as all motions need that pass near a saddle.
+//! By the arithmetic-geometric mean: R. Bulirsch, Numerical calculation of elliptic integrals and
+//! elliptic functions, Numerische Mathematik 7 (1965) 78. All sums are of positive terms, so that
+//! cn and dn keep their digits where they are small, as all motions need that pass near a saddle.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -43,7 +43,8 @@ pub struct Jacobi {
 }
 
 impl Jacobi {
-    /// From `k' = √(1 - k²)`, between 0 and 1: what is near a separatrix is told apart by k', not by k.
+    /// From `k' = √(1 - k²)`, between 0 and 1: what is near a separatrix is told apart by k', not
+    /// by k.
     #[must_use]
     pub fn new(complement: f64) -> Self {
         let (mut levels, mut count) = ([[0.0; 2]; LEVELS], 0);
@@ -83,7 +84,8 @@ impl Jacobi {
         FRAC_PI_2 / self.mean
     }
 
-    /// `π/(2 K)`: by this factor arguments become angles, half a turn for half a period. Zero for k = 1.
+    /// `π/(2 K)`: by this factor arguments become angles, half a turn for half a period. Zero for
+    /// k = 1.
     #[must_use]
     pub const fn mean(&self) -> f64 {
         self.mean
@@ -127,8 +129,8 @@ impl Jacobi {
         Elliptic { sn, cn: c * sn, dn }
     }
 
-    /// The functions of a sum, from those of two arguments with `cn >= 0`; cn and dn keep their digits where they are
-    /// small: of equal forms, the one that does not cancel.
+    /// The functions of a sum, from those of two arguments with `cn >= 0`; cn and dn keep their
+    /// digits where they are small: of equal forms, the one that does not cancel.
     pub(in crate::exact) fn sum(&self, a: Elliptic, b: Elliptic) -> Elliptic {
         let complement = self.complement;
         let square = (1.0 - complement) * (1.0 + complement);

@@ -9,8 +9,8 @@ use crate::numbers::twofold::Twofold;
 /// π less the double next to it.
 const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
 
-/// `u = u₀ + λ t`, where sn, cn and dn of u₀ are known: no integral has to be inverted, the addition theorem takes its
-/// place.
+/// `u = u₀ + λ t`, where sn, cn and dn of u₀ are known: no integral has to be inverted, the
+/// addition theorem takes its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::exact) struct Phase {
     pub jacobi: Jacobi,

@@ -4,12 +4,13 @@
 //! R(u) = ∫₀ᵘ sn²/(1 + m sn²) du = s³/3 R_J(cn², dn², 1, 1 + m s²)      s = sn u
 //! ```
 //!
-//! In the time t, v is added to the start u, whole half periods taken off; R is added by the addition theorem (P. F. Byrd, M. D.
-//! Friedman, Handbook of Elliptic Integrals, 116), so that a short time brings no error of a long one:
+//! In the time t, v is added to the start u, whole half periods taken off; R is added by the
+//! addition theorem (P. F. Byrd, M. D. Friedman, Handbook of Elliptic Integrals, 116), so that a
+//! short time brings no error of a long one:
 //!
 //! ```text
-//! R(u + v) - R(u) = R(v) + atan(g sn u sn v s/(1 + m - m cn u cn v cn(u + v)))/g      s = sn(u + v)
-//! g² = m (1 + m) (m + k²)
+//! R(u + v) - R(u) = R(v) + atan(g sn u sn v s/(1 + m - m cn u cn v cn(u + v)))/g
+//! s = sn(u + v)      g² = m (1 + m) (m + k²)
 //! ```
 
 use core::f64::consts::FRAC_2_PI;
@@ -65,7 +66,8 @@ impl ThirdKind {
             - FRAC_2_PI * self.quarter * reading.angle
     }
 
-    /// R within a quarter period of zero; for k = 1 without its part `u/(1 + m)`, and m is not negative.
+    /// R within a quarter period of zero; for k = 1 without its part `u/(1 + m)`, and m is not
+    /// negative.
     fn within_quarter(&self, jacobi: &Jacobi, Elliptic { sn, cn, dn }: Elliptic) -> f64 {
         let square = sn * sn;
         if jacobi.is_hyperbolic() {

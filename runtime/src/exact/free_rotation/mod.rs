@@ -14,12 +14,13 @@ use regular::Regular;
 
 /// Rotation without a moment about G, or about a point that is held.
 ///
-/// A body with three different moments turns by Jacobi's elliptic functions and an integral of the third kind; one with two
-/// equal moments precesses steadily; about a principal axis, and with three equal moments, the angular velocity is constant. What is
-/// zero stays exactly zero, the sign of the quaternion is continuous in time, and moments and rates may have any size.
+/// A body with three different moments turns by Jacobi's elliptic functions and an integral of the
+/// third kind; one with two equal moments precesses steadily; about a principal axis, and with
+/// three equal moments, the angular velocity is constant. What is zero stays exactly zero, the sign
+/// of the quaternion is continuous in time, and moments and rates may have any size.
 ///
-/// The error of the end state is about that of one rounding of the inputs: a few 1e-16 for each radian turned, near the
-/// separatrix too, where a body spun about its intermediate axis flips.
+/// The error of the end state is about that of one rounding of the inputs: a few 1e-16 for each
+/// radian turned, near the separatrix too, where a body spun about its intermediate axis flips.
 ///
 /// ```
 /// use newton_euler::exact::{FreeRotation, Path};
@@ -46,7 +47,8 @@ enum Case {
 }
 
 impl FreeRotation {
-    /// From the inertia about the point about which there is no moment, in body axes, and the state at time zero.
+    /// From the inertia about the point about which there is no moment, in body axes, and the state
+    /// at time zero.
     #[must_use]
     pub fn new(inertia: &InertiaTensor, state: &Rotation) -> Self {
         if inertia.off_diagonals().iter().all(|entry| *entry == 0.0) {
@@ -57,15 +59,18 @@ impl FreeRotation {
         Self::principal(principal.moments.into(), &axes, state)
     }
 
-    /// From principal moments \[kg m²\] and unit vectors along their axes, in the columns of a matrix, right-handed, body axes.
+    /// From principal moments \[kg m²\] and unit vectors along their axes, in the columns of a
+    /// matrix, right-handed, body axes.
     ///
     /// ```
     /// # use newton_euler::exact::{FreeRotation, Path};
     /// # use newton_euler::prelude::*;
     /// # use nalgebra::{Matrix3, Vector3};
-    /// let state = Rotation { angular_velocity: Vector3::new(0.3, 0.0, 2.0), ..Rotation::default() };
+    /// let state =
+    ///     Rotation { angular_velocity: Vector3::new(0.3, 0.0, 2.0), ..Rotation::default() };
     /// let motion = FreeRotation::principal([2.0, 2.0, 1.0], &Matrix3::identity(), &state);
-    /// assert!((motion.period().unwrap() - core::f64::consts::TAU).abs() < 1e-15); // ω₃ (1 - 1/2) = 1 rad/s
+    /// // ω₃ (1 - 1/2) = 1 rad/s
+    /// assert!((motion.period().unwrap() - core::f64::consts::TAU).abs() < 1e-15);
     /// assert_eq!(motion.at(5.0).angular_velocity.z, 2.0);
     /// ```
     #[must_use]
@@ -95,13 +100,15 @@ impl FreeRotation {
         Self(Case::Circling(Circling::new(moments, axes, state)))
     }
 
-    /// From the moment across an axis of symmetry and the one about it \[kg m²\], and the axis, in the body.
+    /// From the moment across an axis of symmetry and the one about it \[kg m²\], and the axis, in
+    /// the body.
     ///
     /// ```
     /// # use newton_euler::exact::{FreeRotation, Path};
     /// # use newton_euler::prelude::*;
     /// # use nalgebra::Vector3;
-    /// let state = Rotation { angular_velocity: Vector3::new(2.0, 0.0, 0.3), ..Rotation::default() };
+    /// let state =
+    ///     Rotation { angular_velocity: Vector3::new(2.0, 0.0, 0.3), ..Rotation::default() };
     /// let motion = FreeRotation::symmetric([2.0, 1.0], Vector3::x_axis(), &state);
     /// assert_eq!(motion.at(5.0).angular_velocity.x, 2.0);
     /// ```
@@ -114,13 +121,15 @@ impl FreeRotation {
         )))
     }
 
-    /// About an axis that stays where it is: a body with three equal moments, or any body about a principal axis.
+    /// About an axis that stays where it is: a body with three equal moments, or any body about a
+    /// principal axis.
     ///
     /// ```
     /// # use newton_euler::exact::{FreeRotation, Path};
     /// # use newton_euler::prelude::*;
     /// # use nalgebra::Vector3;
-    /// let state = Rotation { angular_velocity: Vector3::new(0.0, 3.0, 4.0), ..Rotation::default() };
+    /// let state =
+    ///     Rotation { angular_velocity: Vector3::new(0.0, 3.0, 4.0), ..Rotation::default() };
     /// let ball = FreeRotation::steady(&state);
     /// assert!((ball.at(0.2).attitude.angle() - 1.0).abs() < 1e-15);
     /// assert_eq!(ball.at(1e9).angular_velocity, Vector3::new(0.0, 3.0, 4.0));
@@ -130,8 +139,8 @@ impl FreeRotation {
         Self(Case::Regular(Regular::steady(state)))
     }
 
-    /// The time after which the angular velocity in the body repeats \[s\]; none where it is constant, and on the separatrix,
-    /// where it never does.
+    /// The time after which the angular velocity in the body repeats \[s\]; none where it is
+    /// constant, and on the separatrix, where it never does.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         match &self.0 {

@@ -20,18 +20,21 @@ use parameter::{Ingredients, Parameter};
 use turn::Turn;
 use turning_points::{Start, TurningPoints};
 
-/// A body that is symmetric about an axis, under a couple `k × e`: k is constant in the world, e is the unit vector along the axis.
+/// A body that is symmetric about an axis, under a couple `k × e`: k is constant in the world, e is
+/// the unit vector along the axis.
 ///
-/// So turns a top about a fixed point of its axis, with k upwards, of size m g l, and e from there to the center of mass; or a
-/// magnet in a uniform field.
+/// So turns a top about a fixed point of its axis, with k upwards, of size m g l, and e from there
+/// to the center of mass; or a magnet in a uniform field.
 ///
-/// The height of the axis over the horizon is an elliptic function of time, the attitude goes by integrals of the third kind: in
-/// the parameters of Cayley and Klein, without angles, so that a top that is upright or hangs, or passes there, is like any other. F. Klein,
-/// A. Sommerfeld, Über die Theorie des Kreisels (1897), chapter VI; E. T. Whittaker, Analytical Dynamics, §§ 71 to 74.
+/// The height of the axis over the horizon is an elliptic function of time, the attitude goes by
+/// integrals of the third kind: in the parameters of Cayley and Klein, without angles, so that a
+/// top that is upright or hangs, or passes there, is like any other. F. Klein, A. Sommerfeld, Über
+/// die Theorie des Kreisels (1897), chapter VI; E. T. Whittaker, Analytical Dynamics, §§ 71 to 74.
 ///
-/// Errors are those of rounding for each radian turned, also where it nearly precesses steadily, sleeps, or falls along the
-/// separatrix; the sign of the quaternion is continuous in time. A top at rest falls the way it leans, whatever is left of an
-/// attitude as its tilt: down to 1e-70, below which it stays where it is.
+/// Errors are those of rounding for each radian turned, also where it nearly precesses steadily,
+/// sleeps, or falls along the separatrix; the sign of the quaternion is continuous in time. A top
+/// at rest falls the way it leans, whatever is left of an attitude as its tilt: down to 1e-70,
+/// below which it stays where it is.
 ///
 /// ```
 /// use newton_euler::exact::{LagrangeTop, Path};
@@ -59,8 +62,8 @@ enum Case {
 }
 
 impl LagrangeTop {
-    /// From the moments across the axis and about it \[kg m²\], of the point that is held, or of G; the axis, in the body; k
-    /// \[N m\], in the world; and the state at time zero.
+    /// From the moments across the axis and about it \[kg m²\], of the point that is held, or of G;
+    /// the axis, in the body; k \[N m\], in the world; and the state at time zero.
     #[must_use]
     pub fn new(
         moments: [f64; 2],
@@ -79,8 +82,9 @@ impl LagrangeTop {
         )
     }
 
-    /// The time in which the axis falls and rises once \[s\]; none where its height is constant without a couple, or upright or
-    /// hanging without a motion, and on the separatrix, where it never falls back.
+    /// The time in which the axis falls and rises once \[s\]; none where its height is constant
+    /// without a couple, or upright or hanging without a motion, and on the separatrix, where it
+    /// never falls back.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         match &self.0 {
@@ -265,7 +269,8 @@ impl Nutation {
     }
 }
 
-/// What the height of the axis depends on, from a, p, α and β, and the angular velocity across the axis.
+/// What the height of the axis depends on, from a, p, α and β, and the angular velocity across the
+/// axis.
 fn start(
     couple: Twofold,
     spin: Twofold,

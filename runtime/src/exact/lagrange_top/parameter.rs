@@ -1,20 +1,25 @@
 //! The parameters of Cayley and Klein of a top.
 //!
-//! The attitude is α = w + i z and β = x + i y, `|α|² = (1 + u)/2`, `|β|² = (1 - u)/2`: no angles, and nothing happens at the
-//! vertical. With s, c, d = sn, cn, dn of λ t + u₀, `|α|² = c₁² (1 + n s²)`, n = (u₂ - u₁)/(1 + u₁), and of β with -(u₂ - u₁)/(1 - u₁); and
+//! The attitude is α = w + i z and β = x + i y, `|α|² = (1 + u)/2`, `|β|² = (1 - u)/2`: no angles,
+//! and nothing happens at the vertical. With s, c, d = sn, cn, dn of λ t + u₀,
+//! `|α|² = c₁² (1 + n s²)`, n = (u₂ - u₁)/(1 + u₁), and of β with -(u₂ - u₁)/(1 - u₁); and
 //!
 //! ```text
 //! arg' = ω + σ λ G/(1 + n s²)      ω = ± (ω₃ - p)/2      G² = (1 + n)(1 + κ)      n κ = k²
 //! ```
 //!
-//! where σ is the sign of b ± p. There are two forms, of which the one has no pole near the real axis where the other has:
+//! where σ is the sign of b ± p. There are two forms, of which the one has no pole near the real
+//! axis where the other has:
 //!
 //! ```text
-//! |n| < k       c₁ √(1 + n s²) exp i(ω t + σ G λ t - σ G n R)             R = ∫ s²/(1 + n s²) λ dt
-//! |κ| <= k      (c₁ c d + i σ c₂ s)/√(1 + κ s²) exp i(ω t + σ G κ R)      R = ∫ s²/(1 + κ s²) λ dt,  c₂ = G c₁
+//! |n| < k       c₁ √(1 + n s²) exp i(ω t + σ G λ t - σ G n R)
+//!               R = ∫ s²/(1 + n s²) λ dt
+//! |κ| <= k      (c₁ c d + i σ c₂ s)/√(1 + κ s²) exp i(ω t + σ G κ R)
+//!               R = ∫ s²/(1 + κ s²) λ dt,  c₂ = G c₁
 //! ```
 //!
-//! as `atan(G s/(c d))' = λ G (1/(1 + n s²) + 1/(1 + κ s²) - 1)`. In the second, α may pass through zero.
+//! as `atan(G s/(c d))' = λ G (1/(1 + n s²) + 1/(1 + κ s²) - 1)`. In the second, α may pass through
+//! zero.
 
 use nalgebra::Complex;
 

@@ -1,4 +1,5 @@
-//! Quaternions in twice the precision: next to the vertical, the tilt is what an attitude and the axes leave.
+//! Quaternions in twice the precision: next to the vertical, the tilt is what an attitude and the
+//! axes leave.
 
 use core::ops::Mul;
 

@@ -4,9 +4,11 @@ use crate::numbers::count::real;
 
 /// Inputs over time.
 ///
-/// [`Integration::input`](crate::integrate::Integration::input) and [`Integration::control`](crate::integrate::Integration::control) make the two that there are.
+/// [`Integration::input`](crate::integrate::Integration::input) and
+/// [`Integration::control`](crate::integrate::Integration::control) make the two that there are.
 pub trait Control<S, I> {
-    /// The input from a time \[s\] and state on, and until when it is held: a time towards `end`, or beyond.
+    /// The input from a time \[s\] and state on, and until when it is held: a time towards `end`,
+    /// or beyond.
     fn input(&mut self, time: f64, state: &S, end: f64) -> (I, f64);
 }
 
@@ -23,7 +25,8 @@ impl<S, I: Default> Control<S, I> for Held<I> {
     }
 }
 
-/// A function of time and state that is asked at equal intervals, and held between them (zero-order hold).
+/// A function of time and state that is asked at equal intervals, and held between them (zero-order
+/// hold).
 #[derive(Clone, Copy, Debug)]
 pub struct Sampled<F> {
     function: F,

@@ -16,8 +16,10 @@ pub(crate) const TOLERANCE: f64 = 1e-9;
 
 /// A body whose motion can be integrated, with the method that is best for it.
 ///
-/// [`rigid_body!`](crate::rigid_body) implements it: the [`ClosedForm`](crate::integrate::ClosedForm) with `outputs: [flow]`, Taylor series
-/// ([`TaylorSeries`](crate::integrate::TaylorSeries)) with `outputs: [taylor]`, for all others [`DormandPrince`](crate::integrate::DormandPrince), under constraints
+/// [`rigid_body!`](crate::rigid_body) implements it: the
+/// [`ClosedForm`](crate::integrate::ClosedForm) with `outputs: [flow]`, Taylor series
+/// ([`TaylorSeries`](crate::integrate::TaylorSeries)) with `outputs: [taylor]`, for all others
+/// [`DormandPrince`](crate::integrate::DormandPrince), under constraints
 /// [`Projected`](crate::integrate::Projected). By hand it is one line:
 ///
 /// ```
@@ -51,8 +53,8 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
     /// The method that is best for it.
     type Best: Method<Self> + Tolerant;
 
-    /// Integrates the motion from a state on: at time zero, under the default input, with errors of 1e-9 a step, by [`Self::Best`], all of which
-    /// [`Integration`] can change.
+    /// Integrates the motion from a state on: at time zero, under the default input, with errors of
+    /// 1e-9 a step, by [`Self::Best`], all of which [`Integration`] can change.
     fn integrate(
         &self,
         state: &Self::State,
@@ -75,10 +77,12 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
 
 /// A motion that is to be integrated.
 ///
-/// First what is to be known ([`starting_at`](Self::starting_at), [`tolerance`](Self::tolerance), [`method`](Self::method), [`input`](Self::input),
-/// [`control`](Self::control)), then what is asked: the state at the end ([`to`](Self::to)), or an iterator of [`samples`](Self::samples), of
-/// [`steps`](Self::steps), of [`events`](Self::events). Time may run backwards. What ends a motion before its time is an
-/// [`IntegrationError`], with the last state that is good; an iterator gives it as its last item.
+/// First what is to be known ([`starting_at`](Self::starting_at), [`tolerance`](Self::tolerance),
+/// [`method`](Self::method), [`input`](Self::input), [`control`](Self::control)), then what is
+/// asked: the state at the end ([`to`](Self::to)), or an iterator of [`samples`](Self::samples), of
+/// [`steps`](Self::steps), of [`events`](Self::events). Time may run backwards. What ends a motion
+/// before its time is an [`IntegrationError`], with the last state that is good; an iterator gives
+/// it as its last item.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -167,10 +171,12 @@ where
         }
     }
 
-    /// With no step longer than this \[s\], for what is over so soon that a longer step may not see it.
+    /// With no step longer than this \[s\], for what is over so soon that a longer step may not see
+    /// it.
     ///
     /// # Errors
-    /// [`IntegrationError::StepTooSmall`] by the integration, if it is not positive, or is lost in the rounding of time.
+    /// [`IntegrationError::StepTooSmall`] by the integration, if it is not positive, or is lost in
+    /// the rounding of time.
     pub fn max_step(self, max_step: f64) -> Self {
         let Pace { breaks, .. } = self.pace;
         Self {
@@ -179,9 +185,11 @@ where
         }
     }
 
-    /// With steps that end at these times \[s\] as well, in any order: those at which a load changes, or begins to, and that
-    /// nobody else knows. The conditions on `t` of a description are known ([`RigidBody::switches`]). What is no time, or not on the way, is passed over. Each
-    /// step is taken with the equations of its own side, so that a load may as well jump there.
+    /// With steps that end at these times \[s\] as well, in any order: those at which a load
+    /// changes, or begins to, and that nobody else knows. The conditions on `t` of a description
+    /// are known ([`RigidBody::switches`]). What is no time, or not on the way, is passed over.
+    /// Each step is taken with the equations of its own side, so that a load may as well jump
+    /// there.
     ///
     /// ```
     /// use newton_euler::prelude::*;
@@ -223,8 +231,8 @@ where
         self.under(Held(input))
     }
 
-    /// Under inputs that a function of time and state gives at the start and every so many seconds after, each held until the next (zero-order
-    /// hold), as by a controller.
+    /// Under inputs that a function of time and state gives at the start and every so many seconds
+    /// after, each held until the next (zero-order hold), as by a controller.
     pub fn control<F: FnMut(f64, &B::State) -> B::Input>(
         self,
         period: f64,
@@ -246,8 +254,8 @@ where
         }
     }
 
-    /// Shows a bar on standard error, with how far the motion has come and the time that it will take. Nothing is shown where standard error is
-    /// no terminal.
+    /// Shows a bar on standard error, with how far the motion has come and the time that it will
+    /// take. Nothing is shown where standard error is no terminal.
     #[cfg(feature = "progress")]
     pub fn progress(self) -> Self {
         Self {
@@ -266,7 +274,9 @@ where
         Ok(course.run.state())
     }
 
-    /// The states at the start and every so many seconds after, up to the end \[s\]; that is the last of them if it is a whole number of periods away. Steps are as long as they would be otherwise.
+    /// The states at the start and every so many seconds after, up to the end \[s\]; that is the
+    /// last of them if it is a whole number of periods away. Steps are as long as they would be
+    /// otherwise.
     pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B, L> {
         Samples::new(self.course(end), period)
     }
@@ -279,13 +289,16 @@ where
         }
     }
 
-    /// Where a function of time and state changes its sign, or is exactly zero where it is looked at, up to the end \[s\], in both directions, as the
-    /// motion comes to it; a zero at the start is none.
+    /// Where a function of time and state changes its sign, or is exactly zero where it is looked
+    /// at, up to the end \[s\], in both directions, as the motion comes to it; a zero at the start
+    /// is none.
     ///
-    /// The sign is looked at in some places of every step: of zeros closer to each other than these, an even number is not seen. A zero is found
-    /// to the rounding of the function and of time. What stays zero has one event where it becomes so, and none if it was from the start.
+    /// The sign is looked at in some places of every step: of zeros closer to each other than
+    /// these, an even number is not seen. A zero is found to the rounding of the function and of
+    /// time. What stays zero has one event where it becomes so, and none if it was from the start.
     ///
-    /// Where the function is not a number the motion ends, with [`IntegrationError::EventNotANumber`].
+    /// Where the function is not a number the motion ends, with
+    /// [`IntegrationError::EventNotANumber`].
     pub fn events<F: Fn(f64, &B::State) -> f64>(
         self,
         end: f64,

@@ -27,7 +27,8 @@ pub(crate) struct Pace<L> {
 }
 
 impl<L> Pace<L> {
-    /// Where a step from a time on has to end, if there are other reasons to end at a limit: none if there is no such step.
+    /// Where a step from a time on has to end, if there are other reasons to end at a limit: none
+    /// if there is no such step.
     pub(crate) fn limit(&self, time: f64, limit: f64) -> Option<f64> {
         let longest = self.max_step > 0.0;
         let step = self.max_step.min((limit - time).abs());
@@ -118,7 +119,8 @@ where
         }
     }
 
-    /// Asks for the input where the last one ends, looks how far the equations do not change, and says where the next step has to end.
+    /// Asks for the input where the last one ends, looks how far the equations do not change, and
+    /// says where the next step has to end.
     fn limit(&mut self) -> Outcome<f64, B> {
         let time = self.run.time();
         if !(time.is_finite() && self.end.is_finite()) {

@@ -20,13 +20,17 @@ const GROW: f64 = 6.0;
 
 /// DOP853: [`DormandPrince8`] with steps as long as the tolerance permits.
 ///
-/// For every body, smooth or not: of loads with `if`, `abs` and the like it takes short steps where they switch, as far as it sees them, and ends them at
-/// the [conditions on time](crate::rigid_body#conditions-on-time). A smooth load that acts for a short time only, after a long time of rest, may lie between the
-/// twelve places where a step looks: say where, by [`breaks`](crate::integrate::Integration::breaks) or [`max_step`](crate::integrate::Integration::max_step). Between the ends of a step, states are those of a
-/// shorter step from its start, where nothing switches of the same accuracy as the end.
+/// For every body, smooth or not: of loads with `if`, `abs` and the like it takes short steps where
+/// they switch, as far as it sees them, and ends them at the [conditions on
+/// time](crate::rigid_body#conditions-on-time). A smooth load that acts for a short time only,
+/// after a long time of rest, may lie between the twelve places where a step looks: say where, by
+/// [`breaks`](crate::integrate::Integration::breaks) or
+/// [`max_step`](crate::integrate::Integration::max_step). Between the ends of a step, states are
+/// those of a shorter step from its start, where nothing switches of the same accuracy as the end.
 ///
-/// E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, 1993, II.4, II.5, II.10: the error is estimated from
-/// differences to methods of orders 5 and 3, `e₅² / √(e₅² + e₃²/100)`, and the next step is 0.9 (tolerance / error)^(1/8) times as long.
+/// E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition,
+/// 1993, II.4, II.5, II.10: the error is estimated from differences to methods of orders 5 and 3,
+/// `e₅² / √(e₅² + e₃²/100)`, and the next step is 0.9 (tolerance / error)^(1/8) times as long.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DormandPrince {
     /// How large the error of a step may be: see [`Tolerant`].
@@ -160,7 +164,8 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
     }
 }
 
-/// What a step changes, and its error beside the state: not a number, where a stage is out of the domain, if only in one component.
+/// What a step changes, and its error beside the state: not a number, where a stage is out of the
+/// domain, if only in one component.
 #[inline(always)]
 pub(super) fn attempt<E: Rates<State: Coordinates<Scalar = f64>>>(
     equations: &E,

@@ -8,7 +8,8 @@ use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::state::Coordinates;
 
-/// The closed form of [`Flow`]: no steps at all, and errors of rounding only. A tolerance changes nothing.
+/// The closed form of [`Flow`]: no steps at all, and errors of rounding only. A tolerance changes
+/// nothing.
 ///
 /// Events are looked for in 16 places of every [`Path::pace`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

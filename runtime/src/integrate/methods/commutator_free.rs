@@ -1,15 +1,18 @@
 //! The commutator-free Lie group method of order four, CF4.
 //!
-//! E. Celledoni, A. Marthinsen, B. Owren, Commutator-free Lie group methods, Future Generation Computer Systems 19 (2003)
+//! E. Celledoni, A. Marthinsen, B. Owren, Commutator-free Lie group methods, Future Generation
+//! Computer Systems 19 (2003)
 //! 341. Four evaluations and five exponentials a step:
 //!
 //! ```text
-//! k1 = f(y)    k2 = f(y exp(h k1/2))    k3 = f(y exp(h k2/2))    k4 = f(y exp(h k1/2) exp(h (k3 - k1/2)))
+//! k1 = f(y)    k2 = f(y exp(h k1/2))    k3 = f(y exp(h k2/2))
+//! k4 = f(y exp(h k1/2) exp(h (k3 - k1/2)))
 //! y₁ = y exp(h/12 (3 k1 + 2 k2 + 2 k3 - k4)) exp(h/12 (-k1 + 2 k2 + 2 k3 + 3 k4))
 //! ```
 //!
-//! On straight lines this is the classical Runge-Kutta method. Its weights with a single exponential at the end would
-//! only be of order two in the attitude, because rotations do not commute.
+//! On straight lines this is the classical Runge-Kutta method. Its weights with a single
+//! exponential at the end would only be of order two in the attitude, because rotations do not
+//! commute.
 
 use core::ops::Range;
 
@@ -74,12 +77,13 @@ pub fn cf4_step<B: RigidBody<Scalar: Scalar>>(
         .moved(&((k4 * three + inner - k1) * twelfth))
 }
 
-/// The state at the end of a span of time \[s\], from the state at its start, in equal steps of [`cf4_step`]; the input is
-/// held. Time may run backwards. With no steps the state is returned as it is.
+/// The state at the end of a span of time \[s\], from the state at its start, in equal steps of
+/// [`cf4_step`]; the input is held. Time may run backwards. With no steps the state is returned as
+/// it is.
 ///
-/// Step k begins at start + k · step, so that times do not collect rounding.
-/// States do: what a step adds is rounded to them, and where it is below that it is lost. Over many small steps, and far from
-/// the origin, [`integrate`](crate::integrate::Integrate::integrate) compensates.
+/// Step k begins at start + k · step, so that times do not collect rounding. States do: what a step
+/// adds is rounded to them, and where it is below that it is lost. Over many small steps, and far
+/// from the origin, [`integrate`](crate::integrate::Integrate::integrate) compensates.
 ///
 /// ```
 /// use newton_euler::{gyroscopic, integrate, prelude::*};
@@ -94,7 +98,8 @@ pub fn cf4_step<B: RigidBody<Scalar: Scalar>>(
 ///
 ///     fn acceleration(&self, _: f64, state: &Rotation, (): &()) -> Vector3<f64> {
 ///         let [xx, yy, zz] = self.0.moments();
-///         -gyroscopic::torque(&self.0, &state.angular_velocity).component_div(&Vector3::new(xx, yy, zz))
+///         -gyroscopic::torque(&self.0, &state.angular_velocity)
+///             .component_div(&Vector3::new(xx, yy, zz))
 ///     }
 /// }
 ///

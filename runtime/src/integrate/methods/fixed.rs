@@ -16,7 +16,8 @@ use crate::state::Coordinates;
 
 /// A method with equal steps, each not longer than `step` \[s\].
 ///
-/// What is between the start, the instants at which inputs change, and the end, is divided into the least number of such steps.
+/// What is between the start, the instants at which inputs change, and the end, is divided into the
+/// least number of such steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<M> {
     /// The method of a step.

@@ -12,11 +12,12 @@ use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::integrate::steps::stretch::Within;
 use crate::numbers::count::real;
 
-/// A method for bodies under constraints: the end of every step is put on them by [`Constrained::project`]. What they forbid does not
-/// grow, and the order is that of the method.
+/// A method for bodies under constraints: the end of every step is put on them by
+/// [`Constrained::project`]. What they forbid does not grow, and the order is that of the method.
 ///
-/// A start that is off by more than rounding ([`Constrained::check`]) is an error: `project` it before, or correct it. Where an input changes
-/// that a constraint of velocities contains, the velocities jump to the nearest that meet it.
+/// A start that is off by more than rounding ([`Constrained::check`]) is an error: `project` it
+/// before, or correct it. Where an input changes that a constraint of velocities contains, the
+/// velocities jump to the nearest that meet it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projected<M>(pub M);
 
@@ -171,12 +172,13 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
     }
 }
 
-/// As [`cf4`](crate::integrate::cf4), with [`Constrained::project`] at the end of each step: what the constraints
-/// forbid does not grow, and the order is that of CF4.
+/// As [`cf4`](crate::integrate::cf4), with [`Constrained::project`] at the end of each step: what
+/// the constraints forbid does not grow, and the order is that of CF4.
 ///
 /// # Errors
-/// [`Inconsistent`] if a state is too far from its constraints: the first, by more than rounding, or one after a step that is too long, or one that is not a number,
-/// behind a configuration in which the constraints do not determine their reactions.
+/// [`Inconsistent`] if a state is too far from its constraints: the first, by more than rounding,
+/// or one after a step that is too long, or one that is not a number, behind a configuration in
+/// which the constraints do not determine their reactions.
 pub fn cf4_projected<B: Constrained<Scalar = f64>>(
     body: &B,
     state: &B::State,

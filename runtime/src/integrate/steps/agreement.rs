@@ -1,4 +1,5 @@
-//! Whether a polynomial is the motion: its derivative, held against the rates that the equations give on it.
+//! Whether a polynomial is the motion: its derivative, held against the rates that the equations
+//! give on it.
 
 use super::equations::{Equations, Rates};
 use super::point::Point;
@@ -8,8 +9,9 @@ use crate::numbers::count::real;
 use crate::state::Coordinates;
 use crate::taylor::{Axes, after, increment, slope};
 
-/// How many tolerances a step may go wrong if rates were off throughout by as much as at its end. In a series of order n they are
-/// off by a power of the time, and this is about n times what it goes wrong.
+/// How many tolerances a step may go wrong if rates were off throughout by as much as at its end.
+/// In a series of order n they are off by a power of the time, and this is about n times what it
+/// goes wrong.
 const END: f64 = 8.0;
 /// The same by the average of places throughout the step.
 const MEAN: f64 = 2.0;
@@ -74,8 +76,8 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
         self.difference(rates, step, end, step, None) <= END * self.tolerance
     }
 
-    /// The same, if they agree throughout, on the average of many places and to what rounding leaves of them; or after what time \[s\] they no
-    /// longer do.
+    /// The same, if they agree throughout, on the average of many places and to what rounding
+    /// leaves of them; or after what time \[s\] they no longer do.
     #[inline(always)]
     pub(in crate::integrate) fn holds_throughout(
         &self,
@@ -104,8 +106,8 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
         Ok(change)
     }
 
-    /// How far a step of this length \[s\] would go wrong, beside the state, if rates were off throughout by as much as these are after a
-    /// time \[s\]; but for rounding.
+    /// How far a step of this length \[s\] would go wrong, beside the state, if rates were off
+    /// throughout by as much as these are after a time \[s\]; but for rounding.
     #[inline(always)]
     fn difference(
         &self,
@@ -141,8 +143,8 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
         largest
     }
 
-    /// What rounding leaves of the rates, as far as it shows: at the start, where the polynomial is exact, and at an end that is off by
-    /// rounding.
+    /// What rounding leaves of the rates, as far as it shows: at the start, where the polynomial is
+    /// exact, and at an end that is off by rounding.
     #[inline(always)]
     fn noise(
         &self,

@@ -6,10 +6,12 @@ use crate::bodies::body::RigidBody;
 use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, State};
 
-/// `y' = f(t, y)` of the coordinates y of a state ([`Coordinates`]), with the input held, one that is `.moving` too: what methods for any equations work on.
-/// Where conditions on time switch, [`next_switch`](crate::integrate::next_switch) says.
+/// `y' = f(t, y)` of the coordinates y of a state ([`Coordinates`]), with the input held, one that
+/// is `.moving` too: what methods for any equations work on. Where conditions on time switch,
+/// [`next_switch`](crate::integrate::next_switch) says.
 ///
-/// With the feature `differential-equations` it implements `ODE` of the crate of that name for `[f64; N]`, without a copy of the state:
+/// With the feature `differential-equations` it implements `ODE` of the crate of that name for
+/// `[f64; N]`, without a copy of the state:
 ///
 /// ```
 /// # #[cfg(feature = "differential-equations")] {

@@ -11,17 +11,20 @@ use crate::state::State;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError<S> {
-    /// The motion is not finite from here on: a force grows beyond bounds, or is none; or start or end are no times.
+    /// The motion is not finite from here on: a force grows beyond bounds, or is none; or start or
+    /// end are no times.
     NotFinite {
         /// \[s\]
         time: f64,
         /// The state then.
         state: S,
-        /// A load that has no value there, or just behind, if it is known: [`RigidBody::lost_load`].
+        /// A load that has no value there, or just behind, if it is known:
+        /// [`RigidBody::lost_load`].
         load: Option<&'static str>,
     },
-    /// The step that is asked for is lost in the rounding of time, or no number: a singularity is near, the tolerance is below what doubles can
-    /// hold, or a step or period that was given is not positive.
+    /// The step that is asked for is lost in the rounding of time, or no number: a singularity is
+    /// near, the tolerance is below what doubles can hold, or a step or period that was given is
+    /// not positive.
     StepTooSmall {
         /// \[s\]
         time: f64,
@@ -30,8 +33,8 @@ pub enum IntegrationError<S> {
         /// The step \[s\].
         step: f64,
     },
-    /// The equations of an implicit step are not solved: it is too long for the motion, of which it would be a third of a turn or more, or a
-    /// singularity is near.
+    /// The equations of an implicit step are not solved: it is too long for the motion, of which it
+    /// would be a third of a turn or more, or a singularity is near.
     StepTooLong {
         /// \[s\]
         time: f64,
@@ -40,7 +43,8 @@ pub enum IntegrationError<S> {
         /// The step \[s\].
         step: f64,
     },
-    /// The state does not meet its constraints: the first by more than rounding; or one after a step that is too long, and no state near by does.
+    /// The state does not meet its constraints: the first by more than rounding; or one after a
+    /// step that is too long, and no state near by does.
     Inconsistent {
         /// \[s\]
         time: f64,
@@ -59,7 +63,8 @@ pub enum IntegrationError<S> {
 }
 
 impl<S> IntegrationError<S> {
-    /// Instants at intervals of this period cannot be counted between these times; the state is that at the first.
+    /// Instants at intervals of this period cannot be counted between these times; the state is
+    /// that at the first.
     pub(crate) fn uncountable(period: f64, times: Range<f64>, state: S) -> Self {
         let Range { start: time, end } = times;
         if time.is_finite() && end.is_finite() {
@@ -124,7 +129,8 @@ impl<S> fmt::Display for IntegrationError<S> {
 }
 
 impl<S: State<Scalar = f64>> IntegrationError<S> {
-    /// Says which load of a body has no value, in the last state or where the motion goes from there.
+    /// Says which load of a body has no value, in the last state or where the motion goes from
+    /// there.
     #[cold]
     pub(crate) fn named<B: RigidBody<Scalar = f64, State = S>>(
         self,
@@ -160,7 +166,8 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
     }
 }
 
-/// How often the time is doubled at which a load is looked for that has no value, from the rounding of time on.
+/// How often the time is doubled at which a load is looked for that has no value, from the rounding
+/// of time on.
 const DOUBLINGS: i32 = 32;
 
 impl<S: fmt::Debug> core::error::Error for IntegrationError<S> {}

@@ -14,10 +14,12 @@ pub struct Event<S> {
     pub rises: bool,
 }
 
-/// A search for zeros within one step, in the order of the motion: the start does not count, the end does.
+/// A search for zeros within one step, in the order of the motion: the start does not count, the
+/// end does.
 ///
-/// The sign is looked at in some places; of zeros closer to each other than these, an even number is not seen. A zero is found to
-/// the rounding of the function and of time. What is not a number there ends the search, with an error.
+/// The sign is looked at in some places; of zeros closer to each other than these, an even number
+/// is not seen. A zero is found to the rounding of the function and of time. What is not a number
+/// there ends the search, with an error.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Search {
     start: f64,
@@ -78,9 +80,10 @@ impl Search {
 
 /// The zero of a function between two places where it has different signs, by the method ITP.
 ///
-/// I. F. D. Oliveira, R. H. C. Takahashi, An enhancement of the bisection method average performance preserving minmax
-/// optimality, ACM Transactions on Mathematical Software 47 (2020) 5: regula falsi, truncated and kept so near to the middle that
-/// no more steps are taken than by bisection and one. Where the function is not a number on the way, that place is the error.
+/// I. F. D. Oliveira, R. H. C. Takahashi, An enhancement of the bisection method average
+/// performance preserving minmax optimality, ACM Transactions on Mathematical Software 47 (2020) 5:
+/// regula falsi, truncated and kept so near to the middle that no more steps are taken than by
+/// bisection and one. Where the function is not a number on the way, that place is the error.
 fn bracketed(
     value: impl Fn(f64) -> f64,
     [mut a, mut b]: [f64; 2],

@@ -17,9 +17,10 @@ pub trait Method<B: RigidBody<Scalar = f64>>: Copy + Send + Sync {
 
 /// A method that can be told how large the error of a step may be.
 pub trait Tolerant: Sized {
-    /// The method with this tolerance: relative to position, attitude, velocity and angular velocity, each as a whole, and absolute (m, rad,
-    /// m/s, rad/s) where these are below 1. The error at the end is that of all steps, as the motion carries it along. Finer than rounding, 1e-18,
-    /// is none.
+    /// The method with this tolerance: relative to position, attitude, velocity and angular
+    /// velocity, each as a whole, and absolute (m, rad, m/s, rad/s) where these are below 1. The
+    /// error at the end is that of all steps, as the motion carries it along. Finer than rounding,
+    /// 1e-18, is none.
     #[must_use]
     fn with_tolerance(tolerance: f64) -> Self;
 }
@@ -38,7 +39,8 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     /// The state there.
     fn state(&self) -> B::State;
 
-    /// Takes one step towards `end` \[s\], which is not where it is, and not beyond; the input is held.
+    /// Takes one step towards `end` \[s\], which is not where it is, and not beyond; the input is
+    /// held.
     ///
     /// # Errors
     /// [`IntegrationError`]; the motion stays where it is.
@@ -56,7 +58,8 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     /// Goes on from another state at the same time.
     fn replace(&mut self, state: &B::State);
 
-    /// Goes on until a time \[s\] lies within the step taken last, with steps that need not end there, but not beyond `end`.
+    /// Goes on until a time \[s\] lies within the step taken last, with steps that need not end
+    /// there, but not beyond `end`.
     ///
     /// # Errors
     /// As [`advance`](Self::advance).

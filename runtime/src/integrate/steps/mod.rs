@@ -1,4 +1,5 @@
-//! What all steps are made of: equations and where they change, points, sizes, errors, zeros within a step.
+//! What all steps are made of: equations and where they change, points, sizes, errors, zeros within
+//! a step.
 
 pub mod agreement;
 pub mod equations;

@@ -4,8 +4,9 @@ use super::error::IntegrationError;
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// A time and a state to which others are added, with what was lost in rounding them: over long runs rounding grows with the square root
-/// of the number of steps and not with the number (W. Kahan, Comm. ACM 8 (1965) 40).
+/// A time and a state to which others are added, with what was lost in rounding them: over long
+/// runs rounding grows with the square root of the number of steps and not with the number (W.
+/// Kahan, Comm. ACM 8 (1965) 40).
 pub(in crate::integrate) struct Point<S: Coordinates<Scalar = f64>> {
     pub(in crate::integrate) time: f64,
     pub(in crate::integrate) coordinates: S::Array,
@@ -80,7 +81,8 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         after
     }
 
-    /// Moves on by a change of coordinates in a step \[s\]; if what comes of it is not finite, it stays and says false.
+    /// Moves on by a change of coordinates in a step \[s\]; if what comes of it is not finite, it
+    /// stays and says false.
     #[must_use]
     #[inline(always)]
     pub(in crate::integrate) fn advance(&mut self, mut change: S::Array, step: f64) -> bool {

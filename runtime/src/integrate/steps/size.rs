@@ -2,9 +2,10 @@
 
 use crate::state::Coordinates;
 
-/// The size of a change of coordinates: of position, attitude, velocity, angular velocity each the largest component, relative to the largest
-/// component of the quantity itself where that is above 1, absolute (m, rad, m/s, rad/s) below; and of these the largest. What is not a number may
-/// be passed over.
+/// The size of a change of coordinates: of position, attitude, velocity, angular velocity each the
+/// largest component, relative to the largest component of the quantity itself where that is above
+/// 1, absolute (m, rad, m/s, rad/s) below; and of these the largest. What is not a number may be
+/// passed over.
 #[inline(always)]
 pub(in crate::integrate) fn relative_size<S: Coordinates<Scalar = f64>>(
     change: &S::Array,
@@ -37,7 +38,8 @@ pub(in crate::integrate) fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// A tolerance, of what is finer than rounding the finest that there is; what is no tolerance is zero, which no step keeps.
+/// A tolerance, of what is finer than rounding the finest that there is; what is no tolerance is
+/// zero, which no step keeps.
 pub(in crate::integrate) fn finest(tolerance: f64) -> f64 {
     if tolerance > 0.0 {
         tolerance.max(1e-18)
@@ -46,8 +48,9 @@ pub(in crate::integrate) fn finest(tolerance: f64) -> f64 {
     }
 }
 
-/// `(a / b)^(1/k)` to a few parts in a hundred, which is all that a step needs: the bits of a double are its logarithm, with straight lines
-/// between the powers of two. Of what has no logarithm, the quotient itself.
+/// `(a / b)^(1/k)` to a few parts in a hundred, which is all that a step needs: the bits of a
+/// double are its logarithm, with straight lines between the powers of two. Of what has no
+/// logarithm, the quotient itself.
 #[inline(always)]
 #[expect(
     clippy::cast_possible_wrap,

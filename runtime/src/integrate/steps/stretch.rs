@@ -22,8 +22,9 @@ impl Stretch {
     }
 }
 
-/// The time \[s\] at which the equations of a body change next on the way from a time to an end, if they do: for solvers that are told where
-/// to stop. [`integrate`](crate::integrate::Integrate::integrate) stops there by itself.
+/// The time \[s\] at which the equations of a body change next on the way from a time to an end, if
+/// they do: for solvers that are told where to stop.
+/// [`integrate`](crate::integrate::Integrate::integrate) stops there by itself.
 ///
 /// ```
 /// use newton_euler::{integrate::next_switch, prelude::*};
@@ -32,7 +33,13 @@ impl Stretch {
 ///     motion: translation,
 ///     params: [ignition = 2[s], burn = 1.5[s]],
 ///     mass: 3[kg],
-///     forces: [thrust = if t > ignition && t < ignition + burn { world(0, 0, 60[N]) } else { world(0, 0, 0) }],
+///     forces: [
+///         thrust = if t > ignition && t < ignition + burn {
+///             world(0, 0, 60[N])
+///         } else {
+///             world(0, 0, 0)
+///         },
+///     ],
 /// });
 ///
 /// let rocket = Rocket::default();

@@ -17,7 +17,8 @@ pub fn identity<T: Scalar>() -> UnitQuaternion<T> {
 pub fn exp<T: Scalar>(rotation: &Vector3<T>) -> UnitQuaternion<T> {
     let [x, y, z] = [rotation.x, rotation.y, rotation.z];
     let square = x * x + y * y + z * z;
-    // below, series replace divisions by the angle; of each sum, the first term left out is at most 2⁻⁵³
+    // below, series replace divisions by the angle; of each sum, the first term left out is at most
+    // 2⁻⁵³
     let small = square.less(square.constant(1e-2, 1e-2));
     // cos(θ/2) and sin(θ/2)/θ
     let [cosine, ratio] = either(small, || series(square), || closed(square));

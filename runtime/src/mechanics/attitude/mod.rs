@@ -1,8 +1,8 @@
 //! Attitudes as unit quaternions: exponential, logarithm, kinematics, normalisation.
 //!
-//! A unit quaternion takes body components to world components. Rotation vectors are in body axes, so that turning on
-//! by one multiplies from the right. Every map holds its accuracy (a few units in the last place) from angle zero,
-//! through angles whose square underflows, to π.
+//! A unit quaternion takes body components to world components. Rotation vectors are in body axes,
+//! so that turning on by one multiplies from the right. Every map holds its accuracy (a few units
+//! in the last place) from angle zero, through angles whose square underflows, to π.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -82,8 +82,8 @@ pub(crate) fn to_third_axis(unit: &Vector3<f64>) -> Quaternion<f64> {
 
 /// The unit quaternion next to one that is nearly unit, by one Newton step: `q (3 - |q|²)/2`.
 ///
-/// No root and no division; a deviation d of |q| from 1 becomes `3d²/2`, so what is below 1e-8 vanishes. For quaternions
-/// far from unit use nalgebra's `UnitQuaternion::new_normalize`.
+/// No root and no division; a deviation d of |q| from 1 becomes `3d²/2`, so what is below 1e-8
+/// vanishes. For quaternions far from unit use nalgebra's `UnitQuaternion::new_normalize`.
 ///
 /// ```
 /// use nalgebra::Quaternion;
@@ -113,7 +113,8 @@ pub fn turned(attitude: &UnitQuaternion<f64>, rotation: &Vector3<f64>) -> UnitQu
     generic::turned(attitude, rotation)
 }
 
-/// An attitude as a map of its components by name, `{ w, x, y, z }`, so that no reader has to guess where the scalar is.
+/// An attitude as a map of its components by name, `{ w, x, y, z }`, so that no reader has to guess
+/// where the scalar is.
 #[cfg(feature = "serde")]
 pub(crate) mod checked {
     use nalgebra::{Quaternion, UnitQuaternion, Vector4};
@@ -121,8 +122,9 @@ pub(crate) mod checked {
 
     use crate::numbers::scalar::Scalar;
 
-    /// How far |q|² read may be from 1: nine printed digits of a double pass, single precision does not, and what passes
-    /// is unit to rounding after the first step of a motion (see [`super::normalized`]). It is kept as it was read.
+    /// How far |q|² read may be from 1: nine printed digits of a double pass, single precision does
+    /// not, and what passes is unit to rounding after the first step of a motion (see
+    /// [`super::normalized`]). It is kept as it was read.
     fn tolerance<T: Scalar>() -> f64 {
         f64::max(1e-9, 8.0 * T::EPSILON)
     }

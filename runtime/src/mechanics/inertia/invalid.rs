@@ -155,8 +155,8 @@ pub(super) fn check(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia> {
     check_computed(matrix, f64::EPSILON).map(|_| ())
 }
 
-/// All conditions on a symmetric matrix of a body that can turn about every axis, with entries that were computed with
-/// this distance from one to the next number.
+/// All conditions on a symmetric matrix of a body that can turn about every axis, with entries that
+/// were computed with this distance from one to the next number.
 pub(crate) fn check_turning(matrix: &Matrix3<f64>, epsilon: f64) -> Result<(), InvalidInertia> {
     let moments = check_computed(matrix, epsilon)?;
     if moments.x <= slack_of(matrix, epsilon) * moments.z {

@@ -1,12 +1,13 @@
 //! The inertia tensor of a possible body.
 //!
-//! Two conventions for its off-diagonals are in use, and published numbers seldom say which. A *product of inertia* here
-//! is `Jxy = +∫xy dm`; the *entry of the tensor* is its negative. [`InertiaTensor::products`] takes the former,
-//! [`InertiaTensor::tensor`] the latter; there is no default.
+//! Two conventions for its off-diagonals are in use, and published numbers seldom say which. A
+//! *product of inertia* here is `Jxy = +∫xy dm`; the *entry of the tensor* is its negative.
+//! [`InertiaTensor::products`] takes the former, [`InertiaTensor::tensor`] the latter; there is no
+//! default.
 //!
-//! A body with these moments exists iff J is symmetric and `½ tr(J) 1 - J = ∫ r rᵀ dm` is positive semidefinite: in every
-//! frame, no moment exceeds the sum of the other two, and `|Jxy|` is at most half of `Jzz`. Equality is a plane body
-//! and allowed, up to rounding: [`InertiaTensor::SLACK`].
+//! A body with these moments exists iff J is symmetric and `½ tr(J) 1 - J = ∫ r rᵀ dm` is positive
+//! semidefinite: in every frame, no moment exceeds the sum of the other two, and `|Jxy|` is at most
+//! half of `Jzz`. Equality is a plane body and allowed, up to rounding: [`InertiaTensor::SLACK`].
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 #[cfg(feature = "serde")]
@@ -50,8 +51,9 @@ pub struct InertiaTensor {
 }
 
 impl InertiaTensor {
-    /// What rounding may add to a principal moment, relative to the largest: four units in the last place. Four times as
-    /// much if there are products, since entries in turned axes have more rounding behind them.
+    /// What rounding may add to a principal moment, relative to the largest: four units in the last
+    /// place. Four times as much if there are products, since entries in turned axes have more
+    /// rounding behind them.
     pub const SLACK: f64 = invalid::SLACK;
 
     /// Principal moments along the body axes.
@@ -121,7 +123,8 @@ impl InertiaTensor {
         }
     }
 
-    /// The matrix of the tensor. Opposite entries may differ by [`Self::SLACK`] of the largest moment; their mean is taken.
+    /// The matrix of the tensor. Opposite entries may differ by [`Self::SLACK`] of the largest
+    /// moment; their mean is taken.
     ///
     /// # Errors
     /// The violated condition, symmetry among them.
@@ -176,8 +179,8 @@ impl InertiaTensor {
         self.matrix * vector
     }
 
-    /// From the center of mass to the point at `offset` from it (body axes, m), by the parallel-axis theorem:
-    /// `J_P = J_G + m (d² 1 - d dᵀ)`, mass in kg.
+    /// From the center of mass to the point at `offset` from it (body axes, m), by the
+    /// parallel-axis theorem: `J_P = J_G + m (d² 1 - d dᵀ)`, mass in kg.
     ///
     /// # Errors
     /// The mass negative or not finite, the offset not finite.
@@ -201,9 +204,11 @@ impl InertiaTensor {
         Ok(Self { matrix })
     }
 
-    /// From a point to the center of mass at `offset` from it (body axes, m): `J_G = J_P - m (d² 1 - d dᵀ)`.
+    /// From a point to the center of mass at `offset` from it (body axes, m):
+    /// `J_G = J_P - m (d² 1 - d dᵀ)`.
     ///
-    /// This subtracts: of `J_G`, the digits are lost by which `m d²` exceeds it. Where there is a choice, build about G.
+    /// This subtracts: of `J_G`, the digits are lost by which `m d²` exceeds it. Where there is a
+    /// choice, build about G.
     ///
     /// # Errors
     /// The mass negative or not finite, or no body about G has the difference as its tensor.
@@ -213,7 +218,10 @@ impl InertiaTensor {
     /// # use nalgebra::Vector3;
     /// let hinge = InertiaTensor::principal(19.0, 19.0, 1.0)?;
     /// let center = Vector3::new(0.0, 0.0, -3.0);
-    /// assert_eq!(hinge.shifted_to_center(2.0, &center)?, InertiaTensor::principal(1.0, 1.0, 1.0)?);
+    /// assert_eq!(
+    ///     hinge.shifted_to_center(2.0, &center)?,
+    ///     InertiaTensor::principal(1.0, 1.0, 1.0)?
+    /// );
     /// assert!(hinge.shifted_to_center(3.0, &center).is_err());
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
     /// ```
@@ -228,8 +236,8 @@ impl InertiaTensor {
         Ok(Self { matrix })
     }
 
-    /// In other axes, `R J Rᵀ`, where the rotation takes components along the present axes to components along the others:
-    /// an attitude gives the tensor in world axes.
+    /// In other axes, `R J Rᵀ`, where the rotation takes components along the present axes to
+    /// components along the others: an attitude gives the tensor in world axes.
     ///
     /// Only the part that depends on the axes is turned, so spherical bodies stay exactly so.
     ///
@@ -237,7 +245,8 @@ impl InertiaTensor {
     /// # use newton_euler::inertia::InertiaTensor;
     /// # use nalgebra::{UnitQuaternion, Vector3};
     /// let plank = InertiaTensor::principal(1.0, 2.0, 3.0)?;
-    /// let quarter = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), core::f64::consts::FRAC_PI_2);
+    /// let quarter =
+    ///     UnitQuaternion::from_axis_angle(&Vector3::z_axis(), core::f64::consts::FRAC_PI_2);
     /// assert!((plank.rotated(&quarter).moments()[0] - 2.0).abs() < 1e-15);
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
     /// ```
@@ -272,8 +281,8 @@ impl InertiaTensor {
     /// The inverse \[1/(kg m²)\], at any scale of the moments.
     ///
     /// # Errors
-    /// [`InvalidInertia::Singular`] if about some axis there is no moment of inertia, to within [`Self::SLACK`]: a rod or
-    /// a point.
+    /// [`InvalidInertia::Singular`] if about some axis there is no moment of inertia, to within
+    /// [`Self::SLACK`]: a rod or a point.
     ///
     /// ```
     /// # use newton_euler::inertia::InertiaTensor;

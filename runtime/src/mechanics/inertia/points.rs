@@ -17,14 +17,15 @@ pub struct MassProperties {
 }
 
 impl InertiaTensor {
-    /// Mass, center of mass and tensor about it, of mass points \[kg, m\] in body axes from any origin.
+    /// Mass, center of mass and tensor about it, of mass points \[kg, m\] in body axes from any
+    /// origin.
     ///
-    /// Distances are taken from the first point, then from the center of mass found, so that a small body far from
-    /// the origin keeps its digits.
+    /// Distances are taken from the first point, then from the center of mass found, so that a
+    /// small body far from the origin keeps its digits.
     ///
     /// # Errors
-    /// [`InvalidInertia::Mass`] if a mass is negative or not finite or all are zero, [`InvalidInertia::NotFinite`] if a
-    /// coordinate is not.
+    /// [`InvalidInertia::Mass`] if a mass is negative or not finite or all are zero,
+    /// [`InvalidInertia::NotFinite`] if a coordinate is not.
     ///
     /// ```
     /// # use newton_euler::inertia::InertiaTensor;

@@ -6,13 +6,14 @@ use super::matrix::{exponent, scaled};
 use super::{InertiaTensor, invalid};
 use crate::mechanics::principal::diagonalized;
 
-/// How many principal moments are equal: what free motion depends on. Axes are in the axes of the tensor, the largest
-/// component positive.
+/// How many principal moments are equal: what free motion depends on. Axes are in the axes of the
+/// tensor, the largest component positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Symmetry {
     /// All three: no gyroscopic moment in any motion. Cubes, too.
     Spherical,
-    /// Two, perpendicular to this axis: the body precesses steadily if left alone. Square prisms, too.
+    /// Two, perpendicular to this axis: the body precesses steadily if left alone. Square prisms,
+    /// too.
     Symmetric {
         /// The axis of the other moment.
         axis: UnitVector3<f64>,
@@ -21,8 +22,9 @@ pub enum Symmetry {
     General,
 }
 
-/// In how many dimensions a body extends: how many of its second moments `½ tr(J) 1 - J = ∫ r rᵀ dm` vanish. Axes are in
-/// the axes of the tensor, the largest component positive.
+/// In how many dimensions a body extends: how many of its second moments
+/// `½ tr(J) 1 - J = ∫ r rᵀ dm` vanish. Axes are in the axes of the tensor, the largest component
+/// positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
     /// All mass in one point: J = 0.
@@ -42,9 +44,11 @@ pub enum Extent {
 }
 
 impl InertiaTensor {
-    /// How many principal moments are equal, to [`Self::SLACK`] (four times that if there are products) of the largest.
+    /// How many principal moments are equal, to [`Self::SLACK`] (four times that if there are
+    /// products) of the largest.
     ///
-    /// A disc is both [`Symmetry::Symmetric`] and [`Extent::Planar`], so the two are asked separately.
+    /// A disc is both [`Symmetry::Symmetric`] and [`Extent::Planar`], so the two are asked
+    /// separately.
     ///
     /// ```
     /// # use newton_euler::inertia::{InertiaTensor, Symmetry};
@@ -88,14 +92,20 @@ impl InertiaTensor {
         }
     }
 
-    /// In how many dimensions the body extends, moments being zero up to [`Self::SLACK`] (four times that if there are
-    /// products) of the largest.
+    /// In how many dimensions the body extends, moments being zero up to [`Self::SLACK`] (four
+    /// times that if there are products) of the largest.
     ///
     /// ```
     /// # use newton_euler::inertia::{Extent, InertiaTensor};
     /// # use nalgebra::Vector3;
-    /// assert_eq!(InertiaTensor::principal(0.1, 0.2, 0.3)?.extent(), Extent::Planar { normal: Vector3::z_axis() });
-    /// assert_eq!(InertiaTensor::principal(0.2, 0.0, 0.2)?.extent(), Extent::Rod { axis: Vector3::y_axis() });
+    /// assert_eq!(
+    ///     InertiaTensor::principal(0.1, 0.2, 0.3)?.extent(),
+    ///     Extent::Planar { normal: Vector3::z_axis() }
+    /// );
+    /// assert_eq!(
+    ///     InertiaTensor::principal(0.2, 0.0, 0.2)?.extent(),
+    ///     Extent::Rod { axis: Vector3::y_axis() }
+    /// );
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
     /// ```
     #[must_use]
@@ -103,7 +113,8 @@ impl InertiaTensor {
         self.extent_within(invalid::slack(&self.matrix))
     }
 
-    /// In how many dimensions the body extends, moments being zero up to this fraction of the largest.
+    /// In how many dimensions the body extends, moments being zero up to this fraction of the
+    /// largest.
     ///
     /// ```
     /// # use newton_euler::inertia::{Extent, InertiaTensor};

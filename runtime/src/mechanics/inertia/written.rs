@@ -1,4 +1,5 @@
-//! How a tensor is serialised: under the word that says its convention, `{ "tensor": { "xx": .. } }`.
+//! How a tensor is serialised: under the word that says its convention,
+//! `{ "tensor": { "xx": .. } }`.
 
 use serde::{Deserialize, Serialize};
 

@@ -17,7 +17,8 @@ pub struct Load<T: Scalar> {
     pub family: Family,
     /// The force, world axes \[N\].
     pub force: Vector3<T>,
-    /// Where it acts: world position, or from G in world axes if G's motion is not modelled (`rotation`) \[m\].
+    /// Where it acts: world position, or from G in world axes if G's motion is not modelled
+    /// (`rotation`) \[m\].
     pub point: Vector3<T>,
     /// The couple, world axes, without the moment of the force \[N m\].
     pub moment: Vector3<T>,

@@ -23,7 +23,8 @@ pub struct Line {
 }
 
 impl Line {
-    /// The point at this distance along the line from the one nearest to the pole \[m\], from the pole.
+    /// The point at this distance along the line from the one nearest to the pole \[m\], from the
+    /// pole.
     #[must_use]
     pub fn at(&self, distance: f64) -> Vector3<f64> {
         self.point + self.direction.scale(distance)

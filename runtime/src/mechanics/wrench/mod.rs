@@ -1,8 +1,9 @@
 //! Wrenches: the resultant force of a system of loads together with its moment about a pole.
 //!
-//! A wrench does not carry its pole, and only wrenches about the same pole may be added. Another pole takes another
-//! moment, by (34.5) `K = K' + a × F`, where the pole of K' lies at a from the pole of K. What a wrench comes down to
-//! (nothing, a couple, a single force, a screw) is its [`Reduction`].
+//! A wrench does not carry its pole, and only wrenches about the same pole may be added. Another
+//! pole takes another moment, by (34.5) `K = K' + a × F`, where the pole of K' lies at a from the
+//! pole of K. What a wrench comes down to (nothing, a couple, a single force, a screw) is its
+//! [`Reduction`].
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Neg, Sub};
@@ -24,7 +25,9 @@ pub use reduction::{PlanarReduction, Reduction, Tolerance};
 ///
 /// let [x, z] = [Vector3::x(), Vector3::z()];
 /// // A couple: two forces without a resultant, whose moment is the same about every pole.
-/// let couple: Wrench = [Wrench::from_force_at(z, x), Wrench::from_force_at(-z, -x)].into_iter().sum();
+/// let couple: Wrench = [Wrench::from_force_at(z, x), Wrench::from_force_at(-z, -x)]
+///     .into_iter()
+///     .sum();
 /// assert_eq!(couple, Wrench::from_moment(Vector3::new(0.0, -2.0, 0.0)));
 /// assert_eq!(couple.moved(&Vector3::zeros(), &Vector3::new(7.0, 8.0, 9.0)), couple);
 /// ```
@@ -85,8 +88,9 @@ impl Wrench {
         }
     }
 
-    /// The power `F·v + K·ω` \[W\] on a rigid body, with v the velocity of its point at the pole \[m/s\] and ω its
-    /// angular velocity \[rad/s\], all in the axes of the wrench. It is the same about every pole.
+    /// The power `F·v + K·ω` \[W\] on a rigid body, with v the velocity of its point at the pole
+    /// \[m/s\] and ω its angular velocity \[rad/s\], all in the axes of the wrench. It is the same
+    /// about every pole.
     #[inline]
     #[must_use]
     pub fn power(&self, velocity: &Vector3<f64>, angular_velocity: &Vector3<f64>) -> f64 {
@@ -157,8 +161,8 @@ impl PlanarWrench {
         }
     }
 
-    /// The power `F·v + K ω` \[W\] on a rigid body, with v the velocity of its point at the pole \[m/s\] and ω its
-    /// angular velocity \[rad/s\]. It is the same about every pole.
+    /// The power `F·v + K ω` \[W\] on a rigid body, with v the velocity of its point at the pole
+    /// \[m/s\] and ω its angular velocity \[rad/s\]. It is the same about every pole.
     #[inline]
     #[must_use]
     pub fn power(&self, velocity: &Vector2<f64>, angular_velocity: f64) -> f64 {

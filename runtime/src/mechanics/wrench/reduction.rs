@@ -1,12 +1,14 @@
 //! What a system of forces comes down to: nothing, a couple, a single force, or a screw.
 //!
-//! The pole can be moved to any point a of a line (34.7) so that what is left of the moment is parallel to the force,
+//! The pole can be moved to any point a of a line (34.7) so that what is left of the moment is
+//! parallel to the force,
 //!
 //! ```text
 //! K = a × F + p F        a = F × K / F² + λ F        p = F·K / F²
 //! ```
 //!
-//! with the *pitch* p \[m\]. If F is perpendicular to K, nothing is left: the system is a single force on that line.
+//! with the *pitch* p \[m\]. If F is perpendicular to K, nothing is left: the system is a single
+//! force on that line.
 
 use nalgebra::{Unit, Vector2, Vector3};
 #[cfg(feature = "serde")]
@@ -59,13 +61,14 @@ pub enum Reduction {
 
 /// What counts as zero in [`Wrench::reduce_within`].
 ///
-/// Whether a force can be left out against a moment, or the reverse, is a question of the length in play, which a
-/// wrench does not know: [`Tolerance::at_scale`] asks for it.
+/// Whether a force can be left out against a moment, or the reverse, is a question of the length in
+/// play, which a wrench does not know: [`Tolerance::at_scale`] asks for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// A resultant not above this is none \[N\].
     pub force: f64,
-    /// A moment not above this is none; along the force, where it is the same about every pole \[N m\].
+    /// A moment not above this is none; along the force, where it is the same about every pole \[N
+    /// m\].
     pub moment: f64,
     /// F and K are perpendicular if |F·K| is not above this times |F||K|.
     pub perpendicular: f64,
@@ -74,19 +77,20 @@ pub struct Tolerance {
 impl Tolerance {
     /// Nothing but zero is zero, and F·K up to eight units in the last place of |F||K|.
     ///
-    /// A moment computed as arm × force, with the arm perpendicular to the force, leaves up to three of them: 2√2
-    /// roundings of half a unit in the cross product, three in the scalar product. A sum of two or three such
-    /// moments of about the same size passes, too.
+    /// A moment computed as arm × force, with the arm perpendicular to the force, leaves up to
+    /// three of them: 2√2 roundings of half a unit in the cross product, three in the scalar
+    /// product. A sum of two or three such moments of about the same size passes, too.
     pub const EXACT: Self = Self {
         force: 0.0,
         moment: 0.0,
         perpendicular: 8.0 * f64::EPSILON,
     };
 
-    /// For sums of loads of about this force \[N\] at about this distance \[m\] from the pole: what is below sixteen units
-    /// in the last place of them is rounding.
+    /// For sums of loads of about this force \[N\] at about this distance \[m\] from the pole: what
+    /// is below sixteen units in the last place of them is rounding.
     ///
-    /// Each load brings half a unit to the resultant and two to the moment, so this serves for about eight loads.
+    /// Each load brings half a unit to the resultant and two to the moment, so this serves for
+    /// about eight loads.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -94,9 +98,15 @@ impl Tolerance {
     ///
     /// // 0.1 + 0.2 - 0.3 is not 0 in binary.
     /// let forces = [(0.1, 0.5), (0.2, 0.7), (-0.3, 0.9)];
-    /// let sum: Wrench = forces.map(|(f, x)| Wrench::from_force_at(Vector3::z() * f, Vector3::x() * x)).into_iter().sum();
+    /// let sum: Wrench = forces
+    ///     .map(|(f, x)| Wrench::from_force_at(Vector3::z() * f, Vector3::x() * x))
+    ///     .into_iter()
+    ///     .sum();
     /// assert!(matches!(sum.reduce(), Reduction::Force { .. })); // 5.6e-17 N, some 1.4e15 m away
-    /// assert!(matches!(sum.reduce_within(&Tolerance::at_scale(0.3, 1.0)), Reduction::Couple { .. }));
+    /// assert!(matches!(
+    ///     sum.reduce_within(&Tolerance::at_scale(0.3, 1.0)),
+    ///     Reduction::Couple { .. }
+    /// ));
     /// ```
     #[must_use]
     pub const fn at_scale(force: f64, distance: f64) -> Self {
@@ -112,13 +122,13 @@ impl Tolerance {
 impl Wrench {
     /// What this comes down to, with [`Tolerance::EXACT`].
     ///
-    /// Right at every size of force and moment: a wrench times a power of two gives the same line and pitch to the bit. A
-    /// line or pitch beyond the largest double (1e-200 N with 1e200 N m) makes a couple. Of a wrench that is not finite
-    /// the result is not either.
+    /// Right at every size of force and moment: a wrench times a power of two gives the same line
+    /// and pitch to the bit. A line or pitch beyond the largest double (1e-200 N with 1e200 N m)
+    /// makes a couple. Of a wrench that is not finite the result is not either.
     ///
-    /// A moment has the rounding of the loads it was summed from, which may be larger than it and is not known here: a
-    /// single force far along its line from the pole may come out as a screw of tiny pitch. Then use
-    /// [`Wrench::reduce_within`].
+    /// A moment has the rounding of the loads it was summed from, which may be larger than it and
+    /// is not known here: a single force far along its line from the pole may come out as a screw
+    /// of tiny pitch. Then use [`Wrench::reduce_within`].
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -136,8 +146,8 @@ impl Wrench {
 
     /// What this comes down to if what is within a tolerance is zero.
     ///
-    /// What is left out: of a couple or of nothing, the force and the moment within tolerance; of a single force, the
-    /// moment along it.
+    /// What is left out: of a couple or of nothing, the force and the moment within tolerance; of a
+    /// single force, the moment along it.
     #[must_use]
     pub fn reduce_within(&self, tolerance: &Tolerance) -> Reduction {
         let Self { force, moment } = *self;
@@ -182,13 +192,15 @@ impl Wrench {
 }
 
 impl Reduction {
-    /// Force and moment about the pole that was reduced from: K = a × F + p F, without what a tolerance left out.
+    /// Force and moment about the pole that was reduced from: K = a × F + p F, without what a
+    /// tolerance left out.
     ///
     /// ```
     /// use nalgebra::Vector3;
     /// use newton_euler::wrench::Wrench;
     ///
-    /// let wrench = Wrench { force: Vector3::new(0.0, 0.0, 2.0), moment: Vector3::new(4.0, 0.0, 1.0) };
+    /// let wrench =
+    ///     Wrench { force: Vector3::new(0.0, 0.0, 2.0), moment: Vector3::new(4.0, 0.0, 1.0) };
     /// assert_eq!(wrench.reduce().wrench(), wrench);
     /// ```
     #[must_use]
@@ -204,7 +216,8 @@ impl Reduction {
     }
 }
 
-/// The simplest system of loads in the plane: there a force is always perpendicular to a moment, and nothing is a screw.
+/// The simplest system of loads in the plane: there a force is always perpendicular to a moment,
+/// and nothing is a screw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize))]
 pub enum PlanarReduction {
@@ -219,7 +232,8 @@ pub enum PlanarReduction {
     Force {
         /// F \[N\], which has the direction of the line.
         force: Vector2<f64>,
-        /// The point of the line nearest to the pole, from the pole \[m\]: `a = (F_y, -F_x) K / F²`.
+        /// The point of the line nearest to the pole, from the pole \[m\]:
+        /// `a = (F_y, -F_x) K / F²`.
         point: Vector2<f64>,
     },
 }

@@ -1,7 +1,7 @@
 //! Several doubles in one register, of the width that the processor has.
 //!
-//! Operations are those of `f64` in each lane, without fused ones, and elementary functions are computed lane by lane: each
-//! number is what it would be alone, to the bit.
+//! Operations are those of `f64` in each lane, without fused ones, and elementary functions are
+//! computed lane by lane: each number is what it would be alone, to the bit.
 
 use core::fmt;
 use core::ops::{

@@ -45,8 +45,8 @@ mod x86 {
     registers! { V2 __m128d V3 __m256d V4 __m512d }
 }
 
-/// Work that is done in lanes. Its function, and all that it calls, is to be inlined, so that it is compiled for the
-/// register.
+/// Work that is done in lanes. Its function, and all that it calls, is to be inlined, so that it is
+/// compiled for the register.
 pub trait Work {
     /// What comes out.
     type Output;

@@ -11,7 +11,12 @@ use super::register::{Register, Work, run_in};
 /// use newton_euler::lanes::Width;
 ///
 /// assert!(Width::One.is_there());
-/// assert!(Width::ALL.into_iter().filter(|width| width.is_there()).all(|width| width <= Width::widest()));
+/// assert!(
+///     Width::ALL
+///         .into_iter()
+///         .filter(|width| width.is_there())
+///         .all(|width| width <= Width::widest())
+/// );
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Width {

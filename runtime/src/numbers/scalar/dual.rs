@@ -6,8 +6,9 @@ use super::Scalar;
 
 /// A number and its derivatives with respect to N variables: exact to rounding, no differences.
 ///
-/// `value + Σ derivatives[i] ε_i` with `ε_i ε_j = 0`. Derivatives of derivatives are those of `Dual<Dual<f64, N>, N>`. Where a
-/// function has a corner, the derivative is that of the branch that its value is on; comparisons are of the values.
+/// `value + Σ derivatives[i] ε_i` with `ε_i ε_j = 0`. Derivatives of derivatives are those of
+/// `Dual<Dual<f64, N>, N>`. Where a function has a corner, the derivative is that of the branch
+/// that its value is on; comparisons are of the values.
 ///
 /// ```
 /// use newton_euler::{Dual, Scalar, rigid_body, prelude::*};
@@ -25,7 +26,8 @@ use super::Scalar;
 ///     angle: Dual::variable(0.3, 0),
 ///     angular_velocity: Dual::variable(0.0, 1),
 /// };
-/// let acceleration = Pendulum::<Dual<f64, 2>>::default().acceleration(Dual::from(0.0), &state, &());
+/// let acceleration =
+///     Pendulum::<Dual<f64, 2>>::default().acceleration(Dual::from(0.0), &state, &());
 /// let expected = -2.0 * 0.5 * 9.80665 / (0.01 + 2.0 * 0.25) * 0.3_f64.cos();
 /// assert!((acceleration.derivatives[0] - expected).abs() < 1e-14);
 /// assert_eq!(acceleration.derivatives[1], 0.0);
@@ -308,7 +310,8 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         self.map_steep(self.value.ln(), self.one() / self.value)
     }
 
-    /// The derivative by an exponent is left out where it is constant, so that bases may be negative.
+    /// The derivative by an exponent is left out where it is constant, so that bases may be
+    /// negative.
     fn powf(self, exponent: Self) -> Self {
         let (x, y) = (self.value, exponent.value);
         let power = x.powf(y);

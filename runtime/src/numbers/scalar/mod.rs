@@ -1,8 +1,9 @@
 //! The numbers that a body can be computed with.
 //!
-//! A body is written for `f64` unless its description names another scalar: `rigid_body!(Craft::<T> { .. })` is generic
-//! over [`Scalar`], and is `Craft<f64>`, `Craft<f32>`, `Craft<Dual<f64, 6>>`, or several bodies in one register. The states of
-//! such bodies are those of [`state::generic`](crate::state::generic).
+//! A body is written for `f64` unless its description names another scalar:
+//! `rigid_body!(Craft::<T> { .. })` is generic over [`Scalar`], and is `Craft<f64>`, `Craft<f32>`,
+//! `Craft<Dual<f64, 6>>`, or several bodies in one register. The states of such bodies are those of
+//! [`state::generic`](crate::state::generic).
 
 use core::fmt::Debug;
 use core::ops::{
@@ -59,8 +60,9 @@ pub trait Scalar:
     /// How many numbers this is.
     const LANES: usize;
 
-    /// A constant, made from any value at hand, which is not read: numbers over a register that is chosen at run time cannot be
-    /// made from nothing. The constant is given rounded once to each precision.
+    /// A constant, made from any value at hand, which is not read: numbers over a register that is
+    /// chosen at run time cannot be made from nothing. The constant is given rounded once to each
+    /// precision.
     #[must_use]
     fn constant(self, double: f64, single: f32) -> Self;
 
@@ -88,7 +90,8 @@ pub trait Scalar:
     #[must_use]
     fn agreed(truth: Self::Truth) -> Option<bool>;
 
-    /// A rate times the slope of a function: nothing where the rate is zero, however steep the function is.
+    /// A rate times the slope of a function: nothing where the rate is zero, however steep the
+    /// function is.
     #[must_use]
     #[inline(always)]
     fn along(self, slope: Self) -> Self {
@@ -167,7 +170,8 @@ pub trait Scalar:
     fn max(self, other: Self) -> Self;
 }
 
-/// The values of one of two branches; of both, chosen number by number, where the numbers do not agree.
+/// The values of one of two branches; of both, chosen number by number, where the numbers do not
+/// agree.
 #[inline(always)]
 pub(crate) fn either<T: Scalar, const N: usize>(
     truth: T::Truth,

@@ -1,13 +1,16 @@
-//! The heavy symmetric top (Lagrange's): fixed at a point of its axis, its center of mass at l from there along the axis.
+//! The heavy symmetric top (Lagrange's): fixed at a point of its axis, its center of mass at l from
+//! there along the axis.
 //!
-//! It precesses steadily at the angle θ from the vertical and with the component Ω₃ of its angular velocity along its axis
-//! (a constant of every motion) if the rate Ω about the vertical is a root of
+//! It precesses steadily at the angle θ from the vertical and with the component Ω₃ of its angular
+//! velocity along its axis (a constant of every motion) if the rate Ω about the vertical is a root
+//! of
 //!
 //! ```text
 //! I₁ cos θ Ω² - I₃ Ω₃ Ω + m g l = 0
 //! ```
 //!
-//! which is the moment balance about the horizontal axis perpendicular to the top's, divided by sin θ.
+//! which is the moment balance about the horizontal axis perpendicular to the top's, divided by sin
+//! θ.
 
 use nalgebra::Vector3;
 
@@ -40,19 +43,22 @@ pub struct HeavyTop {
 pub struct SteadyRates {
     /// The one of smaller magnitude, of a fast top nearly `m g l/(I₃ Ω₃)`.
     pub slow: f64,
-    /// The one of larger magnitude, of a fast top nearly that of the free top, `I₃ Ω₃/(I₁ cos θ)`. None where the axis is
-    /// level, |cos θ| ≤ 2.2e-16, which no angle near π/2 can be told from: it goes to infinity there.
+    /// The one of larger magnitude, of a fast top nearly that of the free top, `I₃ Ω₃/(I₁ cos θ)`.
+    /// None where the axis is level, |cos θ| ≤ 2.2e-16, which no angle near π/2 can be told from:
+    /// it goes to infinity there.
     pub fast: Option<f64>,
 }
 
 impl HeavyTop {
-    /// How far, relative to (I₃ Ω₃)², the discriminant may be below zero: Ω₃ = [`Self::least_axial_rate`] brings four
-    /// roundings of half a unit in the last place, twice each in the square, the terms of the equation four more. Such
-    /// a top has a double root, good to the square root of this, 4e-8.
+    /// How far, relative to (I₃ Ω₃)², the discriminant may be below zero: Ω₃ =
+    /// [`Self::least_axial_rate`] brings four roundings of half a unit in the last place, twice
+    /// each in the square, the terms of the equation four more. Such a top has a double root, good
+    /// to the square root of this, 4e-8.
     pub const SLACK: f64 = 8.0 * f64::EPSILON;
 
-    /// From the moments of inertia about the fixed point and m g l \[N m\], with l from there to the center of mass
-    /// along the third axis: negative for a center below, zero for a top that is free.
+    /// From the moments of inertia about the fixed point and m g l \[N m\], with l from there to
+    /// the center of mass along the third axis: negative for a center below, zero for a top that is
+    /// free.
     ///
     /// ```
     /// use newton_euler::top::{HeavyTop, SymmetricTop};
@@ -69,12 +75,12 @@ impl HeavyTop {
         }
     }
 
-    /// Both rates of steady precession at the angle θ from the vertical \[rad\], with Ω₃ \[rad/s\]; for θ = 0 and θ = π, of
-    /// small cones about the vertical. The larger root is computed first and the smaller from their product, so
-    /// that neither cancels.
+    /// Both rates of steady precession at the angle θ from the vertical \[rad\], with Ω₃ \[rad/s\];
+    /// for θ = 0 and θ = π, of small cones about the vertical. The larger root is computed first
+    /// and the smaller from their product, so that neither cancels.
     ///
-    /// None if the top is too slow: |Ω₃| below [`Self::least_axial_rate`], to [`Self::SLACK`]; and for a top that does not
-    /// spin with its axis level.
+    /// None if the top is too slow: |Ω₃| below [`Self::least_axial_rate`], to [`Self::SLACK`]; and
+    /// for a top that does not spin with its axis level.
     #[must_use]
     pub fn steady_rates(&self, tilt: f64, axial_rate: f64) -> Option<SteadyRates> {
         let cosine = math::sin_cos(tilt).1;
@@ -111,8 +117,9 @@ impl HeavyTop {
         })
     }
 
-    /// The motion of a top that precesses at this rate, with θ and Ω₃ as in [`Self::steady_rates`], about a vertical
-    /// along world z, against gravity; at time zero it is turned from the world's axes by θ about x.
+    /// The motion of a top that precesses at this rate, with θ and Ω₃ as in [`Self::steady_rates`],
+    /// about a vertical along world z, against gravity; at time zero it is turned from the world's
+    /// axes by θ about x.
     ///
     /// Only rates from there are those of a top left alone.
     ///
@@ -133,8 +140,9 @@ impl HeavyTop {
         Precession::of(tilted, Vector3::z(), rate.into(), spin)
     }
 
-    /// The least |Ω₃| of steady precession at the angle θ from the vertical \[rad\]: `2 √(I₁ cos θ m g l)/I₃` \[rad/s\];
-    /// zero if the center of mass is not above the fixed point, where there is precession at every Ω₃.
+    /// The least |Ω₃| of steady precession at the angle θ from the vertical \[rad\]:
+    /// `2 √(I₁ cos θ m g l)/I₃` \[rad/s\]; zero if the center of mass is not above the fixed point,
+    /// where there is precession at every Ω₃.
     ///
     /// ```
     /// use newton_euler::top::{HeavyTop, SymmetricTop};
@@ -148,8 +156,9 @@ impl HeavyTop {
         self.threshold(math::sin_cos(tilt).1)
     }
 
-    /// The |Ω₃| above which the top, upright, sleeps: its axis stays vertical, and returns if disturbed:
-    /// `2 √(I₁ m g l)/I₃` \[rad/s\]. Zero for a center of mass below the fixed point (l < 0), which needs no spin.
+    /// The |Ω₃| above which the top, upright, sleeps: its axis stays vertical, and returns if
+    /// disturbed: `2 √(I₁ m g l)/I₃` \[rad/s\]. Zero for a center of mass below the fixed point (l
+    /// < 0), which needs no spin.
     ///
     /// ```
     /// use newton_euler::top::{HeavyTop, SymmetricTop};

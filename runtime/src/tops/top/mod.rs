@@ -1,14 +1,15 @@
 //! Symmetric tops: the free one, and the heavy one that turns about a point of its axis.
 //!
-//! The body's third axis is that of symmetry, so J = diag(I₁, I₁, I₃). Free, about the center of mass, it precesses
-//! steadily about its angular momentum M, at the angle θ to it:
+//! The body's third axis is that of symmetry, so J = diag(I₁, I₁, I₃). Free, about the center of
+//! mass, it precesses steadily about its angular momentum M, at the angle θ to it:
 //!
 //! ```text
 //! (33.4)  Ω₃ = M₃/I₃ = (M/I₃) cos θ        (33.5)  Ω_pr = M/I₁,   Ω₁ = Ω_pr sin θ
 //! ```
 //!
-//! Ω₃ and Ω₁ are components of the angular velocity along the body's axis and perpendicular to it. Relative to the
-//! precessing frame the body spins at `ψ̇ = Ω₃ - Ω_pr cos θ = M cos θ (1/I₃ - 1/I₁)`.
+//! Ω₃ and Ω₁ are components of the angular velocity along the body's axis and perpendicular to it.
+//! Relative to the precessing frame the body spins at
+//! `ψ̇ = Ω₃ - Ω_pr cos θ = M cos θ (1/I₃ - 1/I₁)`.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -47,19 +48,20 @@ pub struct FreeRates {
     pub axial: f64,
     /// Ω₁, the component perpendicular to it.
     pub transverse: f64,
-    /// `Ω_pr`, the rate at which that axis turns about the angular momentum. Not observable at θ = 0 and θ = π.
+    /// `Ω_pr`, the rate at which that axis turns about the angular momentum. Not observable at θ =
+    /// 0 and θ = π.
     pub precession: f64,
     /// ψ̇, the spin about that axis relative to the precessing frame; zero for a spherical body.
     pub spin: f64,
 }
 
 impl SymmetricTop {
-    /// From the moments I₁ (transverse) and I₃ (axial), about the center of mass or about a fixed point of the axis
-    /// \[kg m²\].
+    /// From the moments I₁ (transverse) and I₃ (axial), about the center of mass or about a fixed
+    /// point of the axis \[kg m²\].
     ///
     /// # Errors
-    /// No body has these moments, or one is zero: the rate of a rod about its axis is undefined. A rod is
-    /// [`Rod`](crate::state::Rod) by its state.
+    /// No body has these moments, or one is zero: the rate of a rod about its axis is undefined. A
+    /// rod is [`Rod`](crate::state::Rod) by its state.
     pub fn new(transverse: f64, axial: f64) -> Result<Self, InvalidInertia> {
         InertiaTensor::principal(transverse, transverse, axial)?;
         if transverse > 0.0 && axial > 0.0 {
@@ -81,8 +83,8 @@ impl SymmetricTop {
         self.axial
     }
 
-    /// The rates of free motion with an angular momentum of this magnitude \[kg m²/s\] at this angle to the axis of
-    /// symmetry \[rad\].
+    /// The rates of free motion with an angular momentum of this magnitude \[kg m²/s\] at this
+    /// angle to the axis of symmetry \[rad\].
     ///
     /// ```
     /// use newton_euler::top::SymmetricTop;
@@ -132,15 +134,16 @@ impl SymmetricTop {
         )
     }
 
-    /// The free motion from an attitude at time zero, with this angular momentum about the center of mass, world axes
-    /// \[kg m²/s\].
+    /// The free motion from an attitude at time zero, with this angular momentum about the center
+    /// of mass, world axes \[kg m²/s\].
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
     /// use newton_euler::top::SymmetricTop;
     ///
     /// let tilted = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.5);
-    /// let motion = SymmetricTop::new(0.0123, 0.0187)?.free_with_momentum(tilted, &Vector3::new(0.0, 0.0, 0.456));
+    /// let motion = SymmetricTop::new(0.0123, 0.0187)?
+    ///     .free_with_momentum(tilted, &Vector3::new(0.0, 0.0, 0.456));
     /// assert!((motion.tilt() - 0.5).abs() < 1e-15);
     /// assert!((motion.axial_rate() - 21.399874236471121).abs() < 2e-14);
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())

@@ -1,7 +1,8 @@
-//! Rotation about a vector that sweeps slowly: precession about it, and a wobble that keeps up with it.
+//! Rotation about a vector that sweeps slowly: precession about it, and a wobble that keeps up with
+//! it.
 //!
-//! With T the turn from the third axis to `(w, 0, u) = λ (s, 0, c)`, and `ε = b/λ²`, the rotation P is, up to what is exponentially
-//! small in `1/ε`,
+//! With T the turn from the third axis to `(w, 0, u) = λ (s, 0, c)`, and `ε = b/λ²`, the rotation P
+//! is, up to what is exponentially small in `1/ε`,
 //!
 //! ```text
 //! P = const exp(k Ψ/2) (1 + z i)/|1 + z i| T*      Ψ' = λ (1 - s ε Re z)
@@ -13,7 +14,8 @@
 //! ```text
 //! z = s Σ k^(n-1) B_n(c) ε^n      B_1 = -1/2
 //! B_n = (1 - c²) (B_(n-1)' - 1/2 Σ B_k B_(n-1-k)) - (2n - 1) c B_(n-1)
-//! Ψ = ∫ λ dt + Σ K_m(c) (ε/(1 + c))^m, over odd m      (1 - c) K_m' - m K_m = (-1)^((m+1)/2) (1 - c) (1 + c)^m B_m
+//! Ψ = ∫ λ dt + Σ K_m(c) (ε/(1 + c))^m, over odd m
+//! (1 - c) K_m' - m K_m = (-1)^((m+1)/2) (1 - c) (1 + c)^m B_m
 //! ```
 //!
 //! for c from 0 to 1. What is added to the integral vanishes far out, and is odd in c.

@@ -7,7 +7,8 @@ use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, State};
 
 tableau! {
-    /// The classical Runge–Kutta method, of order 4 with four evaluations (W. Kutta, Zeitschrift für Mathematik und Physik 46 (1901) 435).
+    /// The classical Runge–Kutta method, of order 4 with four evaluations (W. Kutta, Zeitschrift
+    /// für Mathematik und Physik 46 (1901) 435).
     Classical4: order 4;
     stages {
         k1 at 0.0;

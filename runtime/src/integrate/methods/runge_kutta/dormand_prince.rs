@@ -7,8 +7,9 @@ use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, State};
 
 tableau! {
-    /// The method of order 8 with twelve evaluations of J. R. Dormand and P. J. Prince, in DOP853 with differences to methods of orders 5 and 3
-    /// (E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, 1993, II.5 and II.10).
+    /// The method of order 8 with twelve evaluations of J. R. Dormand and P. J. Prince, in DOP853
+    /// with differences to methods of orders 5 and 3 (E. Hairer, S. P. Nørsett, G. Wanner, Solving
+    /// Ordinary Differential Equations I, 2nd edition, 1993, II.5 and II.10).
     DormandPrince8: order 8;
     stages {
         k1 at 0.0;

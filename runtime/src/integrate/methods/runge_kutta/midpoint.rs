@@ -6,18 +6,22 @@ use crate::integrate::steps::equations::Equations;
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// The implicit midpoint rule, of order 2: `k = f(t + h/2, y + h k/2)`, `y₁ = y + h k`, for games and whatever else runs for long in steps that are
-/// not small.
+/// The implicit midpoint rule, of order 2: `k = f(t + h/2, y + h k/2)`, `y₁ = y + h k`, for games
+/// and whatever else runs for long in steps that are not small.
 ///
-/// What it keeps: every quadratic invariant, to rounding and in steps of any length. So a free body keeps its kinetic energy and the size of its
-/// angular momentum, attitudes stay unit by themselves, and since heights are quadratic in a quaternion, a body in uniform fields keeps
-/// its energy, a top on its tip too. For other conservative loads the error of the energy is bounded: the rule is symmetric in time, and neither
-/// gains nor loses.
+/// What it keeps: every quadratic invariant, to rounding and in steps of any length. So a free body
+/// keeps its kinetic energy and the size of its angular momentum, attitudes stay unit by
+/// themselves, and since heights are quadratic in a quaternion, a body in uniform fields keeps its
+/// energy, a top on its tip too. For other conservative loads the error of the energy is bounded:
+/// the rule is symmetric in time, and neither gains nor loses.
 ///
-/// k is found by repeated evaluation until it no longer changes, and once more, so that what is left of it does not add up over long runs: six
-/// times for steps of a hundredth of a turn. Where that does not come to rest, in steps of about a third of a turn and more, nothing is returned but
-/// NaN, which ends an integration with [`StepTooLong`](crate::integrate::IntegrationError::StepTooLong): a step that long says nothing of the motion.
-/// (E. Hairer, Ch. Lubich, G. Wanner, Geometric Numerical Integration, 2nd edition, 2006, IV.2, V.1 and VIII.6.)
+/// k is found by repeated evaluation until it no longer changes, and once more, so that what is
+/// left of it does not add up over long runs: six times for steps of a hundredth of a turn. Where
+/// that does not come to rest, in steps of about a third of a turn and more, nothing is returned
+/// but NaN, which ends an integration with
+/// [`StepTooLong`](crate::integrate::IntegrationError::StepTooLong): a step that long says nothing
+/// of the motion. (E. Hairer, Ch. Lubich, G. Wanner, Geometric Numerical Integration, 2nd edition,
+/// 2006, IV.2, V.1 and VIII.6.)
 ///
 /// ```
 /// use newton_euler::integrate::{Fixed, Midpoint};
@@ -29,7 +33,10 @@ use crate::state::Coordinates;
 ///     outputs: [energy],
 /// });
 ///
-/// let (brick, thrown) = (Brick::default(), Rotation { angular_velocity: [0.1, 3.0, 0.1].into(), ..Rotation::default() });
+/// let (brick, thrown) = (
+///     Brick::default(),
+///     Rotation { angular_velocity: [0.1, 3.0, 0.1].into(), ..Rotation::default() },
+/// );
 /// let frames = Fixed { method: Midpoint, step: 1.0 / 60.0 };
 /// let end = brick.integrate(&thrown).method(frames).to(600.0)?;
 /// let energy = |state| brick.kinetic_energy(state);

@@ -1,8 +1,11 @@
-//! Runge–Kutta methods, written out: no loops over tables, and nothing is multiplied by a zero of a table.
+//! Runge–Kutta methods, written out: no loops over tables, and nothing is multiplied by a zero of a
+//! table.
 //!
-//! They move the coordinates of a state ([`Coordinates`]), of an attitude its quaternion, whose length no motion changes; after each step it is
-//! unit to rounding. (M. Boyle, The integration of angular velocity, Advances in Applied Clifford Algebras 27 (2017) 2345: that is
-//! as accurate as methods on the group, and cheaper.) They are generic over the scalar, so that ensembles take their steps in lanes.
+//! They move the coordinates of a state ([`Coordinates`]), of an attitude its quaternion, whose
+//! length no motion changes; after each step it is unit to rounding. (M. Boyle, The integration of
+//! angular velocity, Advances in Applied Clifford Algebras 27 (2017) 2345: that is as accurate as
+//! methods on the group, and cheaper.) They are generic over the scalar, so that ensembles take
+//! their steps in lanes.
 
 use crate::bodies::body::RigidBody;
 use crate::integrate::steps::equations::Equations;
@@ -57,7 +60,8 @@ pub trait RungeKutta: Copy + core::fmt::Debug + Send + Sync {
 ///
 /// let (pendulum, start) = (Pendulum::default(), Hinge { angle: 2.0, angular_velocity: 0.0 });
 /// let later = integrate::runge_kutta_step::<DormandPrince8, _>(&pendulum, 0.0, &start, &(), 0.05);
-/// let energy = |state| pendulum.kinetic_energy(state) + pendulum.potential_energy(0.0, state, &());
+/// let energy =
+///     |state| pendulum.kinetic_energy(state) + pendulum.potential_energy(0.0, state, &());
 /// assert!((energy(&later) - energy(&start)).abs() < 1e-13);
 /// ```
 #[must_use]
@@ -96,7 +100,8 @@ pub(super) fn moved<S: Coordinates, const M: usize>(
 
 /// `h a₁ k₁ + h a₂ k₂ + ..`, coordinate by coordinate.
 ///
-/// The factors h a are those of all coordinates, and in equal steps of all steps: they are computed once.
+/// The factors h a are those of all coordinates, and in equal steps of all steps: they are computed
+/// once.
 #[inline(always)]
 fn change<S: Coordinates, const M: usize>(
     step: S::Scalar,
@@ -124,7 +129,8 @@ fn number<T: Scalar>(like: T, value: f64) -> T {
     like.constant(value, value as f32)
 }
 
-/// A method by its tableau: when each stage is evaluated, from which before; the sum that is the step, and its differences to other methods.
+/// A method by its tableau: when each stage is evaluated, from which before; the sum that is the
+/// step, and its differences to other methods.
 macro_rules! tableau {
     (
         $(#[$doc:meta])* $name:ident: order $order:literal;

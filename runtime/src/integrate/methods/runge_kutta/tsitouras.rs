@@ -7,8 +7,9 @@ use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, State};
 
 tableau! {
-    /// The method of order 5 with six evaluations of Ch. Tsitouras, Runge–Kutta pairs of order 5(4) satisfying only the first column
-    /// simplifying assumption, Computers and Mathematics with Applications 62 (2011) 770.
+    /// The method of order 5 with six evaluations of Ch. Tsitouras, Runge–Kutta pairs of order 5(4)
+    /// satisfying only the first column simplifying assumption, Computers and Mathematics with
+    /// Applications 62 (2011) 770.
     Tsitouras5: order 5;
     stages {
         k1 at 0.0;

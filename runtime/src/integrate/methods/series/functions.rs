@@ -7,12 +7,12 @@ use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
 use crate::taylor::{Plain, Series, Taylor, after};
 
-/// The state at the end of a span of time \[s\], from the state at its start, with the input held and the error of each step below
-/// `tolerance`; time may run backwards.
+/// The state at the end of a span of time \[s\], from the state at its start, with the input held
+/// and the error of each step below `tolerance`; time may run backwards.
 ///
-/// The tolerance is relative to position, attitude, velocity and angular velocity, each as a whole, and absolute (m, rad, m/s,
-/// rad/s) where these are below 1. The error at the end is that of all steps, as the motion carries it along. The order
-/// follows from the tolerance: 10, 12, 16 or 20.
+/// The tolerance is relative to position, attitude, velocity and angular velocity, each as a whole,
+/// and absolute (m, rad, m/s, rad/s) where these are below 1. The error at the end is that of all
+/// steps, as the motion carries it along. The order follows from the tolerance: 10, 12, 16 or 20.
 ///
 /// ```
 /// use newton_euler::{integrate, prelude::*};

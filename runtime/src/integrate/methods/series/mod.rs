@@ -12,12 +12,16 @@ use motion::Motion;
 pub mod functions;
 pub mod motion;
 
-/// Taylor series, of the order that belongs to the tolerance: see [`taylor()`](crate::integrate::taylor()). States between the ends of a step cost next to
+/// Taylor series, of the order that belongs to the tolerance: see
+/// [`taylor()`](crate::integrate::taylor()). States between the ends of a step cost next to
 /// nothing.
 ///
-/// Steps are held against the equations, and shortened until these agree; over a place where the motion is not smooth, such as rest under drag,
-/// a step of [`DormandPrince`](crate::integrate::DormandPrince) goes. A smooth load that acts for a short time only, of a step, may still lie between the places
-/// that are looked at: say where, by [`breaks`](crate::integrate::Integration::breaks) or [`max_step`](crate::integrate::Integration::max_step).
+/// Steps are held against the equations, and shortened until these agree; over a place where the
+/// motion is not smooth, such as rest under drag, a step of
+/// [`DormandPrince`](crate::integrate::DormandPrince) goes. A smooth load that acts for a short
+/// time only, of a step, may still lie between the places that are looked at: say where, by
+/// [`breaks`](crate::integrate::Integration::breaks) or
+/// [`max_step`](crate::integrate::Integration::max_step).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaylorSeries {
     /// How large the error of a step may be: see [`Tolerant`].
@@ -30,8 +34,9 @@ impl Tolerant for TaylorSeries {
     }
 }
 
-/// Motions of the orders that there are, and what is done with any of them. Bodies with many products want lower orders, tops higher ones; these
-/// are within a fifth of the best for all problems of the example `work_precision`.
+/// Motions of the orders that there are, and what is done with any of them. Bodies with many
+/// products want lower orders, tops higher ones; these are within a fifth of the best for all
+/// problems of the example `work_precision`.
 macro_rules! orders {
     ($($least:pat => $order:ident $count:literal,)*) => {
         enum Motions<'b, B: Taylor> {

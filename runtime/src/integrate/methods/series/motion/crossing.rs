@@ -10,8 +10,9 @@ use crate::state::Coordinates;
 /// Coefficients of the polynomial.
 pub(super) const ROWS: usize = 8;
 
-/// The polynomial of degree 7 that has the states and rates of a motion at 0, 1/3, 2/3 and 1 of a step: its coefficients from 2 on by the change
-/// until each of the last three, and the change that the rate there would make; of both what goes beyond the rate at the start.
+/// The polynomial of degree 7 that has the states and rates of a motion at 0, 1/3, 2/3 and 1 of a
+/// step: its coefficients from 2 on by the change until each of the last three, and the change that
+/// the rate there would make; of both what goes beyond the rate at the start.
 const HERMITE: [[f64; 6]; 6] = [
     [0.0, -27.0, 60.75, -13.5, 12.0, -1.0],
     [243.0, 216.0, -546.75, 128.25, -119.0, 10.0],
@@ -28,8 +29,9 @@ pub(super) struct Crossing<A> {
     pub(super) coefficients: [A; ROWS],
 }
 
-/// A step of DOP853 of at most `longest` \[s\], which has a sign, and not below `least`, with the error below the tolerance and a polynomial
-/// that the equations agree to. What is left until the end, `is_last`, may be lost in the rounding of time.
+/// A step of DOP853 of at most `longest` \[s\], which has a sign, and not below `least`, with the
+/// error below the tolerance and a polynomial that the equations agree to. What is left until the
+/// end, `is_last`, may be lost in the rounding of time.
 pub(super) fn cross<E: Rates<State: Coordinates<Scalar = f64>>>(
     equations: &E,
     now: &Point<E::State>,

@@ -51,7 +51,8 @@ impl<B: Taylor, const N: usize> Expansions<B, N> {
         write(&mut self.expander, body, now, input, series);
     }
 
-    /// The series of the step, and the one from its end on, along which the next step goes unless it is [forgotten](Self::forget).
+    /// The series of the step, and the one from its end on, along which the next step goes unless
+    /// it is [forgotten](Self::forget).
     #[inline(always)]
     pub(super) fn ahead(
         &mut self,

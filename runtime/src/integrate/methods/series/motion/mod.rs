@@ -1,26 +1,30 @@
 //! Steps along Taylor series, of any order and with the error that is asked for.
 //!
-//! À. Jorba, M. Zou, A software package for the numerical integration of ODEs by means of high-order Taylor methods,
-//! Experimental Mathematics 14 (2005) 99. The last coefficients tell how far a series holds: the step is the longest of which
-//! the last two terms are below the tolerance,
+//! À. Jorba, M. Zou, A software package for the numerical integration of ODEs by means of
+//! high-order Taylor methods, Experimental Mathematics 14 (2005) 99. The last coefficients tell how
+//! far a series holds: the step is the longest of which the last two terms are below the tolerance,
 //!
 //! ```text
 //! step = 0.9 min (tolerance / |c_k|)^(1/k),   k = N - 1, N - 2
 //! ```
 //!
-//! The last coefficients know nothing of what begins later than they see: a wall, a motor that is switched on, a root that changes its sign. So
-//! no step is taken unseen: at its end the derivative of the polynomial is held against the rates that the equations give there; in a step that
-//! is half as long again as those before it, in sixteen places. A step that disagrees by more than the tolerance is halved, and no later
-//! step passes by the time at which it disagreed. Where a motion has no series (a norm, root or power at zero), or steps shrink to an eighth
-//! since such a place is near, a step of DOP853 goes over it, with a polynomial of degree 7 that is held against the equations alike.
-//! What acts for so short a time that no such place falls on it is not seen by any test of this kind: say it by
-//! [`max_step`](crate::integrate::Integration::max_step), [`breaks`](crate::integrate::Integration::breaks) or a condition on time.
+//! The last coefficients know nothing of what begins later than they see: a wall, a motor that is
+//! switched on, a root that changes its sign. So no step is taken unseen: at its end the derivative
+//! of the polynomial is held against the rates that the equations give there; in a step that is
+//! half as long again as those before it, in sixteen places. A step that disagrees by more than the
+//! tolerance is halved, and no later step passes by the time at which it disagreed. Where a motion
+//! has no series (a norm, root or power at zero), or steps shrink to an eighth since such a place
+//! is near, a step of DOP853 goes over it, with a polynomial of degree 7 that is held against the
+//! equations alike. What acts for so short a time that no such place falls on it is not seen by any
+//! test of this kind: say it by [`max_step`](crate::integrate::Integration::max_step),
+//! [`breaks`](crate::integrate::Integration::breaks) or a condition on time.
 //!
-//! A symmetric body is followed in [`Axes`] that do not spin with it, from the start of a motion to its end; only what is handed out is
-//! turned back, so that this costs the steps nothing and no rounding adds up.
+//! A symmetric body is followed in [`Axes`] that do not spin with it, from the start of a motion to
+//! its end; only what is handed out is turned back, so that this costs the steps nothing and no
+//! rounding adds up.
 //!
-//! What a step adds is summed with compensation, so that over long runs rounding grows with the square root of the number of
-//! steps and not with the number.
+//! What a step adds is summed with compensation, so that over long runs rounding grows with the
+//! square root of the number of steps and not with the number.
 
 use core::fmt;
 
@@ -160,7 +164,8 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         self.axes.state(&self.now.coordinates, self.now.time)
     }
 
-    /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in [`taylor`](crate::integrate::taylor())), with the input held; none if it is reached.
+    /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in
+    /// [`taylor`](crate::integrate::taylor())), with the input held; none if it is reached.
     ///
     /// # Errors
     /// [`IntegrationError`]; the motion stays where it is.
@@ -178,7 +183,8 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         self.advance_towards(end, input, tolerance, is_held)
     }
 
-    /// The same, with the input of the step before, or after [`renew`](Self::renew); `is_held` if the next step is likely to have it, too.
+    /// The same, with the input of the step before, or after [`renew`](Self::renew); `is_held` if
+    /// the next step is likely to have it, too.
     pub(super) fn advance_towards(
         &mut self,
         end: f64,
@@ -249,8 +255,8 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
 
     /// The longest step of which the last two terms are below `tolerance`.
     ///
-    /// They may vanish, or nearly, where the series goes on: cos t² has every fourth term. A step that grows is therefore held
-    /// against the terms before as well, which tell the same radius.
+    /// They may vanish, or nearly, where the series goes on: cos t² has every fourth term. A step
+    /// that grows is therefore held against the terms before as well, which tell the same radius.
     #[inline(always)]
     fn permitted(&self, tolerance: f64) -> f64 {
         let (last, before) = (

@@ -15,7 +15,8 @@ const SUDDEN: f64 = 1.0 / 8.0;
 const GROW: f64 = 6.0;
 
 impl<B: Taylor, const N: usize> Motion<'_, B, N> {
-    /// Goes along the series for at most so long \[s\], as far as the equations agree; where they do not at all, over the place.
+    /// Goes along the series for at most so long \[s\], as far as the equations agree; where they
+    /// do not at all, over the place.
     #[inline(always)]
     pub(super) fn follow(
         &mut self,
@@ -66,8 +67,9 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         }
     }
 
-    /// Takes a step, to a time if it is known, if the equations agree to it; or says after what time \[s\] they do not. One that is longer than
-    /// those before it is looked at throughout. A step that `goes_on` is held against the rates of the next one.
+    /// Takes a step, to a time if it is known, if the equations agree to it; or says after what
+    /// time \[s\] they do not. One that is longer than those before it is looked at throughout. A
+    /// step that `goes_on` is held against the rates of the next one.
     #[inline(always)]
     fn agreed(
         &mut self,
@@ -136,8 +138,8 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         holds
     }
 
-    /// Takes a Runge–Kutta step, where the motion is not smooth: of any length, where series permit no step, or of a multiple of what they do
-    /// permit; none, if that is too long.
+    /// Takes a Runge–Kutta step, where the motion is not smooth: of any length, where series permit
+    /// no step, or of a multiple of what they do permit; none, if that is too long.
     #[cold]
     pub(super) fn pass(
         &mut self,

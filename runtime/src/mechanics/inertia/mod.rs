@@ -10,8 +10,6 @@
 //! half of `Jzz`. Equality is a plane body and allowed, up to rounding: [`InertiaTensor::SLACK`].
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-#[cfg(feature = "serde")]
-use serde::{Deserialize, Serialize};
 
 use crate::mechanics::principal::{PrincipalAxes, diagonalized};
 
@@ -41,11 +39,6 @@ pub use shape::{Extent, Symmetry};
 /// );
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(try_from = "written::Written", into = "written::Written")
-)]
 pub struct InertiaTensor {
     matrix: Matrix3<f64>,
 }

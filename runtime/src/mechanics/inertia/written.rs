@@ -1,21 +1,22 @@
 //! How a tensor is serialised: under the word that says its convention,
 //! `{ "tensor": { "xx": .. } }`.
 
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{InertiaTensor, InvalidInertia};
+use super::InertiaTensor;
 
 /// Written as `tensor`, read as either.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "InertiaTensor", rename_all = "snake_case")]
-pub(super) enum Written {
+enum Written {
     Tensor(Entries),
     Products(Entries),
 }
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Entries {
+struct Entries {
     xx: f64,
     yy: f64,
     zz: f64,
@@ -24,28 +25,28 @@ pub(super) struct Entries {
     zx: f64,
 }
 
-impl From<InertiaTensor> for Written {
-    fn from(inertia: InertiaTensor) -> Self {
-        let [xx, yy, zz] = inertia.moments();
-        let [xy, yz, zx] = inertia.off_diagonals();
-        Self::Tensor(Entries {
+impl Serialize for InertiaTensor {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let [xx, yy, zz] = self.moments();
+        let [xy, yz, zx] = self.off_diagonals();
+        let entries = Entries {
             xx,
             yy,
             zz,
             xy,
             yz,
             zx,
-        })
+        };
+        Written::Tensor(entries).serialize(serializer)
     }
 }
 
-impl TryFrom<Written> for InertiaTensor {
-    type Error = InvalidInertia;
-
-    fn try_from(written: Written) -> Result<Self, InvalidInertia> {
-        match written {
+impl<'de> Deserialize<'de> for InertiaTensor {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let inertia = match Written::deserialize(deserializer)? {
             Written::Tensor(e) => Self::tensor(e.xx, e.yy, e.zz, e.xy, e.yz, e.zx),
             Written::Products(e) => Self::products(e.xx, e.yy, e.zz, e.xy, e.yz, e.zx),
-        }
+        };
+        inertia.map_err(D::Error::custom)
     }
 }

@@ -29,24 +29,19 @@
 use core::fmt;
 
 use crate::bodies::switches::Stretch;
-use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::point::Point;
-use crate::integrate::steps::size::{finest, relative_size, root};
 use crate::integrate::steps::step::Step;
 use crate::integrate::steps::stretch::Within;
 use crate::state::Coordinates;
-use crate::taylor::{Axes, Taylor, increment};
+use crate::taylor::{Axes, Taylor};
 
+mod advance;
 pub mod crossing;
 mod expansions;
+mod permitted;
 mod seen;
 
 use expansions::Expansions;
-
-/// How much of the permitted step is taken: roots are known to a few parts in a hundred.
-const SAFETY: f64 = 0.9;
-/// A step that is longer than the one before by more than this is looked at twice.
-const GROWTH: f64 = 1.5;
 
 /// A motion under way, by series of N coefficients: of order N - 1.
 ///
@@ -164,84 +159,6 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         self.axes.state(&self.now.coordinates, self.now.time)
     }
 
-    /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in
-    /// [`taylor`](crate::integrate::taylor())), with the input held; none if it is reached.
-    ///
-    /// # Errors
-    /// [`IntegrationError`]; the motion stays where it is.
-    pub fn step_towards(
-        &mut self,
-        end: f64,
-        input: &B::Input,
-        tolerance: f64,
-    ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
-        // who steps by hand may give another input each time, if there is any
-        let is_held = size_of::<B::Input>() == 0;
-        if !is_held {
-            self.renew();
-        }
-        self.advance_towards(end, input, tolerance, is_held)
-    }
-
-    /// The same, with the input of the step before, or after [`renew`](Self::renew); `is_held` if
-    /// the next step is likely to have it, too.
-    pub(super) fn advance_towards(
-        &mut self,
-        end: f64,
-        input: &B::Input,
-        tolerance: f64,
-        is_held: bool,
-    ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
-        let rest = self.now.rest(end);
-        if rest == 0.0 {
-            return Ok(None);
-        }
-        if rest.is_nan() {
-            let (time, state) = (self.now.time, self.state());
-            return Err(IntegrationError::not_finite(time, state));
-        }
-        self.expand(input);
-        let (time, tolerance) = (self.now.time, finest(tolerance));
-        let end = match self.doubt {
-            Some(doubt) if (doubt - time) * rest > 0.0 && (doubt - end) * rest < 0.0 => doubt,
-            _ => end,
-        };
-        let permitted = self.permitted(tolerance);
-        let passed = if permitted >= self.rough && permitted > 0.0 {
-            None
-        } else {
-            self.pass(permitted, end, input, tolerance)
-        };
-        let step = match passed {
-            Some(step) => step,
-            None => self.follow(permitted, end, input, (tolerance, is_held && self.goes_on))?,
-        };
-        Ok(Some(self.taken(time, step)))
-    }
-
-    /// Takes a step of this length \[s\], with the input held, of whatever error.
-    ///
-    /// # Errors
-    /// [`IntegrationError::NotFinite`]; the motion stays where it is.
-    pub fn step(
-        &mut self,
-        step: f64,
-        input: &B::Input,
-    ) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
-        let time = self.now.time;
-        self.renew();
-        self.expand(input);
-        self.advance(step)?;
-        Ok(self.taken(time, step))
-    }
-
-    /// The series from here.
-    #[inline(always)]
-    fn expand(&mut self, input: &B::Input) {
-        self.is_crossing = false;
-        self.expansions.expand(&self.within, &self.now, input);
-    }
-
     /// The step that was taken last.
     #[inline(always)]
     pub(super) fn taken(&self, start: f64, length: f64) -> Step<'_, B::State> {
@@ -251,66 +168,5 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             self.expansions.series().coefficients()
         };
         Step::new(start, length, self.axes, coefficients)
-    }
-
-    /// The longest step of which the last two terms are below `tolerance`.
-    ///
-    /// They may vanish, or nearly, where the series goes on: cos t² has every fourth term. A step
-    /// that grows is therefore held against the terms before as well, which tell the same radius.
-    #[inline(always)]
-    fn permitted(&self, tolerance: f64) -> f64 {
-        let (last, before) = (
-            self.within_order(N - 1, tolerance),
-            self.within_order(N - 2, tolerance),
-        );
-        let step = SAFETY * if last <= before { last } else { before };
-        if step > GROWTH * self.length {
-            self.within_radius(step, tolerance)
-        } else {
-            step
-        }
-    }
-
-    /// The step of which the term of this order is as large as `tolerance`.
-    #[inline(always)]
-    fn within_order(&self, order: usize, tolerance: f64) -> f64 {
-        let size = self.relative(order);
-        if size == 0.0 {
-            f64::INFINITY
-        } else {
-            root(tolerance, size, order)
-        }
-    }
-
-    /// A step, or what the radius of convergence leaves of it by the upper half of the orders.
-    #[cold]
-    fn within_radius(&self, step: f64, tolerance: f64) -> f64 {
-        let share = SAFETY * root(tolerance, 1.0, N - 1);
-        let radii = (N / 2..N - 2).filter_map(|order| {
-            let size = self.relative(order);
-            (size > 0.0 && order > 0).then(|| share / root(size, 1.0, order))
-        });
-        radii.fold(
-            step,
-            |step, radius| if radius < step { radius } else { step },
-        )
-    }
-
-    /// The size of a coefficient beside the state.
-    #[inline(always)]
-    fn relative(&self, order: usize) -> f64 {
-        let coefficients = self.expansions.series().coefficients();
-        relative_size::<B::State>(&coefficients[order], &coefficients[0])
-    }
-
-    /// Moves on by the series.
-    #[inline(always)]
-    fn advance(&mut self, step: f64) -> Result<(), IntegrationError<B::State>> {
-        let change = increment::<B::State>(self.expansions.series().coefficients(), step);
-        if self.now.advance(change, step) {
-            return Ok(());
-        }
-        let (time, state) = (self.now.time, self.state());
-        Err(IntegrationError::not_finite(time, state))
     }
 }

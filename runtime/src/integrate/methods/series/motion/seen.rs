@@ -1,7 +1,8 @@
 //! Steps that the equations agree to, and steps over places where there are no series.
 
+use super::Motion;
 use super::crossing::cross;
-use super::{GROWTH, Motion};
+use super::permitted::GROWTH;
 use crate::integrate::methods::adaptive::first;
 use crate::integrate::steps::agreement::{Agreement, Seen};
 use crate::integrate::steps::equations::Equations;

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::Ensemble;
-use super::blocks::{BLOCK, Eight, GroupMut};
+use super::blocks::{BLOCK, Blocks, Eight, GroupMut};
 use super::evaluate::{in_chunks, read};
 use super::plan::{Limits, Plan};
 use super::ways::{Apart, Ways};
@@ -19,7 +19,7 @@ use crate::integrate::{
     Course, Equations, Fixed, Held, IntegrationError, Method, Run as _, RungeKutta, Tolerant, add,
 };
 use crate::numbers::count::real;
-use crate::numbers::lanes::{Lanes, Register, Work};
+use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
 
 /// A member whose motion ended before its time.
@@ -142,7 +142,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Result<(), MemberError<B::State>> {
-        let Range { start: time, end } = times;
+        let (time, end) = (times.start, times.end);
         let before = ensemble.states.clone();
         let failed = |index: usize, step: Option<f64>| {
             let state = before.get(index);
@@ -168,33 +168,15 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         if pace.limit(time, end).is_none() || pace.limit(end, time).is_none() {
             return failed(0, Some(limits.max_step));
         }
-        let (width, members) = (ensemble.width, &ensemble.members);
-        let columns = <B::State as Columns<f64>>::COUNT;
         let done = Done::of(before.len(), observer);
-        in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
-            let members_here = rows.len() / columns * BLOCK;
-            let plan = Plan {
-                fixed: *self,
-                members,
-                first,
-                times: time..end,
-                limits,
-            };
-            let step = (end - time) / real(steps);
-            let is_done = width.run(Advance {
-                plan: &plan,
-                step,
-                steps,
-                states: rows,
-            });
-            if !is_done {
-                width.run(Apart {
-                    plan: &plan,
-                    states: rows,
-                });
-            }
-            done.add(members_here);
-        });
+        let plan = Plan {
+            fixed: *self,
+            members: &ensemble.members,
+            first: 0,
+            times,
+            limits,
+        };
+        in_lanes(&plan, steps, ensemble.width, &mut ensemble.states, &done);
         let is_lost = |state: B::State| {
             let coordinates = state.coordinates();
             !coordinates.as_ref().iter().sum::<f64>().is_finite()
@@ -208,6 +190,39 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             }
         }
     }
+}
+
+/// Moves all members by this many steps, or by those that each takes on its way.
+fn in_lanes<B: Generic, M: RungeKutta>(
+    plan: &Plan<'_, M, B>,
+    steps: usize,
+    width: Width,
+    states: &mut Blocks<B::State>,
+    done: &Done<impl Fn(f64) + Sync>,
+) {
+    let columns = <B::State as Columns<f64>>::COUNT;
+    let step = (plan.times.end - plan.times.start) / real(steps);
+    in_chunks(states.rows_mut(), columns, |first, rows| {
+        let members_here = rows.len() / columns * BLOCK;
+        let plan = Plan {
+            first,
+            times: plan.times.clone(),
+            ..*plan
+        };
+        let is_done = width.run(Advance {
+            plan: &plan,
+            step,
+            steps,
+            states: rows,
+        });
+        if !is_done {
+            width.run(Apart {
+                plan: &plan,
+                states: rows,
+            });
+        }
+        done.add(members_here);
+    });
 }
 
 /// The members of each register that take the same steps; says whether those are all.

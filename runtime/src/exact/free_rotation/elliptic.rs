@@ -121,6 +121,13 @@ fn arrange(moments: [f64; 3], principal: &Matrix3<f64>, w: &Vector3<f64>) -> Arr
     }
 }
 
+/// Moments over a power of two.
+fn of_order_one(moments: [f64; 3]) -> [f64; 3] {
+    let heaviest = moments.into_iter().fold(0.0, f64::max);
+    let exponent = scale::exponent(heaviest);
+    moments.map(|moment| libm::scalbn(moment, -exponent))
+}
+
 /// Moments and what belongs to them, in order.
 fn ascending<A>([a, b, c]: [(f64, A); 3]) -> [(f64, A); 3] {
     let in_order = |a: (f64, A), b: (f64, A)| if b.0 < a.0 { (b, a) } else { (a, b) };
@@ -134,20 +141,16 @@ impl Circling {
     /// Principal moments, the axes in columns, right-handed, and the state. No two moments are
     /// equal, and ω is not along a principal axis.
     pub fn new(moments: [f64; 3], principal: &Matrix3<f64>, state: &Rotation) -> Self {
-        // numbers of order one; all rates carry one power of two
-        let heaviest = moments.into_iter().fold(0.0, f64::max);
-        let exponent = scale::exponent(heaviest);
-        let moments = moments.map(|moment| libm::scalbn(moment, -exponent));
+        // all rates carry one power of two
         let exponent = scale::exponent(state.angular_velocity.amax());
         let w = scale::scaled(&state.angular_velocity, -exponent);
-
         let Arranged {
             axes,
             moments: [i1, i2, i3],
             rates: w,
             roots,
             sign,
-        } = arrange(moments, principal, &w);
+        } = arrange(of_order_one(moments), principal, &w);
         let [d12, d23, d13] = [i2 - i1, i3 - i2, i3 - i1].map(f64::abs);
         let root = math::sqrt;
         let [x, y] = [root(i1 * d13) * w.x, root(i2 * d23) * w.y];
@@ -158,11 +161,8 @@ impl Circling {
         let ratio = root(d12 / d23) * h3 / (h1 * (1.0 + complement));
         let modulus = ratio * ratio; // k₁ = k²/(1 + k')²
         let rate = sign * root(d23 / (i1 * i2 * i3)) * h1 / (1.0 + modulus);
-        let rates = Vector3::new(
-            h3 / root(i1 * d13),
-            h3 / root(i2 * d23),
-            h1 / root(i3 * d13),
-        );
+        let [r1, r2, r3] = [i1 * d13, i2 * d23, i3 * d13].map(root);
+        let rates = Vector3::new(h3 / r1, h3 / r2, h1 / r3);
         let momenta = Vector3::new(i1, i2, i3).component_mul(&rates);
         // |m| where sn = 0
         let size = root(momenta.x * momenta.x + momenta.z * momenta.z);

@@ -122,6 +122,82 @@ const NEAR: f64 = 0.1;
 /// Tilts, and velocities in their unit, of which the fourth powers do not underflow.
 const LEAST: f64 = 1e-70;
 
+/// How the tilt of a top goes up and down.
+struct Nodding {
+    start: Start,
+    points: TurningPoints,
+    /// `u₂ - u₁`
+    apart: f64,
+    /// `2a (u₃ - u₁)`
+    span: f64,
+    /// 2a
+    twice: f64,
+    /// 2 λ
+    double_rate: f64,
+    /// sn, cn and dn at time zero.
+    first: Elliptic,
+    phase: Phase,
+}
+
+impl Nodding {
+    fn new(start: Start) -> Self {
+        let points = TurningPoints::new(&start);
+        let [low, high, third] = points.from_start;
+        let twice = 2.0 * start.couple.value();
+        let (apart, span) = (low + high, third + twice * low);
+        let double_rate = math::sqrt(span);
+        let share = |part: f64, whole: f64, rest: f64| {
+            if whole > 0.0 {
+                math::sqrt(part / whole)
+            } else {
+                rest
+            }
+        };
+        let first = Elliptic {
+            sn: f64::copysign(share(low, apart, 0.0), start.rise.value()),
+            cn: share(high, apart, 1.0),
+            dn: share(third, span, 1.0),
+        };
+        let jacobi = Jacobi::new(f64::min(1.0, share(points.gap, span, 1.0)));
+        Self {
+            start,
+            points,
+            apart,
+            span,
+            twice,
+            double_rate,
+            first,
+            phase: Phase::new(jacobi, first, 0.5 * double_rate),
+        }
+    }
+
+    /// α for the sign 1, β for -1: from its ω, itself and its velocity at time zero.
+    fn parameter(
+        &self,
+        sign: f64,
+        (rate, value, velocity): (f64, Complex<f64>, Complex<f64>),
+    ) -> Parameter {
+        let (pole, distances) = if sign > 0.0 {
+            (self.start.nadir, self.points.from_nadir)
+        } else {
+            (self.start.zenith, self.points.from_zenith)
+        };
+        let about = self.start.vertical + self.start.spin * pole * Twofold::from(sign);
+        let given = Ingredients {
+            sign,
+            distances,
+            apart: self.apart,
+            span: self.span,
+            twice: self.twice,
+            about: about.value(),
+            rate,
+            first: self.first,
+            start: [value, velocity / self.double_rate],
+        };
+        Parameter::new(&given, &self.phase)
+    }
+}
+
 /// The motion of a top that is not at rest on the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Nutation {
@@ -174,70 +250,23 @@ impl Nutation {
 
         let spin = Twofold::from(along) / Twofold::from(across) * Twofold::from(axial);
         let start = start(couple, spin, [alpha, beta], omega);
-        let points = TurningPoints::new(&start);
-        let [low, high, third] = points.from_start;
-        let twice = 2.0 * couple.value();
-        let (apart, span) = (low + high, third + twice * low);
-        let double_rate = math::sqrt(span); // 2 λ
-        let share = |part: f64, whole: f64, rest: f64| {
-            if whole > 0.0 {
-                math::sqrt(part / whole)
-            } else {
-                rest
-            }
-        };
-        let first = Elliptic {
-            sn: f64::copysign(share(low, apart, 0.0), start.rise.value()),
-            cn: share(high, apart, 1.0),
-            dn: share(third, span, 1.0),
-        };
-        let jacobi = Jacobi::new(f64::min(1.0, share(points.gap, span, 1.0)));
-        let phase = Phase::new(jacobi, first, 0.5 * double_rate);
-
+        let nodding = Nodding::new(start);
         let excess = Twofold::sum(across, -along) / Twofold::from(across);
         let rate = 0.5 * (excess * Twofold::from(axial)).value();
         let spin = spin.value();
         let turning = Complex::new(0.0, spin);
-        let parameter = |sign, distances, value, velocity: Complex<f64>| {
-            let pole = if sign > 0.0 {
-                start.nadir
-            } else {
-                start.zenith
-            };
-            let about = start.vertical + start.spin * pole * Twofold::from(sign);
-            let given = Ingredients {
-                sign,
-                distances,
-                apart,
-                span,
-                twice,
-                about: about.value(),
-                rate: sign * rate,
-                first,
-                start: [value, velocity / double_rate],
-            };
-            Parameter::new(&given, &phase).faster(exponent)
-        };
         let parameters = [
-            parameter(
-                1.0,
-                points.from_nadir,
-                alpha,
-                turning * alpha - beta * omega.conj(),
-            ),
-            parameter(
-                -1.0,
-                points.from_zenith,
-                beta,
-                alpha * omega - turning * beta,
-            ),
+            (1.0, (rate, alpha, turning * alpha - beta * omega.conj())),
+            (-1.0, (-rate, beta, alpha * omega - turning * beta)),
         ];
+        let parameters =
+            parameters.map(|(sign, given)| nodding.parameter(sign, given).faster(exponent));
         Some(Self {
             world,
             body,
-            phase: phase.faster(exponent),
+            phase: nodding.phase.faster(exponent),
             parameters,
-            double_rate: libm::scalbn(double_rate, exponent),
+            double_rate: libm::scalbn(nodding.double_rate, exponent),
             spin: libm::scalbn(spin, exponent),
             along: axis * axis.dot(&state.angular_velocity),
         })

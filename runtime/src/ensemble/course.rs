@@ -46,7 +46,7 @@ impl<B: Generic, F: FnMut(f64, usize, &B::State) -> B::Input> EnsembleControl<B>
 
 /// Members between a start and an end.
 #[derive(Debug)]
-pub(super) struct Course<'e, B: Generic, M, C> {
+pub(super) struct EnsembleCourse<'e, B: Generic, M, C> {
     ensemble: &'e mut Ensemble<B>,
     method: M,
     control: C,
@@ -59,7 +59,7 @@ pub(super) struct Course<'e, B: Generic, M, C> {
     bar: Option<Bar>,
 }
 
-impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> Course<'e, B, M, C> {
+impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M, C> {
     pub(super) fn new(
         ensemble: &'e mut Ensemble<B>,
         method: M,
@@ -148,14 +148,14 @@ fn at_first<S>(error: IntegrationError<S>) -> MemberError<S> {
 /// [`EnsembleIntegration::samples`](super::EnsembleIntegration::samples).
 #[derive(Debug)]
 pub struct EnsembleSamples<'e, B: Generic, M, C> {
-    course: Course<'e, B, M, C>,
+    course: EnsembleCourse<'e, B, M, C>,
     /// None if the period is none.
     instants: Option<Instants>,
     period: f64,
 }
 
 impl<'e, B: Generic, M, C> EnsembleSamples<'e, B, M, C> {
-    pub(super) fn new(course: Course<'e, B, M, C>, period: f64) -> Self {
+    pub(super) fn new(course: EnsembleCourse<'e, B, M, C>, period: f64) -> Self {
         Self {
             instants: Instants::new(course.time, course.end, period),
             course,

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 use core::borrow::Borrow;
 
 use super::Ensemble;
-use super::course::{AsGiven, Course, EnsembleControl, EnsembleSamples};
+use super::course::{AsGiven, EnsembleControl, EnsembleCourse, EnsembleSamples};
 use super::moves::{MemberError, Moves, OneByOne};
 use super::plan::Limits;
 use crate::bodies::columns::Generic;
@@ -178,7 +178,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         EnsembleSamples::new(self.course(end), period)
     }
 
-    fn course(self, end: f64) -> Course<'e, B, M, C>
+    fn course(self, end: f64) -> EnsembleCourse<'e, B, M, C>
     where
         M: Moves<B>,
         C: EnsembleControl<B>,
@@ -188,7 +188,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         let bar = self
             .shows_progress
             .then(|| crate::integrate::Bar::new(times.clone()));
-        let course = Course::new(self.ensemble, self.method, self.control, self.limits, times);
+        let course =
+            EnsembleCourse::new(self.ensemble, self.method, self.control, self.limits, times);
         #[cfg(feature = "progress")]
         let course = course.shown_on(bar);
         course

@@ -55,12 +55,12 @@ pub struct Pendulum {
     center: Twofold,
     /// `k Ω` \[rad/s\]
     rate: f64,
-    course: Course,
+    course: Case,
     phase: Phase,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Course {
+enum Case {
     /// k
     Swings(f64),
     /// 1 or -1
@@ -103,10 +103,7 @@ impl Pendulum {
                 dn: cosine,
             };
             let jacobi = Jacobi::new(f64::min(1.0, apart / rate));
-            (
-                Course::Swings(total / rate),
-                Phase::new(jacobi, start, rate),
-            )
+            (Case::Swings(total / rate), Phase::new(jacobi, start, rate))
         } else {
             let direction = f64::copysign(1.0, speed);
             let start = Elliptic {
@@ -116,7 +113,7 @@ impl Pendulum {
             };
             let jacobi = Jacobi::new(f64::min(1.0, over(apart, total, 1.0)));
             let phase = Phase::new(jacobi, start, total);
-            (Course::GoesRound(direction), phase)
+            (Case::GoesRound(direction), phase)
         };
         Self {
             hanging,
@@ -139,8 +136,8 @@ impl Pendulum {
     #[must_use]
     pub fn period(&self) -> f64 {
         let angle = match self.course {
-            Course::Swings(_) => TAU,
-            Course::GoesRound(_) => PI,
+            Case::Swings(_) => TAU,
+            Case::GoesRound(_) => PI,
         };
         if self.phase.jacobi.is_hyperbolic() {
             f64::INFINITY
@@ -173,12 +170,12 @@ impl Path for Pendulum {
         let reading = self.phase.at(time);
         // φ as it comes, the sine and cosine of half of it, up to a common sign
         let (turned, [sine, cosine], speed) = match self.course {
-            Course::Swings(modulus) => {
+            Case::Swings(modulus) => {
                 let Elliptic { sn, cn, dn } = reading.elliptic();
                 let sine = modulus * sn;
                 (2.0 * math::atan2(sine, dn), [sine, dn], cn)
             }
-            Course::GoesRound(direction) => {
+            Case::GoesRound(direction) => {
                 let Elliptic { sn, cn, dn } = reading.sum;
                 let turned = 2.0 * direction * reading.amplitude();
                 (turned, [direction * sn, cn], direction * dn)

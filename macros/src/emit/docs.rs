@@ -79,7 +79,7 @@ fn lines(
     costs: &[(&str, &str, Cost)],
     equations: &Equations,
 ) -> TokenStream {
-    let motion = outline.motion.word();
+    let motion = outline.motion.word;
     let title = if outline.doc.is_empty() {
         vec![format!("A rigid body in `{motion}` motion.")]
     } else {

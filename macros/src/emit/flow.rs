@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::mechanics::{Flow, Free, Turning};
-use crate::model::{Motion, Outline};
+use crate::model::{Orientation, Outline};
 use crate::symbolic::Id;
 
 use super::code::Writer;
@@ -34,13 +34,11 @@ pub fn path_type(shapes: &Shapes, turning: &Turning) -> TokenStream {
 pub fn any_path(outline: &Outline) -> TokenStream {
     let shapes = Shapes::double(outline);
     let private = &shapes.private;
-    let rotation = match shapes.motion {
-        Motion::PlanarTranslation | Motion::Translation => None,
-        Motion::Spatial | Motion::Rotation | Motion::FixedPoint => {
-            Some(quote!(#private::FreeRotation))
-        }
-        Motion::Rod => Some(quote!(#private::GreatCircle)),
-        Motion::Planar | Motion::Pivot | Motion::FixedAxis => Some(quote!(#private::Parabola<1>)),
+    let rotation = match shapes.motion.orientation {
+        Orientation::Fixed => None,
+        Orientation::Quaternion => Some(quote!(#private::FreeRotation)),
+        Orientation::Line => Some(quote!(#private::GreatCircle)),
+        Orientation::Angle => Some(quote!(#private::Parabola<1>)),
     };
     with_center(&shapes, rotation)
 }
@@ -50,7 +48,7 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
     let axes = Literal::usize_unsuffixed(shapes.motion.axes());
     match rotation {
         None => quote!(#private::Parabola<#axes>),
-        Some(rotation) if shapes.motion.translates() => {
+        Some(rotation) if shapes.motion.translates => {
             quote!(#private::Flight<#rotation, #axes>)
         }
         Some(rotation) => rotation,
@@ -59,14 +57,14 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
 
 /// `Flight { center: Parabola { .. }, rotation: FreeRotation::principal(..) }`, or the one part that there is.
 pub fn write_path(writer: &Writer<'_>, shapes: &Shapes, flow: &Flow) -> Function {
-    let linear = if shapes.motion.translates() {
+    let linear = if shapes.motion.translates {
         shapes.vector_part(&flow.linear)
     } else {
         &[]
     };
     let outputs = [linear, &path_roots(writer.outline, &flow.turning)].concat();
     Function::write(writer, &outputs, |values| {
-        let center = shapes.motion.translates().then(|| center(shapes, values));
+        let center = shapes.motion.translates.then(|| center(shapes, values));
         let rotation = rotation(shapes, &flow.turning, values);
         match (center, rotation) {
             (Some(center), Some(rotation)) => {
@@ -120,7 +118,7 @@ fn rotation(shapes: &Shapes, turning: &Turning, values: &mut Values<'_>) -> Opti
 fn turning_state(shapes: &Shapes, kind: &str, coordinate: &str) -> TokenStream {
     let (private, state) = (&shapes.private, local("state"));
     let (kind, coordinate) = (format_ident!("{kind}"), format_ident!("{coordinate}"));
-    if shapes.motion.translates() {
+    if shapes.motion.translates {
         quote!(&#private::#kind { #coordinate: #state.#coordinate, angular_velocity: #state.angular_velocity })
     } else {
         quote!(#state)

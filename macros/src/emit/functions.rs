@@ -213,7 +213,7 @@ impl Functions {
         };
         self.angular_momentum = moment(&momentum.angular);
         self.angular_momentum_about_pole = moment(&momentum.about_pole);
-        if writer.model.motion.knows_position() {
+        if writer.model.motion.knows_position {
             let linear = shapes.vector_part(&momentum.linear);
             self.linear_momentum = Function::write(writer, linear, |values| shapes.vector(values));
         }

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::model::{Motion, Outline, Output};
+use crate::model::{Outline, Output};
 use crate::symbolic::Number;
 
 use super::code::Source;
@@ -203,10 +203,10 @@ fn emit_momentum(outline: &Outline, shapes: &Shapes, functions: &Functions) -> T
     let header = header(outline, &shapes.scalar, "Momentum");
     let angular = shapes.moment_type();
     // the momentum of a body whose motion of G is not modelled is not known
-    let linear = if outline.motion == Motion::Rotation {
-        quote!(())
-    } else {
+    let linear = if outline.motion.knows_position {
         shapes.vector_type()
+    } else {
+        quote!(())
     };
     let of_state = |name: &str, result: &TokenStream, function: &Function| {
         method(name, &state_argument(shapes, function), result, function)

@@ -48,7 +48,7 @@ fn places(motion: Motion) -> Vec<Place> {
             .collect::<Vec<_>>()
     };
     let angular = |name: &str, prefix: &str| {
-        if motion.is_planar() || motion.is_hinged() {
+        if motion.is_planar || motion.is_hinged() {
             vec![name.to_owned()]
         } else {
             vector(prefix)
@@ -57,7 +57,7 @@ fn places(motion: Motion) -> Vec<Place> {
     // the acceleration of a motion with one kind of coordinates is not a struct
     let part = |name: &str| {
         let name = format_ident!("{name}");
-        if motion.translates() && motion.has_attitude() {
+        if motion.translates && motion.has_attitude() {
             quote!(#acceleration.#name)
         } else {
             quote!((*#acceleration))
@@ -177,9 +177,9 @@ impl Body<'_> {
             return first.map_or_else(TokenStream::new, |first| component_at_hand(&input, first));
         }
         self.reads.push(Source::State);
-        if motion.translates() {
+        if motion.translates {
             quote!(#state.velocity.x)
-        } else if motion.is_planar() || motion.is_hinged() {
+        } else if motion.is_planar || motion.is_hinged() {
             quote!(#state.angular_velocity)
         } else {
             quote!(#state.angular_velocity.x)
@@ -204,7 +204,7 @@ impl Body<'_> {
             self.reads.push(Source::Reactions);
             let (reactions, field) = (local("reactions"), local(&word.to_string()));
             let motion = self.writer.model.motion;
-            let names: Vec<String> = if motion.is_planar() && *kind == LoadKind::Moment {
+            let names: Vec<String> = if motion.is_planar && *kind == LoadKind::Moment {
                 vec![word.to_string()]
             } else {
                 let axes = AXES[..motion.axes()].iter();

@@ -40,21 +40,13 @@ impl Shapes {
     }
 
     pub fn state_type(&self) -> TokenStream {
-        let name = match self.motion {
-            Motion::Planar => format_ident!("Planar"),
-            Motion::PlanarTranslation => format_ident!("PlanarTranslation"),
-            Motion::Spatial => format_ident!("Spatial"),
-            Motion::Translation => format_ident!("Translation"),
-            Motion::Rotation | Motion::FixedPoint => format_ident!("Rotation"),
-            Motion::Pivot | Motion::FixedAxis => format_ident!("Hinge"),
-            Motion::Rod => format_ident!("Rod"),
-        };
+        let name = format_ident!("{}", self.motion.state);
         self.scalar.holder(&name)
     }
 
     pub fn vector_type(&self) -> TokenStream {
         let (private, kind) = (&self.private, self.scalar.kind());
-        if self.motion.is_planar() {
+        if self.motion.is_planar {
             quote!(#private::Vector2<#kind>)
         } else {
             quote!(#private::Vector3<#kind>)
@@ -63,7 +55,7 @@ impl Shapes {
 
     /// In the plane a moment is a scalar.
     pub fn moment_type(&self) -> TokenStream {
-        if self.motion.is_planar() {
+        if self.motion.is_planar {
             self.scalar.kind()
         } else {
             self.vector_type()
@@ -72,29 +64,24 @@ impl Shapes {
 
     pub fn acceleration_type(&self) -> TokenStream {
         let holder = |name: &str| self.scalar.holder(&format_ident!("{name}"));
-        match self.motion {
-            Motion::Planar => holder("PlanarAcceleration"),
-            Motion::Spatial => holder("SpatialAcceleration"),
-            Motion::Rod => holder("RodAcceleration"),
-            Motion::Pivot | Motion::FixedAxis => self.scalar.kind(),
-            Motion::PlanarTranslation
-            | Motion::Translation
-            | Motion::Rotation
-            | Motion::FixedPoint => self.vector_type(),
+        match self.motion.acceleration {
+            Some(name) => holder(name),
+            None if self.motion.is_hinged() => self.scalar.kind(),
+            None => self.vector_type(),
         }
     }
 
     pub fn wrench_type(&self) -> TokenStream {
         let holder = |name: &str| self.scalar.holder(&format_ident!("{name}"));
         match self.motion {
-            Motion::Rotation => self.moment_type(),
-            _ if self.motion.is_planar() => holder("PlanarWrench"),
+            _ if !self.motion.knows_position => self.moment_type(),
+            _ if self.motion.is_planar => holder("PlanarWrench"),
             _ => holder("Wrench"),
         }
     }
 
     pub fn load_type(&self) -> TokenStream {
-        let name = if self.motion.is_planar() {
+        let name = if self.motion.is_planar {
             "PlanarLoad"
         } else {
             "Load"
@@ -109,12 +96,12 @@ impl Shapes {
 
     /// The components that a moment has: in the plane, the one along z.
     pub fn moment_part<'c>(&self, components: &'c Components) -> &'c [Id] {
-        &components[if self.motion.is_planar() { 2..3 } else { 0..3 }]
+        &components[if self.motion.is_planar { 2..3 } else { 0..3 }]
     }
 
     /// The components of an angular acceleration: one in the plane and about an axis.
     fn angular_axes(&self) -> Range<usize> {
-        if self.motion.is_planar() || self.motion.is_hinged() {
+        if self.motion.is_planar || self.motion.is_hinged() {
             2..3
         } else {
             0..3
@@ -123,7 +110,7 @@ impl Shapes {
 
     /// The components of a pair of a linear and an angular vector, as far as the motion has them.
     pub fn pair_part(&self, linear: &Components, angular: &Components) -> Vec<Id> {
-        let linear = if self.motion.translates() {
+        let linear = if self.motion.translates {
             self.vector_part(linear)
         } else {
             &[]
@@ -144,14 +131,14 @@ impl Shapes {
                 .map(|axis| format!("{name}_{axis}"))
                 .collect::<Vec<_>>()
         };
-        let linear = if self.motion.translates() {
+        let linear = if self.motion.translates {
             named("linear")
         } else {
             Vec::new()
         };
         let angular = match (self.motion.has_attitude(), self.angular_axes().len()) {
             (true, 1) => vec!["angular".to_owned()],
-            (true, _) if self.motion == Motion::Rod => named("axis"),
+            (true, _) if self.motion.is_line() => named("axis"),
             (true, _) => named("angular"),
             (false, _) => Vec::new(),
         };
@@ -160,7 +147,7 @@ impl Shapes {
 
     /// The components of a wrench; of a body that only turns, those of the moment.
     pub fn wrench_part(&self, force: &Components, moment: &Components) -> Vec<Id> {
-        let force = if self.motion.knows_position() {
+        let force = if self.motion.knows_position {
             self.vector_part(force)
         } else {
             &[]
@@ -174,7 +161,7 @@ impl Shapes {
     }
 
     pub fn moment(&self, values: &mut Values<'_>) -> TokenStream {
-        if self.motion.is_planar() {
+        if self.motion.is_planar {
             let value = values.next();
             quote!(#value)
         } else {
@@ -183,25 +170,23 @@ impl Shapes {
     }
 
     pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
-        match self.motion {
-            Motion::Planar | Motion::Spatial => {
+        match self.motion.acceleration {
+            Some(_) => {
                 let kind = self.acceleration_type();
-                let (linear, angular) = (self.vector(values), self.moment(values));
-                quote!(#kind { linear: #linear, angular: #angular })
+                let linear = self.vector(values);
+                let (name, turning) = if self.motion.is_line() {
+                    ("axis", self.vector(values))
+                } else {
+                    ("angular", self.moment(values))
+                };
+                let name = format_ident!("{name}");
+                quote!(#kind { linear: #linear, #name: #turning })
             }
-            Motion::Rod => {
-                let kind = self.acceleration_type();
-                let (linear, axis) = (self.vector(values), self.vector(values));
-                quote!(#kind { linear: #linear, axis: #axis })
-            }
-            Motion::Pivot | Motion::FixedAxis => {
+            None if self.motion.is_hinged() => {
                 let value = values.next();
                 quote!(#value)
             }
-            Motion::PlanarTranslation
-            | Motion::Translation
-            | Motion::Rotation
-            | Motion::FixedPoint => self.vector(values),
+            None => self.vector(values),
         }
     }
 
@@ -218,11 +203,11 @@ impl Shapes {
             quote!(#name: #value,)
         };
         let mut fields = TokenStream::new();
-        if self.motion.translates() {
+        if self.motion.translates {
             fields.extend(field("velocity", self.vector(values)));
         }
         if self.motion.has_attitude() {
-            let name = if self.motion == Motion::Rod {
+            let name = if self.motion.is_line() {
                 "axis_rate"
             } else {
                 "angular_velocity"
@@ -239,7 +224,7 @@ impl Shapes {
     }
 
     pub fn wrench(&self, values: &mut Values<'_>) -> TokenStream {
-        if self.motion == Motion::Rotation {
+        if !self.motion.knows_position {
             return self.moment(values);
         }
         let kind = self.wrench_type();

@@ -3,6 +3,7 @@
 //! The [`Outline`] of a body always exists; its [`Model`] exists if nothing was wrong.
 
 mod body;
+mod joints;
 mod kinematics;
 mod words;
 
@@ -11,9 +12,9 @@ pub use body::{
     Matrix, Outline, Output, Potential, Potentials, Reaction, SOLIDS, Solid, Violation, is_flat,
     is_possible, is_solid, least_moment, matrix, thinnest, words,
 };
+pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};
 pub use kinematics::{
-    Attitude, Axis, Frame, Motion, Point, State, Support, Turn, Turns, Vector, Workspace,
-    state_symbols,
+    Attitude, Axis, Frame, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
 pub use words::{AXES, Dimension, Doubtful, Labels, Meaning, Meanings, shown, why_not};
 

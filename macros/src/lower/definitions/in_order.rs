@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::lower::expressions::{Lowering, Value};
-use crate::model::{Defaults, Dimension, Mass, Motion, Outline, Vector, Workspace, shown};
+use crate::model::{Defaults, Dimension, Mass, Outline, Vector, Workspace, shown};
 use crate::symbolic::Id;
 use crate::syntax::{Composition, Description, Expression};
 
@@ -37,14 +37,14 @@ impl Lowering<'_> {
         let mut mass = match description.mass {
             Some(_) => Mass::Reported,
             // that it is missing is reported
-            None if self.motion.knows_position() => Mass::Reported,
+            None if self.motion.knows_position => Mass::Reported,
             None => Mass::Absent,
         };
         self.check_mass_key(
             description,
             crate::lower::expressions::written_motion(description).is_some(),
         );
-        let order = if self.motion == Motion::Rod {
+        let order = if self.motion.is_line() {
             self.definitions_at_axis(description, defaults, &order, &mut mass)
         } else {
             order
@@ -209,7 +209,7 @@ impl Lowering<'_> {
             }
             return;
         }
-        if description.mass.is_some() || !self.motion.knows_position() {
+        if description.mass.is_some() || !self.motion.knows_position {
             return;
         }
         self.scope.define("mass", None);

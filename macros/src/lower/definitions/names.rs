@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::lower::expressions::{BUILT_IN, OF_ROD, written_motion};
-use crate::model::Motion;
+use crate::model::Joint;
 use crate::syntax::Description;
 
 /// Reports names that are defined twice, or that are built in. Loads have a namespace of their own.
@@ -14,7 +14,7 @@ use crate::syntax::Description;
 pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<String> {
     let mut repeated = HashSet::new();
     let mut seen = HashMap::new();
-    let is_rod = written_motion(description) == Some(Motion::Rod);
+    let is_rod = written_motion(description).is_some_and(Joint::is_line);
     let is_built_in = |word: &str| BUILT_IN.contains(&word) || is_rod && OF_ROD.contains(&word);
     let mut check = |name: &Ident, what: &'static str, errors: &mut Errors| {
         let word = name.to_string();

@@ -10,7 +10,7 @@ use crate::families::LoadKind;
 use crate::lower::expressions::{
     has_placeholder, is_drive, is_turning_drive, is_unknown, motion, written_frame, written_motion,
 };
-use crate::model::{Declared, Dimension, Motion, Outline, Output};
+use crate::model::{Declared, Dimension, Joint, MOTIONS, Motion, Outline, Output, PLANAR, SPATIAL};
 use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
@@ -50,7 +50,7 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
         drives: by_name(description, is_drive),
         has_turning_drive: description.loads.iter().any(is_turning_drive)
             || !description.constraints.is_empty()
-            || written_motion(description) == Some(Motion::Rod),
+            || written_motion(description).is_some_and(Joint::is_line),
         is_constrained: !description.constraints.is_empty(),
         loads: description
             .loads
@@ -79,7 +79,7 @@ fn likely_motion(description: &Description) -> Motion {
         .as_ref()
         .map(|motion| motion.word.to_string());
     let word = word.unwrap_or_default();
-    let meant = similar(&word, Motion::ALL.iter().map(|(known, _)| *known));
+    let meant = similar(&word, MOTIONS.iter().map(|motion| motion.word));
     if let Some(motion) = meant.and_then(motion) {
         return motion;
     }
@@ -87,8 +87,8 @@ fn likely_motion(description: &Description) -> Motion {
     let loads = description.loads.iter().map(|load| &load.vector);
     let mut vectors = points.chain(loads).flatten();
     match vectors.find_map(component_count) {
-        Some(2) => Motion::Planar,
-        _ => Motion::Spatial,
+        Some(2) => &PLANAR,
+        _ => &SPATIAL,
     }
 }
 
@@ -106,7 +106,7 @@ fn component_count(expression: &Expression) -> Option<usize> {
 }
 
 fn check_motion(description: &Description, errors: &mut Errors) {
-    let words = || Motion::ALL.iter().map(|(word, _)| *word);
+    let words = || MOTIONS.iter().map(|motion| motion.word);
     let all = || words().collect::<Vec<_>>().join("`, `");
     let name = &description.name;
     let Some(syntax::Motion { word, support }) = &description.motion else {

@@ -3,7 +3,7 @@
 use crate::lower::expressions::{
     Lowering, UNTURNED, Value, dimension, has_placeholder, lower_unit, strip_unit,
 };
-use crate::model::{Declared, Defaults, Dimension, Frame, Meaning, Motion, Point};
+use crate::model::{Declared, Defaults, Dimension, Frame, Meaning, Point};
 use crate::symbolic::{Components, Id, Number, Stage};
 use crate::syntax::{Declaration, Expression, Kind};
 
@@ -159,7 +159,7 @@ impl Lowering<'_> {
 
     /// A vector in body axes that is given from outside may have any direction, and one of a rod not.
     fn check_not_in_rod(&mut self, frame: Option<Frame>, value: &Expression) -> Option<()> {
-        if frame == Some(Frame::Body) && self.motion == Motion::Rod {
+        if frame == Some(Frame::Body) && self.motion.is_line() {
             return self.report(
                 value.extent,
                 format!(
@@ -227,7 +227,7 @@ impl Lowering<'_> {
                 value.extent,
                 format!(
                     "a vector has {axes} components under `motion: {}`, and this has {}",
-                    self.motion.word(),
+                    self.motion.word,
                     parts.len()
                 ),
             );

@@ -2,7 +2,7 @@
 //! `.at(world(..))`.
 
 use crate::lower::expressions::Lowering;
-use crate::model::{Defaults, Dimension, Motion, Point, Support};
+use crate::model::{Defaults, Dimension, Point, Support};
 use crate::syntax::{self, Description, Expression};
 
 impl Lowering<'_> {
@@ -21,11 +21,14 @@ impl Lowering<'_> {
         word: &str,
         defaults: &Defaults,
     ) -> Option<Support> {
-        let (point, direction) = match (written.arguments.as_slice(), self.motion) {
-            ([point, direction], Motion::FixedAxis) => (point, Some(direction)),
-            ([point], Motion::Pivot | Motion::FixedPoint) => (point, None),
-            (arguments, motion) => {
-                let (count, form) = if motion == Motion::FixedAxis {
+        let (point, direction) = match (
+            written.arguments.as_slice(),
+            self.motion.has_written_axis(),
+        ) {
+            ([point, direction], true) => (point, Some(direction)),
+            ([point], false) => (point, None),
+            (arguments, has_axis) => {
+                let (count, form) = if has_axis {
                     (2, "fixed_axis(P, body(0, 0, 1))`: a point of the body and the direction of the axis".to_owned())
                 } else {
                     (1, format!("{word}(P)`: one point of the body"))
@@ -96,7 +99,7 @@ impl Lowering<'_> {
             graph.is_zero_vector(&vector.body),
             graph.is_zero_vector(&vector.world),
         ) {
-            (true, false) if self.motion == Motion::Rod => {
+            (true, false) if self.motion.is_line() => {
                 return self.report(
                     written.extent,
                     "the axis of a rod has a direction in the body: write `body(..)`",

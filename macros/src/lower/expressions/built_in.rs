@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::model::{Attitude, Dimension, Frame, Motion, Point};
+use crate::model::{Attitude, Dimension, Frame, Point};
 use crate::symbolic::Number;
 
 use super::along_axis::UNTURNED;
@@ -25,7 +25,7 @@ impl Lowering<'_> {
             )),
             "G" => Some(Value::Point(Point::Body(graph.zeros()))),
             "position" | "velocity" => self.motion_of_center(name),
-            "axis" | "axis_rate" if self.motion == Motion::Rod => {
+            "axis" | "axis_rate" if self.motion.is_line() => {
                 let axis = self.state.axis?;
                 let (components, dimension) = if word == "axis" {
                     (axis.unit, Dimension::NONE)
@@ -35,7 +35,7 @@ impl Lowering<'_> {
                 let vector = self.work.vector(Frame::World, components);
                 Some(Value::Vector(vector, dimension))
             }
-            "attitude" if self.motion == Motion::Rod => self.report(
+            "attitude" if self.motion.is_line() => self.report(
                 name.span(),
                 format!("{UNTURNED}: write `axis`, the unit vector along it"),
             ),
@@ -47,7 +47,7 @@ impl Lowering<'_> {
             "angular_velocity" if !self.motion.has_attitude() => {
                 self.absent(name, "angular velocity")
             }
-            "angular_velocity" if self.motion.is_planar() => Some(Value::Scalar(
+            "angular_velocity" if self.motion.is_planar => Some(Value::Scalar(
                 self.state.angular_velocity[2],
                 Dimension::FREQUENCY,
             )),
@@ -84,15 +84,12 @@ impl Lowering<'_> {
     fn absent(&mut self, name: &Ident, what: &str) -> Option<Value> {
         self.report(
             name.span(),
-            format!(
-                "under `motion: {}` a body has no {what}",
-                self.motion.word()
-            ),
+            format!("under `motion: {}` a body has no {what}", self.motion.word),
         )
     }
 
     fn motion_of_center(&mut self, name: &Ident) -> Option<Value> {
-        if !self.motion.knows_position() {
+        if !self.motion.knows_position {
             return self.report(
                 name.span(),
                 format!(

@@ -100,7 +100,7 @@ impl Lowering<'_> {
             _ => {}
         }
         match value {
-            Value::Scalar(id, dimension) if word == "cross" && self.motion.is_planar() => {
+            Value::Scalar(id, dimension) if word == "cross" && self.motion.is_planar => {
                 self.planar_rotation(id, dimension, method, arguments)
             }
             Value::Scalar(id, dimension) => {

@@ -85,7 +85,7 @@ impl Lowering<'_> {
                 self.mismatch(expression, dimension, found, what)
             }
             Value::Scalar(..) => {
-                let form = if self.motion.is_planar() {
+                let form = if self.motion.is_planar {
                     "world(0, 1)"
                 } else {
                     "world(0, 0, 1)"

@@ -1,7 +1,7 @@
 //! Points, and the components of points and vectors.
 
 use crate::errors::Extent;
-use crate::model::{Dimension, Frame, Motion, Point};
+use crate::model::{Dimension, Frame, Point};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Expression, Kind};
 
@@ -44,13 +44,12 @@ impl Lowering<'_> {
                              write `G` or `world(..)`",
                         ),
                     },
-                    (true, _) if self.motion == Motion::Rod && !graph.is_early(vector.world[0]) => {
-                        self.report(
+                    (true, _) if self.motion.is_line() && !graph.is_early(vector.world[0]) => self
+                        .report(
                             expression.extent,
                             "a point of a rod is written with its coordinates in the body, `(x, y, \
                              z)`, or from another point, as `G + s * axis`",
-                        )
-                    }
+                        ),
                     (true, _) => self.fixed_point(Point::World(vector.world), found, expression),
                     (_, true) => self.fixed_point(Point::Body(vector.body), found, expression),
                     _ => self.report(
@@ -125,7 +124,7 @@ impl Lowering<'_> {
                 extent,
                 format!(
                     "a vector has {axes} components under `motion: {}`, and this has {}",
-                    self.motion.word(),
+                    self.motion.word,
                     parts.len()
                 ),
             );

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::hint;
-use crate::model::{Attitude, Dimension, Frame, Motion, Point, Vector};
+use crate::model::{Attitude, Dimension, Frame, Point, Vector};
 use crate::symbolic::{Function, Id};
 use crate::syntax::Expression;
 
@@ -94,7 +94,7 @@ impl Lowering<'_> {
                 let reciprocal = self.work.graph.quantity(reciprocal);
                 self.scaled(reciprocal, value, Dimension::NONE)
             }
-            "in_body" if self.motion == Motion::Rod => self.report(
+            "in_body" if self.motion.is_line() => self.report(
                 method.span(),
                 format!("{UNTURNED}: write `.in_world()`, or what is along it, `.dot(axis)`"),
             ),
@@ -112,7 +112,7 @@ impl Lowering<'_> {
 
     /// A cross product: in the plane, its component along z.
     fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
-        if self.motion.is_planar() {
+        if self.motion.is_planar {
             Value::Scalar(
                 self.work.graph.add(product.body[2], product.world[2]),
                 dimension,
@@ -141,7 +141,7 @@ impl Lowering<'_> {
         } else {
             Dimension::VELOCITY
         };
-        if !self.motion.knows_position() && !matches!(point, Point::World(_)) {
+        if !self.motion.knows_position && !matches!(point, Point::World(_)) {
             return self.report(
                 method.span(),
                 format!(
@@ -169,7 +169,7 @@ impl Lowering<'_> {
     /// `w x r`, each part in its own axes: those of w change together, and `w x w` is zero.
     fn swept(&mut self, offset: Vector) -> Vector {
         let w = self.state.angular_velocity;
-        let in_world = if self.motion.is_planar() || self.work.graph.is_zero_vector(&offset.world) {
+        let in_world = if self.motion.is_planar || self.work.graph.is_zero_vector(&offset.world) {
             w
         } else {
             let w = self.work.vector(Frame::Body, w);
@@ -198,7 +198,7 @@ impl Lowering<'_> {
             }
             Value::Vector(..) if !VECTOR_METHODS.contains(&word.as_str()) => self.report(
                 field.span(),
-                if self.motion == Motion::Rod {
+                if self.motion.is_line() {
                     format!("a component in which axes? write `.in_world().{word}`")
                 } else {
                     format!(

@@ -2,7 +2,7 @@
 
 use crate::errors::Extent;
 use crate::families::Family;
-use crate::model::{Frame, Motion, is_solid};
+use crate::model::{Frame, MOTIONS, Motion, is_solid};
 use crate::syntax::{self, Description, Expression, Kind, Operator};
 
 /// Whether a load has unknown components.
@@ -96,8 +96,7 @@ pub fn written_motion(description: &Description) -> Option<Motion> {
 }
 
 pub fn motion(word: &str) -> Option<Motion> {
-    let found = Motion::ALL.iter().find(|(known, _)| *known == word);
-    found.map(|(_, motion)| *motion)
+    MOTIONS.iter().find(|motion| motion.word == word).copied()
 }
 
 /// What stands in front of all methods and units.

@@ -13,7 +13,7 @@ use super::form::FORMS;
 
 impl Lowering<'_> {
     fn refuse_in_plane(&mut self, word: &Ident) -> Option<()> {
-        if self.motion.is_planar() {
+        if self.motion.is_planar {
             return self.report(
                 word.span(),
                 "in the plane an inertia is one number, about the axis through G: write \

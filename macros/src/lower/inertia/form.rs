@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::similar;
 use crate::lower::expressions::{Lowering, base, is_of_solid, lower_unit, written_motion};
-use crate::model::{Defaults, Dimension, Inertia, Mass, Motion, is_solid, words};
+use crate::model::{Defaults, Dimension, Inertia, Mass, is_solid, words};
 use crate::symbolic::Id;
 use crate::syntax::{Description, Expression, Kind};
 
@@ -52,7 +52,7 @@ impl Lowering<'_> {
         match &base(value).kind {
             Kind::Call(word, _) if word == "rod" && !self.motion.has_one_moment() => {
                 if turns {
-                    let motion = self.motion.word();
+                    let motion = self.motion.word;
                     return self.report(
                         word.span(),
                         format!(
@@ -78,12 +78,12 @@ impl Lowering<'_> {
     /// An inertia, constant, as the kind of motion has it.
     pub fn form(&mut self, written: &Expression, given: Given<'_>) -> Option<Draft> {
         let mut draft = self.draft(written, given)?;
-        if let (true, Inertia::Spatial(rows)) = (self.motion.is_planar(), draft.inertia) {
+        if let (true, Inertia::Spatial(rows)) = (self.motion.is_planar, draft.inertia) {
             draft.inertia = Inertia::Scalar(rows[2][2]);
         }
         let entries = draft.inertia.entries();
         self.check_early(written, &entries, CONSTANT)?;
-        if self.motion == Motion::Rod {
+        if self.motion.is_line() {
             return self.across_axis(draft);
         }
         Some(draft)
@@ -151,7 +151,7 @@ impl Lowering<'_> {
                 "a point has no inertia about itself: points are parts of `compose([..])`",
             ),
             Kind::Poisoned => None,
-            Kind::Call(word, parts) if self.motion == Motion::Rod => self.no_form(word, parts),
+            Kind::Call(word, parts) if self.motion.is_line() => self.no_form(word, parts),
             _ if self.motion.has_one_moment() => {
                 let moment = self.scalar(written, Dimension::INERTIA, "the inertia about G")?;
                 Some(Draft {
@@ -183,7 +183,7 @@ impl Lowering<'_> {
 
     fn no_form(&mut self, word: &Ident, parts: &[Expression]) -> Option<Draft> {
         self.visit(parts);
-        let forms = if self.motion == Motion::Rod {
+        let forms = if self.motion.is_line() {
             FORMS_OF_ROD
         } else {
             FORMS

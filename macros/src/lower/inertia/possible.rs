@@ -9,7 +9,7 @@ use proc_macro2::Ident;
 use crate::errors::Extent;
 use crate::lower::expressions::Lowering;
 use crate::model::{
-    AXES, Defaults, Inertia, Matrix, Motion, Violation, least_moment, matrix, shown, thinnest,
+    AXES, Defaults, Inertia, Matrix, Orientation, Violation, least_moment, matrix, shown, thinnest,
 };
 use crate::symbolic::{Id, Number};
 
@@ -54,7 +54,7 @@ impl Lowering<'_> {
     /// correct digits (H1), although a body can have this inertia; what is made from parameters is
     /// left to `new`.
     pub fn check_not_a_rod(&mut self, inertia: Inertia, place: Extent) -> Option<()> {
-        if !matches!(self.motion, Motion::Spatial | Motion::Rotation) {
+        if self.motion.orientation != Orientation::Quaternion || self.motion.is_supported() {
             return Some(());
         }
         let graph = &self.work.graph;
@@ -71,7 +71,7 @@ impl Lowering<'_> {
         if least >= thinnest() {
             return Some(());
         }
-        let (least, motion) = (least.to_f64(), self.motion.word());
+        let (least, motion) = (least.to_f64(), self.motion.word);
         self.report(
             place,
             format!(
@@ -97,8 +97,8 @@ impl Lowering<'_> {
         {
             let known = self.work.graph.as_number(entry.value);
             let is_point = |moment: &Number| {
-                let is_held = self.motion.is_planar() && self.is_held_off_center();
-                moment.is_zero() && (is_held || self.motion == Motion::Rod)
+                let is_held = self.motion.is_planar && self.is_held_off_center();
+                moment.is_zero() && (is_held || self.motion.is_line())
             };
             let wrong = |moment: &&Number| !moment.is_positive() && !is_point(moment);
             if let Some(moment) = known.filter(wrong) {
@@ -129,7 +129,7 @@ impl Lowering<'_> {
         };
         let violated = match (inertia, numbers.as_slice()) {
             (Inertia::Scalar(_), [moment]) if !moment.is_positive() => {
-                let axis = if self.motion.is_planar() {
+                let axis = if self.motion.is_planar {
                     "the normal of the plane"
                 } else {
                     "every axis across the rod"
@@ -142,7 +142,7 @@ impl Lowering<'_> {
             },
             _ => return Some(()),
         };
-        let motion = self.motion.word();
+        let motion = self.motion.word;
         self.report(
             word.span(),
             if has_holes {

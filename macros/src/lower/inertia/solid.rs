@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::Extent;
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Inertia, Mass, Motion, SOLIDS, Solid, shown};
+use crate::model::{Dimension, Inertia, Mass, SOLIDS, Solid, shown};
 use crate::symbolic::{Id, Number};
 use crate::syntax::Expression;
 
@@ -43,14 +43,14 @@ impl Lowering<'_> {
             let per_mass = graph.sum(&terms);
             graph.multiply(mass, per_mass)
         });
-        if self.motion == Motion::Rod && word == "rod" {
+        if self.motion.is_line() && word == "rod" {
             return Some(Draft {
                 inertia: Inertia::Scalar(moments[0]),
                 entries: Vec::new(),
                 extent,
             });
         }
-        let moments = if self.motion.is_planar() && word == "rod" {
+        let moments = if self.motion.is_planar && word == "rod" {
             // in the plane, a rod lies in it
             [moments[2], moments[0], moments[1]]
         } else {

@@ -7,7 +7,7 @@
 use proc_macro2::Ident;
 
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Inertia, Motion};
+use crate::model::{Dimension, Inertia};
 use crate::symbolic::{Components, Function, Graph, Id};
 use crate::syntax::Expression;
 
@@ -59,7 +59,7 @@ impl Lowering<'_> {
 
     /// `.turned(axis, angle)`: turned about `axis`, by the right hand.
     pub fn turned(&mut self, draft: Draft, place: &Ident, written: &[Expression]) -> Option<Draft> {
-        if self.motion.is_planar() {
+        if self.motion.is_planar {
             return self.report(
                 place.span(),
                 "in the plane the inertia is the same however the body is turned: leave \
@@ -86,7 +86,7 @@ impl Lowering<'_> {
     }
 
     fn refuse_of_rod(&mut self, place: &Ident) -> Option<()> {
-        if self.motion == Motion::Rod {
+        if self.motion.is_line() {
             return self.report(
                 place.span(),
                 format!("a rod lies along its axis: leave `.{place}(..)` out"),

@@ -10,7 +10,7 @@ impl Lowering<'_> {
         let value = written.vector.as_ref();
         let vector = value.and_then(|value| match written.kind {
             LoadKind::Force => self.vector(value, Dimension::FORCE, "a force"),
-            LoadKind::Moment if self.motion.is_planar() => {
+            LoadKind::Moment if self.motion.is_planar => {
                 let moment = self.scalar(value, Dimension::MOMENT, "a moment")?;
                 let zero = self.work.graph.zero();
                 Some(self.work.vector(Frame::Body, [zero, zero, moment]))
@@ -41,7 +41,7 @@ impl Lowering<'_> {
         match &written.point {
             Some(None) => None,
             Some(Some(point)) => self.point(point).and_then(|found| match found {
-                Point::World(_) if !self.motion.knows_position() => self.report(
+                Point::World(_) if !self.motion.knows_position => self.report(
                     point.extent,
                     "where this point is relative to the body is not known under `motion: \
                      rotation`: the motion of G is not modelled",
@@ -59,7 +59,7 @@ impl Lowering<'_> {
         let value = written.value.as_ref()?;
         let point = self.point(value)?;
         let is_center = point == Point::Body(self.work.graph.zeros());
-        if !self.motion.knows_position() && !is_center {
+        if !self.motion.knows_position && !is_center {
             return self.report(
                 value.extent,
                 "under `motion: rotation` the moment balance is written about G: the motion of G \

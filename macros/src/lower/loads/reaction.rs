@@ -6,7 +6,7 @@ use crate::families::LoadKind;
 use crate::lower::expressions::{
     Lowering, UNTURNED, Value, direction, is_unknown, lower_unit, placeholders,
 };
-use crate::model::{Dimension, Frame, Meaning, Motion, Point, Reaction};
+use crate::model::{Dimension, Frame, Meaning, Point, Reaction};
 use crate::symbolic::{Components, Id, Stage};
 use crate::syntax::{self, Description, Expression, Kind};
 
@@ -88,7 +88,7 @@ impl Lowering<'_> {
 
     /// A moment in the plane has one component, about its normal.
     fn is_planar_moment(&self, written: &syntax::Load) -> bool {
-        written.kind == LoadKind::Moment && self.motion.is_planar()
+        written.kind == LoadKind::Moment && self.motion.is_planar
     }
 
     /// The axes of the components written `_`, and where they are.
@@ -103,7 +103,7 @@ impl Lowering<'_> {
     /// The point at which a reaction acts, which turns with the body if a support is solved for.
     fn point_of_reaction(&mut self, written: &syntax::Load) -> Option<Point> {
         let value = written.vector.as_ref()?;
-        if written.kind == LoadKind::Force && !self.motion.knows_position() {
+        if written.kind == LoadKind::Force && !self.motion.knows_position {
             let place = placeholders(value).next()?.1;
             return self.report(
                 place,
@@ -151,7 +151,7 @@ impl Lowering<'_> {
         let zeros = self.work.graph.zeros();
         let Kind::Call(word, parts) = &inner.kind else {
             // the moment of a planar body
-            let is_moment = kind == LoadKind::Moment && self.motion.is_planar();
+            let is_moment = kind == LoadKind::Moment && self.motion.is_planar;
             return if is_moment {
                 Some((Frame::Body, zeros))
             } else {
@@ -162,7 +162,7 @@ impl Lowering<'_> {
             };
         };
         let frame = if word == "body" {
-            if self.motion == Motion::Rod {
+            if self.motion.is_line() {
                 return self.report(
                     word.span(),
                     format!("{UNTURNED}: write `world(_, _, _)`, or `_ * axis` along it"),
@@ -173,20 +173,20 @@ impl Lowering<'_> {
             Frame::World
         };
         let axes = self.motion.axes();
-        if parts.len() != axes || (kind == LoadKind::Moment && self.motion.is_planar()) {
+        if parts.len() != axes || (kind == LoadKind::Moment && self.motion.is_planar) {
             let form = if kind == LoadKind::Moment {
                 "a moment is one scalar"
             } else {
                 "a vector has two components"
             };
-            let form = if self.motion.is_planar() {
+            let form = if self.motion.is_planar {
                 form
             } else {
                 "a vector has three components"
             };
             return self.report(
                 inner.extent,
-                format!("{form} under `motion: {}`", self.motion.word()),
+                format!("{form} under `motion: {}`", self.motion.word),
             );
         }
         let known: Vec<Option<Id>> = parts
@@ -226,7 +226,7 @@ impl Lowering<'_> {
             let symbols = reaction.symbols;
             let value = match reaction.kind {
                 LoadKind::Force => Value::Vector(symbols, Dimension::FORCE),
-                LoadKind::Moment if self.motion.is_planar() => {
+                LoadKind::Moment if self.motion.is_planar => {
                     Value::Scalar(symbols.world[2], Dimension::MOMENT)
                 }
                 LoadKind::Moment => Value::Vector(symbols, Dimension::MOMENT),

@@ -85,9 +85,9 @@ fn coordinates(
             rate: *rate,
         }));
     };
-    let hinged = motion.is_hinged() || motion.is_planar();
+    let hinged = motion.is_hinged() || motion.is_planar;
     let one_angle = motion.has_attitude() && hinged;
-    if motion.translates() {
+    if motion.translates {
         push(&position[..axes], &velocity[..axes]);
     }
     if let Some(axis) = model.state.axis {
@@ -102,7 +102,7 @@ fn coordinates(
             &one(work, Meaning::AngularVelocity(2)),
         );
     }
-    if motion.translates() {
+    if motion.translates {
         push(&velocity[..axes], &linear[..axes]);
     }
     if let Some(axis) = model.state.axis {

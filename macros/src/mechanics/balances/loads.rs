@@ -65,7 +65,7 @@ pub fn check_moment_free(
         .map(|(load, _)| load)
         .collect();
     for load in unbalanced {
-        let motion = model.motion.word();
+        let motion = model.motion.word;
         errors.push(load.extent, format!("`{}` has a moment about G that nothing balances, and under `motion: {motion}` the body does not turn: let it act at G, balance it by a reaction, or let the body turn", load.name));
     }
     None

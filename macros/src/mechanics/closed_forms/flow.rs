@@ -14,7 +14,7 @@
 use crate::errors::{Errors, Extent};
 use crate::mechanics::balances::{given_parts, moments_about};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Inertia, Model, Motion, Vector, Workspace};
+use crate::model::{Frame, Inertia, Model, Vector, Workspace};
 use crate::symbolic::Components;
 
 use super::about_axis::about_axis;
@@ -77,7 +77,7 @@ fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
     let reactions: Vec<(String, Vector, Vector)> = reactions
         .map(|(reaction, (force, moment))| (reaction.name.to_string(), force, moment))
         .collect();
-    let frame = if model.motion == Motion::Rod {
+    let frame = if model.motion.is_line() {
         Frame::World
     } else {
         Frame::Body
@@ -117,7 +117,7 @@ pub fn turning(
     if !model.motion.has_attitude() {
         return Some(Turning::None);
     }
-    if model.motion.is_planar() || model.motion.is_hinged() {
+    if model.motion.is_planar || model.motion.is_hinged() {
         return about_axis(model, work, angular[2], contributions, obstacles);
     }
     let moments: Vec<Components> = contributions.iter().map(|load| load.moment).collect();
@@ -126,7 +126,7 @@ pub fn turning(
         .into_iter()
         .fold(zeros, |sum, moment| work.graph.add_vectors(sum, moment));
     let is_free = all_vanish(work, &total);
-    if model.motion == Motion::Rod {
+    if model.motion.is_line() {
         if is_free {
             return Some(Turning::GreatCircle);
         }
@@ -159,7 +159,7 @@ fn report_moments(
     } else {
         "G"
     };
-    let is_rod = model.motion == Motion::Rod;
+    let is_rod = model.motion.is_line();
     let is_symmetric = !is_rod && !axes_of_symmetry(model, work, &[]).is_empty();
     let (mut harmless, before) = (Vec::new(), obstacles.len());
     for load in contributions {

@@ -3,7 +3,7 @@
 use crate::families::Family;
 use crate::mechanics::balances::{inertia_about_center, uniform_field};
 use crate::mechanics::structure::{Structure, Symmetry};
-use crate::model::{AXES, Inertia, Meaning, Model, Motion, Output, Workspace};
+use crate::model::{AXES, Inertia, Meaning, Model, Output, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::skipped_loads::skip_loads;
@@ -42,7 +42,7 @@ fn skip_spin(model: &Model, structure: &Structure, skipped: &mut Vec<String>) {
     let Symmetry::About(axis) = structure.angular.body else {
         return;
     };
-    if !structure.keeps_spin || model.motion.is_planar() {
+    if !structure.keeps_spin || model.motion.is_planar {
         return;
     }
     let named = AXES.into_iter().zip(axis).filter(|(_, part)| *part != 0.0);
@@ -75,23 +75,7 @@ fn skip_outputs(model: &Model, skipped: &mut Vec<String>) {
 }
 
 fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
-    let missing = match model.motion {
-        Motion::Planar => "three equations out of the plane: the motion is planar",
-        Motion::PlanarTranslation | Motion::Translation => {
-            "the moment balance: the body does not turn"
-        }
-        Motion::Rotation => "the force balance: the motion of G is not modelled",
-        Motion::Pivot => {
-            "the force balance and out of the plane: the body turns about a point of it"
-        }
-        Motion::FixedPoint => {
-            "the force balance: the reaction of the support has no moment about it"
-        }
-        Motion::FixedAxis => "all balances but one: the reactions have no moment about the axis",
-        Motion::Rod => "the moment balance about the axis: a rod has no inertia about it",
-        Motion::Spatial => return,
-    };
-    skipped.push(missing.to_owned());
+    skipped.extend(model.motion.missing.map(str::to_owned));
     if model.has_idle_inertia {
         skipped.push("the inertia: the body does not turn".to_owned());
     }
@@ -162,8 +146,8 @@ fn skip_state(
     let depends = |wanted: fn(Meaning) -> bool| {
         graph.depends_on(&roots, |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(work.meanings.of(*symbol))))
     };
-    let (moves, turns) = (model.motion.translates(), model.motion.has_attitude());
-    let is_rod = model.motion == Motion::Rod;
+    let (moves, turns) = (model.motion.translates, model.motion.has_attitude());
+    let is_rod = model.motion.is_line();
     let parts: [Part; 6] = [
         (moves, "position", |meaning| {
             matches!(meaning, Meaning::Position(_))

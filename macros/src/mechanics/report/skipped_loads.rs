@@ -2,7 +2,7 @@
 //! before the state is known, parts of the rotation that nothing needs.
 
 use crate::mechanics::balances::{is_along_axis, is_diagonal, resultant};
-use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Motion, Point, Workspace};
+use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Point, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 pub fn skip_loads(
@@ -24,7 +24,7 @@ pub fn skip_loads(
 /// Forces that add up to nothing leave a couple.
 fn skip_resultant(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     let acts = |load: &Load| !work.is_zero_vector(load.force);
-    if !model.motion.translates() || !model.loads.iter().any(acts) {
+    if !model.motion.translates || !model.loads.iter().any(acts) {
         return;
     }
     let sum = resultant(work, &model.loads);
@@ -75,17 +75,12 @@ fn skip_potentials(model: &Model, work: &Workspace, skipped: &mut Vec<String>) {
     let derived = model.loads.iter().filter(|load| load.potential.is_some());
     for load in derived {
         let parts = [
-            (
-                model.motion.knows_position(),
-                load.force,
-                "force",
-                "position",
-            ),
+            (model.motion.knows_position, load.force, "force", "position"),
             (
                 model.motion.has_attitude(),
                 load.moment,
                 "moment",
-                if model.motion == Motion::Rod {
+                if model.motion.is_line() {
                     "axis"
                 } else {
                     "attitude"
@@ -117,7 +112,7 @@ fn merge_charges(model: &Model, skipped: &mut Vec<String>) {
 
 /// Loads that are the same in all states are added before.
 fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
-    if model.motion == Motion::Rod {
+    if model.motion.is_line() {
         return;
     }
     let turns = model.motion.has_attitude();

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Inertia, Meaning, Model, Motion, Workspace};
+use crate::model::{Inertia, Meaning, Model, Workspace};
 use crate::symbolic::{Components, Id, Node, Number};
 
 use super::symmetry::{Space, Symmetry, symmetries};
@@ -171,7 +171,7 @@ fn stays_in_plane(
     angular: &Components,
     axis: usize,
 ) -> bool {
-    if model.motion.is_planar() || model.motion.is_hinged() {
+    if model.motion.is_planar || model.motion.is_hinged() {
         return false;
     }
     let is_out_of_plane = |meaning: Meaning| match meaning {
@@ -182,7 +182,7 @@ fn stays_in_plane(
         Meaning::AngularVelocity(i) => i != axis,
         _ => false,
     };
-    let is_rod = model.motion == Motion::Rod;
+    let is_rod = model.motion.is_line();
     let turning = (0..3).filter(|i| (*i == axis) == is_rod);
     let roots: Vec<Id> = turning.map(|i| angular[i]).chain([linear[axis]]).collect();
     let zero = work.graph.zero();

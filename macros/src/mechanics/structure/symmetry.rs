@@ -15,7 +15,7 @@ use std::collections::HashMap;
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::proofs::RandomState;
-use crate::model::{Attitude, Inertia, Model, Motion, Workspace};
+use crate::model::{Attitude, Inertia, Model, Workspace};
 use crate::symbolic::{
     Algebra, Components, Function, Graph, Id, Node, Number, Residue, Residues, Spectrum, Tape,
     on_branches,
@@ -139,11 +139,13 @@ pub fn symmetries(
     linear: &Components,
     angular: &Components,
 ) -> [[Space; 2]; 2] {
-    let is_rod = model.motion == Motion::Rod;
-    let axes: &[usize] = match model.motion {
-        Motion::Pivot | Motion::FixedAxis => &[],
-        Motion::Planar | Motion::PlanarTranslation => &[2],
-        _ => &[0, 1, 2],
+    let is_rod = model.motion.is_line();
+    let axes: &[usize] = if model.motion.is_hinged() {
+        &[]
+    } else if model.motion.is_planar {
+        &[2]
+    } else {
+        &[0, 1, 2]
     };
     let of_body = if is_rod { &[] } else { axes };
     let world = [0, 1, 2].map(|axis| turn_of_world(model, work, axis));
@@ -297,7 +299,7 @@ fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
     let (graph, state) = (&mut work.graph, &model.state);
     let e = unit_vector(graph, axis);
     let mut rates = Rates::new();
-    let vectors = if model.motion.translates() {
+    let vectors = if model.motion.translates {
         vec![state.position.world, state.velocity.world]
     } else {
         Vec::new()

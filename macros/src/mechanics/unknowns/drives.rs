@@ -63,18 +63,8 @@ pub fn solve_drives(
         let loads = given_loads(model, work);
         balances_of(model, work, &loads, Vec::new(), (linear, angular))
     };
-    let equations = match as_many(model, work, rows, &columns, rest) {
-        Some(equations) => equations,
-        None => {
-            let mut equations = nearest(model, work, &columns, rest);
-            // a body that does not turn is held by what is left of the balances
-            let held = rows.iter().filter(|row| is_held(model, row)).cloned();
-            let held: Vec<Row> = held.collect();
-            let frames = (Frame::World, Frame::World);
-            equations.extend(balances(work, &held, &columns, rest, frames));
-            equations
-        }
-    };
+    let equations = as_many(model, work, rows, &columns, rest)
+        .unwrap_or_else(|| nearest(model, work, rows, &columns, rest));
     let elimination = eliminate(work, equations, columns.len());
     let names: Vec<String> = columns.iter().map(|column| column.name(model)).collect();
     for column in &elimination.undetermined {
@@ -228,10 +218,11 @@ fn balances(
     equations
 }
 
-/// Gauss's principle.
+/// Gauss's principle; a body that does not turn is held by what is left of the balances.
 fn nearest(
     model: &Model,
     work: &mut Workspace,
+    rows: &[Row],
     columns: &[Column<'_>],
     rest: (Vector, Vector),
 ) -> Vec<Equation> {
@@ -252,8 +243,14 @@ fn nearest(
         .iter()
         .map(|column| in_axes(work, column.force, column.moment))
         .collect();
+    let held: Vec<Row> = rows
+        .iter()
+        .filter(|row| is_held(model, row))
+        .cloned()
+        .collect();
+    let frames = (Frame::World, Frame::World);
+    let mut equations = balances(work, &held, columns, rest, frames);
     let rest = in_axes(work, rest.0, rest.1);
-    let mut equations = Vec::new();
     for (row, (force, moment)) in loads.iter().enumerate() {
         let (linear, angular) = response(model, work, *force, *moment);
         let graph = &mut work.graph;

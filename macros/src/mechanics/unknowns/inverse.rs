@@ -12,8 +12,7 @@ use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;
 use super::left_over::balances_left;
-use super::reactions::assemble;
-use super::reactions::solve_unknowns;
+use super::reactions::{assemble, solve_unknowns};
 use super::solvability::check_determined;
 use super::unknown::{ReactionExpressions, Row, Unmoved};
 
@@ -82,13 +81,13 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
     let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
     let along = |kind: LoadKind, direction: Components| Row::new("the balances", kind, direction);
     let mut rows = Vec::new();
-    if model.motion.translates() {
+    if model.motion.translates {
         rows.extend((0..model.motion.axes()).map(|axis| along(LoadKind::Force, unit(axis))));
     }
     if let Some(d) = model.hinge(&mut work.graph) {
         rows.push(along(LoadKind::Moment, d));
     } else if model.motion.has_attitude() {
-        let axes = if model.motion.is_planar() { 2..3 } else { 0..3 };
+        let axes = if model.motion.is_planar { 2..3 } else { 0..3 };
         rows.extend(axes.map(|axis| along(LoadKind::Moment, unit(axis))));
     }
     rows

@@ -1,9 +1,10 @@
 //! The balances that do not determine the accelerations.
 
-use super::unknown::Row;
 use crate::families::LoadKind;
 use crate::model::{Model, Workspace};
 use crate::symbolic::Components;
+
+use super::unknown::Row;
 
 /// The balances that do not determine the accelerations.
 pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<Row> {
@@ -11,7 +12,7 @@ pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<Row> {
     let (zero, one) = (graph.zero(), graph.one());
     let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
     let mut rows = Vec::new();
-    if !model.motion.translates() {
+    if !model.motion.translates {
         for axis in 0..model.motion.axes() {
             let name = [
                 "the forces along x",
@@ -31,13 +32,13 @@ pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<Row> {
         "the moments about z",
     ];
     if !model.motion.has_attitude() {
-        let axes = if model.motion.is_planar() { 2..3 } else { 0..3 };
+        let axes = if model.motion.is_planar { 2..3 } else { 0..3 };
         rows.extend(axes.map(|axis| Row {
             name: moment_names[axis],
             kind: LoadKind::Moment,
             direction: unit(axis),
         }));
-    } else if let (false, Some(d)) = (model.motion.is_planar(), model.hinge(&mut work.graph)) {
+    } else if let (false, Some(d)) = (model.motion.is_planar, model.hinge(&mut work.graph)) {
         rows.extend(across(work, d).map(|(name, direction)| Row {
             name,
             kind: LoadKind::Moment,

@@ -153,7 +153,7 @@ pub fn check_elimination(
                 format!(
                     "under `motion: {}` nothing balances the moment of the reactions: let them act \
                      at G, or leave a moment in `reactions` unknown",
-                    model.motion.word()
+                    model.motion.word
                 ),
             );
         }

@@ -3,7 +3,7 @@
 use crate::errors::Errors;
 use crate::families::LoadKind;
 use crate::mechanics::balances::arm;
-use crate::model::{Frame, Model, Motion, Reaction, Workspace};
+use crate::model::{Frame, Model, Reaction, Workspace};
 use crate::symbolic::{Graph, Id, Number};
 
 use super::unknown::Solved;
@@ -41,7 +41,7 @@ fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
             None => model.motion.has_attitude(),
         };
     }
-    if model.motion.translates() {
+    if model.motion.translates {
         return true;
     }
     let center = model.state.center(work);
@@ -61,14 +61,14 @@ fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
 }
 
 fn drive(model: &Model, reaction: &Reaction) -> String {
-    let motion = model.motion.word();
+    let motion = model.motion.word;
     if !model.motion.is_supported() {
         return format!(
             "this would move the body, and a reaction does no work: under `motion: {motion}` nothing \
              holds the body in this direction"
         );
     }
-    let held = if model.motion == Motion::FixedAxis {
+    let held = if model.motion.has_written_axis() {
         "the axis"
     } else {
         "the point that is held"

@@ -61,7 +61,7 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
     let labels = &mut work.labels;
     labels.vector(&format!("{name}_force"), derived.force.world);
     let moment = format!("{name}_moment");
-    if model.motion.is_planar() {
+    if model.motion.is_planar {
         labels.name(derived.moment[2], moment);
     } else {
         labels.vector(&moment, derived.moment);
@@ -83,7 +83,7 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
 /// Late operations of what enters the accelerations.
 fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
     let mut roots = Vec::new();
-    if model.motion.translates() {
+    if model.motion.translates {
         let force = work.sum(derived.iter().map(|one| one.force));
         roots.extend(work.turn(force.body, Frame::World));
         roots.extend(force.world);
@@ -245,7 +245,7 @@ fn pull(work: &mut Workspace, slopes: &Slopes) -> Components {
 fn expand(model: &Model, work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = HashMap::new();
     let zero = work.graph.zero();
-    if !model.motion.translates() {
+    if !model.motion.translates {
         values.extend(form.displacement.map(|symbol| (symbol, zero)));
     }
     for turn in &form.turns {

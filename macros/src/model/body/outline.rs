@@ -3,7 +3,8 @@
 use proc_macro2::{Ident, TokenStream};
 
 use crate::families::LoadKind;
-use crate::model::kinematics::{Frame, Motion};
+use crate::model::joints::Motion;
+use crate::model::kinematics::Frame;
 use crate::model::words::Dimension;
 use crate::symbolic::Number;
 

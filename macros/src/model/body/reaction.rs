@@ -4,7 +4,8 @@ use proc_macro2::Ident;
 
 use crate::errors::Extent;
 use crate::families::LoadKind;
-use crate::model::kinematics::{Frame, Motion, Point, Vector, Workspace};
+use crate::model::joints::Motion;
+use crate::model::kinematics::{Frame, Point, Vector, Workspace};
 use crate::model::words::AXES;
 use crate::symbolic::Components;
 
@@ -28,7 +29,7 @@ pub struct Reaction {
 impl Reaction {
     /// Whether all its components are unknown.
     pub fn is_whole(&self, motion: Motion) -> bool {
-        let is_scalar = self.kind == LoadKind::Moment && motion.is_planar();
+        let is_scalar = self.kind == LoadKind::Moment && motion.is_planar;
         is_scalar || self.unknown.len() == motion.axes()
     }
 
@@ -41,7 +42,7 @@ impl Reaction {
     /// What a component is called: `normal` of one unknown, `pin.x` of one of several.
     pub fn component_name(&self, motion: Motion, axis: usize) -> String {
         let is_moment = self.kind == LoadKind::Moment;
-        if self.along.is_some() || (is_moment && motion.is_planar()) {
+        if self.along.is_some() || (is_moment && motion.is_planar) {
             self.name.to_string()
         } else {
             format!("{}.{}", self.name, AXES[axis])

@@ -2,7 +2,6 @@
 
 mod frame;
 mod line;
-mod motion;
 mod point;
 mod state;
 pub mod turned_vector;
@@ -10,7 +9,6 @@ mod turning;
 mod workspace;
 
 pub use frame::{Attitude, Frame, Vector};
-pub use motion::Motion;
 pub use point::Point;
 pub use state::{Axis, State, Support, state_symbols};
 pub use turned_vector::{Turn, Turns};

@@ -1,10 +1,10 @@
 //! The state of a body, in symbols, and what holds it.
 
+use crate::model::joints::{Motion, Orientation};
 use crate::model::words::{Meaning, Meanings};
 use crate::symbolic::{Components, Graph, Id, Stage};
 
 use super::frame::{Attitude, Frame, Vector};
-use super::motion::Motion;
 use super::point::Point;
 use super::workspace::Workspace;
 
@@ -118,30 +118,30 @@ pub fn state_symbols(
     graph: &mut Graph,
     meanings: &mut Meanings,
 ) -> (State, Attitude) {
-    let linear = if motion.translates() {
+    let linear = if motion.translates {
         0..motion.axes()
     } else {
         0..0
     };
-    let angular = match motion {
-        Motion::Planar | Motion::Pivot | Motion::FixedAxis => 2..3,
-        Motion::Spatial | Motion::Rotation | Motion::FixedPoint => 0..3,
-        Motion::PlanarTranslation | Motion::Translation | Motion::Rod => 0..0,
+    let angular = match motion.orientation {
+        Orientation::Angle => 2..3,
+        Orientation::Quaternion => 0..3,
+        Orientation::Fixed | Orientation::Line => 0..0,
     };
     let time = meanings.symbol(graph, Stage::State, Meaning::Time);
-    let attitude = match motion {
-        Motion::Planar | Motion::Pivot | Motion::FixedAxis => Attitude::Axis {
+    let attitude = match motion.orientation {
+        Orientation::Angle => Attitude::Axis {
             angle: meanings.symbol(graph, Stage::State, Meaning::Angle),
             direction: [graph.zero(), graph.zero(), graph.one()],
         },
-        Motion::Spatial | Motion::Rotation | Motion::FixedPoint => {
+        Orientation::Quaternion => {
             let scalar = meanings.symbol(graph, Stage::State, Meaning::Quaternion(0));
             let vector =
                 [1, 2, 3].map(|i| meanings.symbol(graph, Stage::State, Meaning::Quaternion(i)));
             Attitude::Quaternion { scalar, vector }
         }
         // that of a rod comes with its direction in the body
-        Motion::PlanarTranslation | Motion::Translation | Motion::Rod => Attitude::Fixed,
+        Orientation::Fixed | Orientation::Line => Attitude::Fixed,
     };
     let zeros = graph.zeros();
     let in_world = |world: Components| Vector { body: zeros, world };
@@ -155,7 +155,7 @@ pub fn state_symbols(
         axis: None,
         support: None,
     };
-    if motion == Motion::Rod {
+    if motion.is_line() {
         let [unit, rate, acceleration] =
             [Meaning::Axis, Meaning::AxisRate, Meaning::AxisAcceleration]
                 .map(|meaning| meanings.vector(graph, 0..3, meaning));

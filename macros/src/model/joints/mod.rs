@@ -1,0 +1,39 @@
+//! The joints to the ground, a file each.
+
+mod fixed_axis;
+mod fixed_point;
+mod joint;
+mod pivot;
+mod planar;
+mod planar_translation;
+mod rod;
+mod rotation;
+mod spatial;
+mod translation;
+
+pub use fixed_axis::FIXED_AXIS;
+pub use fixed_point::FIXED_POINT;
+pub use joint::{Joint, Orientation};
+pub use pivot::PIVOT;
+pub use planar::PLANAR;
+pub use planar_translation::PLANAR_TRANSLATION;
+pub use rod::ROD;
+pub use rotation::ROTATION;
+pub use spatial::SPATIAL;
+pub use translation::TRANSLATION;
+
+/// A kind of motion: how a body is joined to the ground.
+pub type Motion = &'static Joint;
+
+/// All of them, in the order in which messages list them.
+pub const MOTIONS: [Motion; 9] = [
+    &PLANAR,
+    &PLANAR_TRANSLATION,
+    &SPATIAL,
+    &TRANSLATION,
+    &ROTATION,
+    &PIVOT,
+    &FIXED_POINT,
+    &FIXED_AXIS,
+    &ROD,
+];

@@ -16,6 +16,8 @@ mod expand;
 mod mechanics;
 #[path = "../macros/src/model/mod.rs"]
 mod model;
+#[path = "../macros/src/outputs/mod.rs"]
+mod outputs;
 #[path = "../macros/src/symbolic/mod.rs"]
 mod symbolic;
 #[path = "../macros/src/syntax/mod.rs"]

@@ -8,6 +8,7 @@ mod errors;
 mod expand;
 mod mechanics;
 mod model;
+mod outputs;
 mod symbolic;
 mod syntax;
 

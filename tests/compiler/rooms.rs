@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each room may import of the others.
-const ROOMS: [(&str, &[&str]); 7] = [
+const ROOMS: [(&str, &[&str]); 8] = [
     ("errors", &[]),
     ("syntax", &["errors"]),
     ("symbolic", &[]),
@@ -12,8 +12,12 @@ const ROOMS: [(&str, &[&str]); 7] = [
     ("mechanics", &["errors", "model", "symbolic"]),
     ("emit", &["model", "mechanics", "symbolic"]),
     (
+        "outputs",
+        &["errors", "syntax", "symbolic", "model", "mechanics", "emit"],
+    ),
+    (
         "expand",
-        &["errors", "syntax", "model", "mechanics", "emit"],
+        &["errors", "syntax", "model", "mechanics", "emit", "outputs"],
     ),
 ];
 
@@ -23,10 +27,18 @@ fn sources(room: &str) -> Vec<PathBuf> {
     if file.exists() {
         return vec![file];
     }
-    let entries = fs::read_dir(root.join(room)).expect("a room is a file or a folder");
-    let mut files: Vec<PathBuf> = entries
-        .map(|entry| entry.expect("a readable entry").path())
-        .collect();
+    let (mut folders, mut files) = (vec![root.join(room)], Vec::new());
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a room is a file or a folder") {
+            let path = entry.expect("a readable entry").path();
+            let kind = if path.is_dir() {
+                &mut folders
+            } else {
+                &mut files
+            };
+            kind.push(path);
+        }
+    }
     files.sort();
     assert!(!files.is_empty(), "{room} is empty");
     files

@@ -15,6 +15,7 @@ use super::response::response;
 use super::rod::turned_by;
 
 /// One constraint, as the runtime is told of it.
+#[derive(Clone)]
 pub struct Consistency {
     pub name: String,
     /// `g`, and the size of what it is summed from.

@@ -20,7 +20,6 @@ use super::active::active;
 use super::newton_euler::{check_moment_free, moments_about, solve_balances};
 use super::pushes::{Push, given_loads, pushes};
 use super::rates::{Rates, rates};
-use super::reactions::ReactionExpressions;
 use super::redundancy::{check_elimination, check_independent};
 use super::response::response;
 use super::rod;
@@ -43,7 +42,7 @@ pub struct Solved {
     pub linear: Components,
     pub angular: Components,
     pub constraints: Vec<Constrained>,
-    pub reactions: Vec<ReactionExpressions>,
+    pub reactions: Vec<Components>,
 }
 
 /// Accelerations and reactions of a body with constraints.
@@ -323,7 +322,7 @@ fn assemble(
     work: &mut Workspace,
     pushes: &[Push],
     values: &[Id],
-) -> Vec<ReactionExpressions> {
+) -> Vec<Components> {
     let mut vectors = Vec::new();
     for index in 0..model.reactions.len() {
         let reaction = &model.reactions[index];
@@ -340,7 +339,7 @@ fn assemble(
         let vector = work.components(whole, Frame::World);
         let vector = work.graph.results(vector);
         work.labels.vector(&name, vector);
-        vectors.push(ReactionExpressions { vector });
+        vectors.push(vector);
     }
     vectors
 }

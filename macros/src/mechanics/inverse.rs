@@ -6,13 +6,11 @@
 //! fewer than the balances they have a part in, [`super::drives`] solves for them.
 
 use crate::errors::Errors;
-use crate::model::{LoadKind, Meaning, Model, Output, Reaction, Vector, Workspace};
+use crate::model::{LoadKind, Meaning, Model, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;
-use super::reactions::{
-    ReactionExpressions, Row, Unmoved, assemble, balances_left, solve_unknowns,
-};
+use super::reactions::{Row, Unmoved, assemble, balances_left, solve_unknowns};
 use super::solvability::check_determined;
 
 /// Solves for the drives, each in the axes in which it is written.
@@ -20,10 +18,7 @@ pub fn derive_inverse(
     model: &Model,
     work: &mut Workspace,
     errors: &mut Errors,
-) -> Option<Vec<ReactionExpressions>> {
-    if !model.outputs.contains(&Output::Inverse) {
-        return Some(Vec::new());
-    }
+) -> Option<Vec<Components>> {
     let mut rows = free_balances(model, work);
     if !model.reactions.is_empty() {
         rows.extend(balances_left(model, work));
@@ -34,7 +29,7 @@ pub fn derive_inverse(
         let components = work.components(vector, drive.frame);
         let vector = work.graph.results(components);
         work.labels.vector(&drive.name.to_string(), vector);
-        ReactionExpressions { vector }
+        vector
     });
     Some(drives.collect())
 }

@@ -16,12 +16,6 @@ use crate::symbolic::{Components, Equation, Graph, Id, Node, Solution};
 use super::newton_euler::{arm, inertia_about_center, moments_about, resultant};
 use super::solvability::{check_solution, check_workless};
 
-/// One reaction, as a whole.
-pub struct ReactionExpressions {
-    /// World axes.
-    pub vector: Components,
-}
-
 /// An unknown component: its load, its axis in the frame of the equations, and its place.
 pub struct Unknown<'m> {
     pub load: &'m Reaction,
@@ -62,7 +56,7 @@ pub fn derive_reactions(
     linear: &Components,
     angular: &Components,
     errors: &mut Errors,
-) -> Option<Vec<ReactionExpressions>> {
+) -> Option<Vec<Components>> {
     if model.reactions.is_empty() {
         return Some(Vec::new());
     }
@@ -89,7 +83,7 @@ pub fn derive_reactions(
         let vector = work.components(whole, Frame::World);
         let vector = work.graph.results(vector);
         work.labels.vector(&reaction.name.to_string(), vector);
-        ReactionExpressions { vector }
+        vector
     });
     Some(in_world.collect())
 }

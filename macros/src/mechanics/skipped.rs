@@ -1,9 +1,8 @@
 //! What the equations of a body do not contain, and why: the text of `SKIPPED`.
 
-use crate::model::{AXES, Family, Inertia, Meaning, Model, Motion, Output, Workspace};
+use crate::model::{AXES, Inertia, Meaning, Model, Motion, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
-use super::energy::uniform_field;
 use super::newton_euler::inertia_about_center;
 use super::skipped_loads::skip_loads;
 use super::structure::Structure;
@@ -22,19 +21,6 @@ pub fn list_skipped(
     skip_spin(model, structure, &mut skipped);
     skip_loads(model, work, linear, angular, &mut skipped);
     skip_state(model, work, linear, angular, &mut skipped);
-    if model.outputs.contains(&Output::Energy) {
-        let others = model.loads.iter().filter(|load| {
-            let has_energy = load.potential.is_some() || uniform_field(model, work, load).is_some();
-            load.family == Family::Field && !has_energy
-        });
-        skipped.extend(others.map(|load| {
-            format!(
-                "`{}` in the potential energy: it is not a uniform field on a point of the body",
-                load.name
-            )
-        }));
-    }
-    skip_outputs(model, &mut skipped);
     skipped
 }
 
@@ -54,25 +40,6 @@ fn skip_spin(model: &Model, structure: &Structure, skipped: &mut Vec<String>) {
     skipped.push(format!(
         "the angular acceleration about {name}: nothing turns the body about its axis of symmetry"
     ));
-}
-
-/// What may be asked for and was not.
-fn skip_outputs(model: &Model, skipped: &mut Vec<String>) {
-    let has_reactions = !model.reactions.is_empty();
-    let offered = [
-        (Output::Energy, "energy", true),
-        (Output::Momentum, "momentum", true),
-        (Output::Balance, "balance", true),
-        (Output::Reactions, "reactions", has_reactions),
-    ];
-    let absent: Vec<&str> = offered
-        .into_iter()
-        .filter(|(output, _, exists)| *exists && !model.outputs.contains(output))
-        .map(|(_, name, _)| name)
-        .collect();
-    if !absent.is_empty() {
-        skipped.push(format!("{}: not in `outputs`", absent.join(", ")));
-    }
 }
 
 fn skip_equations(model: &Model, skipped: &mut Vec<String>) {

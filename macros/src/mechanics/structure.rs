@@ -12,6 +12,7 @@ use super::symmetry::{Space, Symmetry, symmetries};
 use super::zeros::all_vanish;
 
 /// What an integrator can know of a body.
+#[derive(Clone)]
 pub struct Structure {
     pub linear: Dependence,
     pub angular: Dependence,
@@ -28,6 +29,7 @@ pub struct Structure {
 }
 
 /// What one of the accelerations depends on.
+#[derive(Clone)]
 pub struct Dependence {
     /// In the order of [`QUANTITIES`].
     pub reads: [bool; 6],

@@ -49,10 +49,10 @@ pub use frame::{Attitude, Frame, Vector, Workspace};
 pub use inertia::Inertia;
 pub use motion::{Axis, Meanings, Motion, State};
 pub use names::{AXES, Labels, Meaning};
-pub use outline::{Declared, Outline, Output, outline};
+pub use outline::{Declared, INVERSE, Obstacle, Offer, Outline, outline, written_motion};
 pub use possible::is_flat;
 pub use potential::{Form, Potential, Potentials};
-pub use reaction::Reaction;
+pub use reaction::{Reaction, is_drive, is_unknown};
 pub use syntax::{Family, LoadKind};
 pub use turned_vector::Turn;
 pub use value::{Point, shown};
@@ -61,7 +61,6 @@ use entries::entries;
 use lower::Lowering;
 use parameters::Defaults;
 use possible::is_possible;
-use reaction::{is_drive, is_unknown};
 use scope::{Scope, check_names};
 
 /// A description, understood.
@@ -84,11 +83,6 @@ pub struct Model {
     /// What the motion keeps at zero, by scalars.
     pub constraints: Vec<Constraint>,
     pub pole: Point,
-    pub outputs: Vec<Output>,
-    /// Where the closed form of the motion is asked for.
-    pub flow: Option<Extent>,
-    /// Where Taylor series are asked for.
-    pub taylor: Option<Extent>,
     /// The values of the parameters that have a default.
     defaults: Defaults,
 }
@@ -197,7 +191,7 @@ pub fn lower_description(
         .filter(|load| load.charges.is_none());
     let (unknown, given): (Vec<_>, Vec<_>) = plain.partition(|load| is_unknown(load));
     let (driving, given): (Vec<_>, Vec<_>) = given.into_iter().partition(|load| is_drive(load));
-    let is_asked_for = outline.outputs.contains(&Output::Inverse);
+    let is_asked_for = outline.rank(INVERSE).is_some();
     let drives: Vec<Option<Reaction>> = driving
         .into_iter()
         .map(|load| lowering.drive(load, is_asked_for))
@@ -217,7 +211,7 @@ pub fn lower_description(
     let reactions = reactions.into_iter().collect::<Option<Vec<_>>>();
     let (inertia, loads, reactions, pole) = (inertia?, loads?, reactions?, pole?);
     let (potentials, constraints) = (potentials?, constraints?);
-    let (motion, outputs) = (outline.motion, outline.outputs.clone());
+    let motion = outline.motion;
     let model = Model {
         motion,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
@@ -231,9 +225,6 @@ pub fn lower_description(
         drives: drives.into_iter().collect::<Option<Vec<_>>>()?,
         constraints,
         pole,
-        outputs,
-        flow: place_of_output(description, "flow"),
-        taylor: place_of_output(description, "taylor"),
         defaults,
     };
     name_properties(&model, &mut work.labels);
@@ -275,12 +266,6 @@ fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
         .filter(|name| !scope.is_used(name))
         .cloned()
         .collect()
-}
-
-/// Where an output is asked for.
-fn place_of_output(description: &Description, output: &str) -> Option<Extent> {
-    let word = description.outputs.iter().find(|word| *word == output);
-    word.map(|word| word.span().into())
 }
 
 /// Reports constants of the equations that no double can hold, with the defaults where parameters

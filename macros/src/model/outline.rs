@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use proc_macro2::{Ident, TokenStream};
 
-use crate::errors::{Errors, hint, similar};
+use crate::errors::{Errors, Extent, hint, similar};
 use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, LoadKind, ROD, SUPPORTS};
 
@@ -18,28 +18,41 @@ use super::reaction::{is_drive, is_turning_drive, is_unknown};
 /// Outputs of later versions.
 const LATER: [&str; 2] = ["linearization", "sensitivity"];
 
-/// What can be asked for beyond the accelerations.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Output {
-    Energy,
-    Momentum,
-    Balance,
-    Reactions,
-    Inverse,
-    Flow,
-    Taylor,
+/// The output that solves for drives: without it, none may be unknown.
+pub const INVERSE: &str = "inverse";
+
+/// An output that a description may ask for, beyond the accelerations.
+pub struct Offer {
+    pub word: &'static str,
+    /// What is in the way of it, as far as the words of a description say.
+    pub obstacle: fn(&Description) -> Option<Obstacle>,
+    /// Whether a description that does not ask for it is told so.
+    pub is_missed: fn(&Outline) -> bool,
 }
 
-impl Output {
-    pub const ALL: [(&'static str, Self); 7] = [
-        ("energy", Self::Energy),
-        ("momentum", Self::Momentum),
-        ("balance", Self::Balance),
-        ("reactions", Self::Reactions),
-        ("inverse", Self::Inverse),
-        ("flow", Self::Flow),
-        ("taylor", Self::Taylor),
-    ];
+impl Offer {
+    /// Of every description, and none is told if it does not ask for it.
+    pub const fn new(word: &'static str) -> Self {
+        Self {
+            word,
+            obstacle: |_| None,
+            is_missed: |_| false,
+        }
+    }
+}
+
+/// Why an output cannot be asked for, and what to write instead.
+pub enum Obstacle {
+    /// There is nothing for it to say.
+    Nothing(&'static str),
+    /// This version does not have it for such a body; the types are those that it will have.
+    Later(&'static str),
+}
+
+/// An output that is asked for, and where.
+pub struct Asked {
+    pub word: &'static str,
+    pub place: Extent,
 }
 
 /// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it has.
@@ -53,7 +66,7 @@ pub struct Outline {
     pub motion: Motion,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<Asked>,
     /// Loads with unknown components, by name.
     pub reactions: Vec<(Ident, LoadKind)>,
     /// Drives with unknown components, by name.
@@ -94,6 +107,16 @@ impl Declared {
 }
 
 impl Outline {
+    /// The place of an output among those that are asked for.
+    pub fn rank(&self, word: &str) -> Option<usize> {
+        self.outputs.iter().position(|asked| asked.word == word)
+    }
+
+    /// Where an output is asked for.
+    pub fn place(&self, word: &str) -> Option<Extent> {
+        Some(self.outputs[self.rank(word)?].place)
+    }
+
     /// Whether the body can be built from the defaults alone.
     pub fn has_default(&self) -> bool {
         self.params.iter().all(|param| param.default.is_some())
@@ -101,7 +124,11 @@ impl Outline {
 }
 
 /// The outline of `description`; without a valid motion it is taken to be the most likely one.
-pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
+pub fn outline(
+    description: &Description,
+    offers: &[&'static Offer],
+    errors: &mut Errors,
+) -> Outline {
     check_motion(description, errors);
     let motion = written_motion(description).unwrap_or_else(|| likely_motion(description));
     let declared = |declaration: &Declaration| {
@@ -128,7 +155,7 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
         motion,
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
-        outputs: check_outputs(description, errors),
+        outputs: check_outputs(description, offers, errors),
         reactions: by_name(description, is_unknown),
         drives: by_name(description, is_drive),
         has_turning_drive: description.loads.iter().any(is_turning_drive),
@@ -269,75 +296,46 @@ fn is_reported(description: &Description) -> bool {
     !description.lost.is_empty() || description.loads.iter().any(wrong)
 }
 
-fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> {
-    let mut outputs = Vec::new();
+fn check_outputs(
+    description: &Description,
+    offers: &[&'static Offer],
+    errors: &mut Errors,
+) -> Vec<Asked> {
+    let mut outputs: Vec<Asked> = Vec::new();
     for word in &description.outputs {
         let written = word.to_string();
-        match Output::ALL.iter().find(|(known, _)| *known == written) {
-            Some((_, output)) if outputs.contains(output) => {
-                errors.push(word.span(), format!("`{written}` is asked for twice"));
-            }
-            Some((_, Output::Reactions))
-                if !description.loads.iter().any(is_unknown) && !is_reported(description) =>
-            {
-                errors.push(
-                    word.span(),
-                    "there are no unknown reactions: leave components open, as in `reactions: \
-                     [pin = world(_, _).at(P)]`",
-                );
-            }
-            Some((_, Output::Inverse))
-                if !description.loads.iter().any(is_drive) && !is_reported(description) =>
-            {
-                errors.push(
-                    word.span(),
-                    "there are no unknown drives: leave components open, as in `moments: [motor = \
-                     body(0, 0, _)]`",
-                );
-            }
-            Some((_, Output::Inverse)) if !description.constraints.is_empty() => {
-                errors.push(
-                    word.span(),
-                    "inverse dynamics under constraints is not there yet: use a motion with a support",
-                );
-                outputs.push(Output::Inverse);
-            }
-            Some((_, Output::Inverse)) if written_motion(description) == Some(Motion::Rod) => {
-                errors.push(
-                    word.span(),
-                    "inverse dynamics of a rod is not there yet: make the drive an input",
-                );
-                outputs.push(Output::Inverse);
-            }
-            Some((_, Output::Taylor)) if !description.constraints.is_empty() => {
-                errors.push(
-                    word.span(),
-                    "`taylor` under constraints is not there yet: use a motion with a support, \
-                     or leave `taylor` out, and `integrate` takes Runge-Kutta steps",
-                );
-                outputs.push(Output::Taylor);
-            }
-            Some((_, output)) => outputs.push(*output),
-            None if LATER.contains(&written.as_str()) => {
-                errors.push(
-                    word.span(),
-                    format!(
-                        "`{written}` is part of the language, but this version does not have it yet"
-                    ),
-                );
-            }
-            None => {
-                let words = Output::ALL.iter().map(|(word, _)| *word);
-                let all = words.clone().collect::<Vec<_>>().join("`, `");
-                errors.push(
-                    word.span(),
-                    format!(
-                        "unknown output `{written}`: expected one of `{all}`{}",
-                        hint(&written, words)
-                    ),
-                );
-            }
+        let Some(offer) = offers.iter().find(|offer| offer.word == written) else {
+            errors.push(word.span(), unknown_output(&written, offers));
+            continue;
+        };
+        if outputs.iter().any(|asked| asked.word == written) {
+            errors.push(word.span(), format!("`{written}` is asked for twice"));
+            continue;
         }
+        match (offer.obstacle)(description) {
+            Some(Obstacle::Nothing(reason)) if !is_reported(description) => {
+                errors.push(word.span(), reason);
+                continue;
+            }
+            Some(Obstacle::Later(reason)) => errors.push(word.span(), reason),
+            _ => {}
+        }
+        outputs.push(Asked {
+            word: offer.word,
+            place: word.span().into(),
+        });
     }
     outputs
+}
+
+fn unknown_output(written: &str, offers: &[&'static Offer]) -> String {
+    if LATER.contains(&written) {
+        return format!(
+            "`{written}` is part of the language, but this version does not have it yet"
+        );
+    }
+    let words = offers.iter().map(|offer| offer.word);
+    let all = words.clone().collect::<Vec<_>>().join("`, `");
+    let hint = hint(written, words);
+    format!("unknown output `{written}`: expected one of `{all}`{hint}")
 }

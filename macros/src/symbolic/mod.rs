@@ -40,7 +40,7 @@ mod zeros;
 
 pub use algebra::Algebra;
 pub use branches::on_branches;
-pub use convolution::{Origin, Sum, Term};
+pub use convolution::{LANES, Origin, Sum, Term};
 pub use cost::Cost;
 pub use eigen::{PrincipalAxes, Spectrum, Symmetry, scaled};
 pub use eliminate::{Elimination, Row, Size};

@@ -24,6 +24,8 @@ mod expand;
 pub mod mechanics;
 #[path = "../../../macros/src/model/mod.rs"]
 pub mod model;
+#[path = "../../../macros/src/outputs/mod.rs"]
+pub mod outputs;
 #[path = "../../../macros/src/symbolic/mod.rs"]
 pub mod symbolic;
 #[path = "../../../macros/src/syntax/mod.rs"]

@@ -9,10 +9,10 @@ use crate::model::{AXES, Motion, Outline};
 use crate::symbolic::{Components, Id};
 
 use super::naming::local;
-use super::paths::private;
-use super::scalar::Scalar;
+use super::scalar::{Scalar, private};
 
 /// The shapes of one body.
+#[derive(Clone)]
 pub struct Shapes {
     pub motion: Motion,
     pub scalar: Scalar,
@@ -41,15 +41,15 @@ impl Shapes {
 
     pub fn state_type(&self) -> TokenStream {
         let name = match self.motion {
-            Motion::Planar => format_ident!("Planar"),
-            Motion::PlanarTranslation => format_ident!("PlanarTranslation"),
-            Motion::Spatial => format_ident!("Spatial"),
-            Motion::Translation => format_ident!("Translation"),
-            Motion::Rotation | Motion::FixedPoint => format_ident!("Rotation"),
-            Motion::Pivot | Motion::FixedAxis => format_ident!("Hinge"),
-            Motion::Rod => format_ident!("Rod"),
+            Motion::Planar => "Planar",
+            Motion::PlanarTranslation => "PlanarTranslation",
+            Motion::Spatial => "Spatial",
+            Motion::Translation => "Translation",
+            Motion::Rotation | Motion::FixedPoint => "Rotation",
+            Motion::Pivot | Motion::FixedAxis => "Hinge",
+            Motion::Rod => "Rod",
         };
-        self.scalar.holder(&name)
+        self.scalar.holder(name)
     }
 
     pub fn vector_type(&self) -> TokenStream {
@@ -71,11 +71,10 @@ impl Shapes {
     }
 
     pub fn acceleration_type(&self) -> TokenStream {
-        let holder = |name: &str| self.scalar.holder(&format_ident!("{name}"));
         match self.motion {
-            Motion::Planar => holder("PlanarAcceleration"),
-            Motion::Spatial => holder("SpatialAcceleration"),
-            Motion::Rod => holder("RodAcceleration"),
+            Motion::Planar => self.scalar.holder("PlanarAcceleration"),
+            Motion::Spatial => self.scalar.holder("SpatialAcceleration"),
+            Motion::Rod => self.scalar.holder("RodAcceleration"),
             Motion::Pivot | Motion::FixedAxis => self.scalar.kind(),
             Motion::PlanarTranslation
             | Motion::Translation
@@ -85,11 +84,10 @@ impl Shapes {
     }
 
     pub fn wrench_type(&self) -> TokenStream {
-        let holder = |name: &str| self.scalar.holder(&format_ident!("{name}"));
         match self.motion {
             Motion::Rotation => self.moment_type(),
-            _ if self.motion.is_planar() => holder("PlanarWrench"),
-            _ => holder("Wrench"),
+            _ if self.motion.is_planar() => self.scalar.holder("PlanarWrench"),
+            _ => self.scalar.holder("Wrench"),
         }
     }
 
@@ -99,7 +97,7 @@ impl Shapes {
         } else {
             "Load"
         };
-        self.scalar.holder(&format_ident!("{name}"))
+        self.scalar.holder(name)
     }
 
     /// The components that a vector has.
@@ -184,15 +182,12 @@ impl Shapes {
 
     pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
         match self.motion {
-            Motion::Planar | Motion::Spatial => {
+            Motion::Planar | Motion::Spatial | Motion::Rod => {
+                let is_rod = self.motion == Motion::Rod;
+                let turning = format_ident!("{}", if is_rod { "axis" } else { "angular" });
                 let kind = self.acceleration_type();
-                let (linear, angular) = (self.vector(values), self.moment(values));
-                quote!(#kind { linear: #linear, angular: #angular })
-            }
-            Motion::Rod => {
-                let kind = self.acceleration_type();
-                let (linear, axis) = (self.vector(values), self.vector(values));
-                quote!(#kind { linear: #linear, axis: #axis })
+                let (linear, change) = (self.vector(values), self.moment(values));
+                quote!(#kind { linear: #linear, #turning: #change })
             }
             Motion::Pivot | Motion::FixedAxis => {
                 let value = values.next();
@@ -205,7 +200,8 @@ impl Shapes {
         }
     }
 
-    /// `State { velocity: .., angular_velocity: .., ..*state }`, of a rod `axis_rate`, with these velocities or at rest.
+    /// `State { velocity: .., angular_velocity: .., ..*state }`, of a rod `axis_rate`, with these
+    /// velocities or at rest.
     pub fn moving_state(&self, values: &mut Values<'_>, moves: bool) -> TokenStream {
         let (kind, state) = (self.state_type(), local("state"));
         let field = |name: &str, value: TokenStream| {

@@ -6,7 +6,8 @@ use crate::emit::{Sound, emit_body};
 use crate::errors::Errors;
 use crate::mechanics::{derive_equations, describe_equations, with_potentials};
 use crate::outputs::{self, derive_outputs};
-use crate::{model, syntax};
+use crate::range::check_range;
+use crate::{lower, syntax};
 
 /// Expands `(runtime) Name { key: value, .. }`.
 pub fn expand(tokens: TokenStream) -> TokenStream {
@@ -14,8 +15,8 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let Some(description) = syntax::parse_description(tokens, &mut errors) else {
         return errors.finish().unwrap_or_default();
     };
-    let mut outline = model::outline(&description, &outputs::offers(), &mut errors);
-    let model = model::lower_description(&description, &mut outline, &mut errors);
+    let mut outline = lower::outline(&description, &outputs::offers(), &mut errors);
+    let model = lower::lower_description(&description, &mut outline, &mut errors);
     // what is wrong with a sound description: rank, solvability, range
     let solved = model
         .filter(|_| errors.is_empty())
@@ -26,7 +27,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
             let mut report = describe_equations(&model, &mut work, &equations);
             outputs.describe(&outline, (&model, &work), &mut report);
             let roots = outputs.roots(&equations);
-            model::check_range(&model, &mut work, &outline, &roots.finite, &mut errors);
+            check_range(&model, &mut work, &outline, &roots.finite, &mut errors);
             let sound = Sound {
                 model,
                 work,

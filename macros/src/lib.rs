@@ -6,9 +6,13 @@
 mod emit;
 mod errors;
 mod expand;
+mod families;
+mod fraction;
+mod lower;
 mod mechanics;
 mod model;
 mod outputs;
+mod range;
 mod symbolic;
 mod syntax;
 

@@ -1,9 +1,10 @@
 //! The equations of motion of a rigid body, derived at compile time from a declarative description.
 //!
-//! [`rigid_body!`] reads what a body is (mass, inertia, points) and what acts on it (forces, moments, fields,
-//! reactions), writes the force balance (1.3) and the moment balance (1.4), drops what is zero or never asked for, and
-//! leaves straight-line Rust that `cargo expand` shows as a page of a textbook. Its documentation is the reference of the
-//! language. Generated types implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them.
+//! [`rigid_body!`] reads what a body is (mass, inertia, points) and what acts on it (forces,
+//! moments, fields, reactions), writes the force balance (1.3) and the moment balance (1.4), drops
+//! what is zero or never asked for, and leaves straight-line Rust that `cargo expand` shows as a
+//! page of a textbook. Its documentation is the reference of the language. Generated types
+//! implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them.
 //!
 //! ```
 //! use newton_euler::prelude::*;
@@ -19,7 +20,8 @@
 //! });
 //!
 //! let plank = Plank::default();
-//! let thrown = Planar { velocity: [4.0, 7.0].into(), angular_velocity: -5.0, ..Planar::default() };
+//! let thrown =
+//!     Planar { velocity: [4.0, 7.0].into(), angular_velocity: -5.0, ..Planar::default() };
 //! let caught = plank.integrate(&thrown).to(1.5)?;
 //! assert!((caught.position.y - (7.0 * 1.5 - 9.80665 * 1.5 * 1.5 / 2.0)).abs() < 1e-12);
 //!
@@ -29,36 +31,44 @@
 //! # Ok::<(), newton_euler::integrate::IntegrationError<Planar>>(())
 //! ```
 //!
-//! What the macro uses is here for use by hand as well: [`inertia`] tensors that cannot be impossible, the
-//! [`gyroscopic`] term, [`wrench`]es, their change of pole and their reduction, uniform [`field`]s on charges, steady
-//! [`precession`] of [`top`]s, maps of [`attitude`]. Plain SI numbers, right-handed axes; every vector says in whose axes
-//! its components are. No `std`, no `unsafe`.
+//! What the macro uses is here for use by hand as well: [`inertia`] tensors that cannot be
+//! impossible, the [`gyroscopic`] term, [`wrench`]es, their change of pole and their reduction,
+//! uniform [`field`]s on charges, steady [`precession`] of [`top`]s, maps of [`attitude`]. Plain SI
+//! numbers, right-handed axes; every vector says in whose axes its components are. No `std`, no
+//! `unsafe`.
 //!
 //! # An erratum
 //!
-//! The moment of the inertial forces is often given as (1.9): minus the inertia matrix times the angular acceleration,
-//! plus a matrix times the *squares* of the angular velocities. As printed it is incomplete: a second matrix, times
-//! their *products*, is missing, and with it the whole gyroscopic moment in principal axes. Bodies then do not
-//! flip and precess wrongly, and their energy and angular momentum are not conserved. This library uses the completed
-//! equation; [`gyroscopic`] has both matrices, what goes wrong without the second, and how the gap was found.
+//! The moment of the inertial forces is often given as (1.9): minus the inertia matrix times the
+//! angular acceleration, plus a matrix times the *squares* of the angular velocities. As printed it
+//! is incomplete: a second matrix, times their *products*, is missing, and with it the whole
+//! gyroscopic moment in principal axes. Bodies then do not flip and precess wrongly, and their
+//! energy and angular momentum are not conserved. This library uses the completed equation;
+//! [`gyroscopic`] has both matrices, what goes wrong without the second, and how the gap was found.
 //!
 //! # The same bits, no panics
 //!
-//! One version of this library computes the same bits in every build and on every processor, alone and in an ensemble; only series that are
-//! [integrated](integrate::TaylorSeries) know two, with fused operations and without. What is not a number is handed on by evaluations and is an
-//! [error](integrate::IntegrationError) of integration; neither panics, as a program shows that would not link otherwise. What exactly is promised, and how it is tried, is in
-//! `docs/trust.md` of the repository.
+//! One version of this library computes the same bits in every build and on every processor, alone
+//! and in an ensemble; only series that are [integrated](integrate::TaylorSeries) know two, with
+//! fused operations and without. What is not a number is handed on by evaluations and is an
+//! [error](integrate::IntegrationError) of integration; neither panics, as a program shows that
+//! would not link otherwise. What exactly is promised, and how it is tried, is in `docs/trust.md`
+//! of the repository.
 //!
 //! # Features
 //!
-//! - `dispatch`, by default: series in the widest registers that the processor has, found at run time.
-//! - `serde`: serialisation of states, accelerations, wrenches, inertia tensors and ensembles. What cannot be (an attitude or an axis
-//!   that is not unit, an impossible inertia) is refused on reading. Numbers are passed on bit for bit; `serde_json` reads them so with
-//!   its feature `float_roundtrip`.
-//! - `ensemble`: many bodies at once, in registers of two, four or eight numbers, chosen at run time; it allocates.
+//! - `dispatch`, by default: series in the widest registers that the processor has, found at run
+//!   time.
+//! - `serde`: serialisation of states, accelerations, wrenches, inertia tensors and ensembles. What
+//!   cannot be (an attitude or an axis that is not unit, an impossible inertia) is refused on
+//!   reading. Numbers are passed on bit for bit; `serde_json` reads them so with its feature
+//!   `float_roundtrip`.
+//! - `ensemble`: many bodies at once, in registers of two, four or eight numbers, chosen at run
+//!   time; it allocates.
 //! - `rayon`: ensembles on all processor cores.
 //! - `progress`: long runs show a bar.
-//! - `differential-equations`: the equations of a body for the methods of the crate of that name ([`integrate::Equations`])
+//! - `differential-equations`: the equations of a body for the methods of the crate of that name
+//!   ([`integrate::Equations`])
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -67,38 +77,31 @@
 #[cfg(feature = "ensemble")]
 extern crate alloc;
 
-pub mod attitude;
-pub mod body;
-pub mod columns;
-pub mod constrained;
+mod bodies;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 pub mod exact;
-pub mod field;
-pub mod gyroscopic;
-pub mod inertia;
 pub mod integrate;
-#[cfg(feature = "ensemble")]
-pub mod lanes;
-pub mod load;
-pub mod operations;
-pub mod precession;
+mod mechanics;
+mod numbers;
 pub mod prelude;
-pub mod principal;
 #[doc(hidden)]
 pub mod private;
-pub mod scalar;
-mod scale;
-#[doc(hidden)]
-pub mod schema;
 pub mod state;
-pub mod structure;
 pub mod taylor;
-pub mod top;
-mod twofold;
-pub mod wrench;
+mod tops;
+
+pub use bodies::{body, columns, constrained, operations, structure};
+pub use mechanics::{attitude, field, gyroscopic, inertia, load, principal, wrench};
+#[cfg(feature = "ensemble")]
+pub use numbers::lanes;
+pub use numbers::scalar;
+#[doc(hidden)]
+pub use private::schema;
+pub use tops::{precession, top};
 
 pub use nalgebra;
+#[doc(no_inline)]
 pub use scalar::{Dual, Scalar};
 
 #[doc = include_str!("rigid_body.md")]

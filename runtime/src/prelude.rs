@@ -1,12 +1,16 @@
 //! What most programs need: `use newton_euler::prelude::*;`.
 
+#[doc(no_inline)]
 pub use crate::body::{
     Balance, Energy, Flow, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
 };
+#[doc(no_inline)]
 pub use crate::constrained::{Constrained, Inconsistent, Violation};
 pub use crate::exact::Path as _;
+#[doc(no_inline)]
 pub use crate::inertia::InertiaTensor;
 pub use crate::integrate::Integrate;
+#[doc(no_inline)]
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::rigid_body;
 pub use crate::state::{
@@ -14,4 +18,5 @@ pub use crate::state::{
     SpatialAcceleration, State, Translation,
 };
 pub use crate::taylor::Taylor;
+#[doc(no_inline)]
 pub use crate::wrench::{PlanarWrench, Wrench};

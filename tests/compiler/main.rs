@@ -11,12 +11,20 @@ mod emit;
 mod errors;
 #[path = "../../macros/src/expand.rs"]
 mod expand;
+#[path = "../../macros/src/families.rs"]
+mod families;
+#[path = "../../macros/src/fraction.rs"]
+mod fraction;
+#[path = "../../macros/src/lower/mod.rs"]
+mod lower;
 #[path = "../../macros/src/mechanics/mod.rs"]
 mod mechanics;
 #[path = "../../macros/src/model/mod.rs"]
 mod model;
 #[path = "../../macros/src/outputs/mod.rs"]
 mod outputs;
+#[path = "../../macros/src/range.rs"]
+mod range;
 #[path = "../../macros/src/symbolic/mod.rs"]
 mod symbolic;
 #[path = "../../macros/src/syntax/mod.rs"]

@@ -1,112 +1,352 @@
-//! Imports between the rooms of the compiler go one way.
+//! The house of the compiler: which room may import which, and no circles inside of one.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each room may import of the others.
-const ROOMS: [(&str, &[&str]); 8] = [
+const ROOMS: [(&str, &[&str]); 12] = [
     ("errors", &[]),
-    ("syntax", &["errors"]),
+    ("families", &[]),
+    ("fraction", &[]),
     ("symbolic", &[]),
-    ("model", &["errors", "syntax", "symbolic"]),
-    ("mechanics", &["errors", "model", "symbolic"]),
-    ("emit", &["model", "mechanics", "symbolic"]),
+    ("syntax", &["errors", "families", "fraction"]),
+    ("model", &["errors", "families", "fraction", "symbolic"]),
+    (
+        "lower",
+        &[
+            "errors", "families", "fraction", "symbolic", "syntax", "model",
+        ],
+    ),
+    ("mechanics", &["errors", "families", "symbolic", "model"]),
+    ("range", &["errors", "symbolic", "model"]),
+    ("emit", &["families", "symbolic", "model", "mechanics"]),
     (
         "outputs",
-        &["errors", "syntax", "symbolic", "model", "mechanics", "emit"],
+        &[
+            "errors",
+            "families",
+            "symbolic",
+            "model",
+            "lower",
+            "mechanics",
+            "emit",
+        ],
     ),
     (
         "expand",
-        &["errors", "syntax", "model", "mechanics", "emit", "outputs"],
+        &[
+            "errors",
+            "syntax",
+            "lower",
+            "mechanics",
+            "range",
+            "emit",
+            "outputs",
+        ],
     ),
 ];
+/// Files of a folder, its face not counted.
+const FILES: usize = 13;
+const LINES: usize = 400;
 
-fn sources(room: &str) -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("macros/src");
-    let file = root.join(format!("{room}.rs"));
-    if file.exists() {
-        return vec![file];
-    }
-    let (mut folders, mut files) = (vec![root.join(room)], Vec::new());
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).expect("a room is a file or a folder") {
-            let path = entry.expect("a readable entry").path();
-            let kind = if path.is_dir() {
-                &mut folders
-            } else {
-                &mut files
-            };
-            kind.push(path);
-        }
-    }
-    files.sort();
-    assert!(!files.is_empty(), "{room} is empty");
-    files
+/// A module of the compiler, by its path below the crate.
+type Module = Vec<String>;
+
+/// A name that a module takes from elsewhere, by its path, and whether it hands it on.
+struct Import {
+    path: Vec<String>,
+    is_handed_on: bool,
 }
 
-/// The rooms that a source names behind `crate::`, in `use` trees too.
-fn imported(source: &str) -> Vec<String> {
-    let mut found = Vec::new();
-    for (start, _) in source.match_indices("crate::") {
-        if source[..start].ends_with('$') {
-            continue;
+struct File {
+    path: PathBuf,
+    source: String,
+    imports: Vec<Import>,
+}
+
+/// All of the compiler.
+struct House(BTreeMap<Module, File>);
+
+impl House {
+    fn read() -> Self {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("macros/src");
+        let mut files = BTreeMap::new();
+        let mut folders = vec![root.clone()];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(&folder).expect("a readable folder") {
+                let path = entry.expect("a readable entry").path();
+                if path.is_dir() {
+                    folders.push(path);
+                    continue;
+                }
+                let below = path.strip_prefix(&root).expect("a path below the root");
+                let mut module: Module = below
+                    .with_extension("")
+                    .iter()
+                    .map(|part| part.to_string_lossy().into_owned())
+                    .collect();
+                if module.last().is_some_and(|last| last == "mod") {
+                    module.pop();
+                }
+                let source = fs::read_to_string(&path).expect("a readable source");
+                let imports = imports(&source);
+                let file = File {
+                    path,
+                    source,
+                    imports,
+                };
+                files.insert(module, file);
+            }
         }
-        let rest = &source[start + "crate::".len()..];
-        let names: Vec<&str> = match rest.strip_prefix('{') {
-            Some(tree) => tree
-                .split('}')
-                .next()
-                .unwrap_or_default()
-                .split(',')
-                .collect(),
-            None => vec![rest],
+        Self(files)
+    }
+
+    /// The module in which a path, as it is written in another, ends, through faces that hand names on.
+    fn target(&self, from: &[String], path: &[String]) -> Option<Module> {
+        let (mut module, mut rest): (Module, _) = match path.first()?.as_str() {
+            "crate" => (Vec::new(), &path[1..]),
+            "super" | "self" => (from.to_vec(), path),
+            first => {
+                let child = [from, &[first.to_owned()]].concat();
+                if !self.0.contains_key(&child) {
+                    return None;
+                }
+                (from.to_vec(), path)
+            }
         };
-        let word = |text: &str| {
-            text.trim()
-                .chars()
-                .take_while(|c| c.is_alphanumeric() || *c == '_')
-                .collect::<String>()
-        };
-        found.extend(names.into_iter().map(word).filter(|name| !name.is_empty()));
+        while let [first, others @ ..] = rest {
+            let child = [&module[..], &[first.clone()]].concat();
+            match first.as_str() {
+                "super" => drop(module.pop()),
+                "self" => {}
+                _ if self.0.contains_key(&child) => module = child,
+                name => {
+                    let file = self.0.get(&module)?;
+                    let handed_on = file.imports.iter().find(|import| {
+                        import.is_handed_on && import.path.last().is_some_and(|last| last == name)
+                    });
+                    return match handed_on {
+                        Some(import) => self.target(&module, &import.path),
+                        None => Some(module),
+                    };
+                }
+            }
+            rest = others;
+        }
+        Some(module)
+    }
+
+    /// The modules that each module imports; a face only hands on.
+    fn arrows(&self) -> BTreeMap<&Module, BTreeSet<Module>> {
+        let arrows = self.0.iter().map(|(module, file)| {
+            let taken = file.imports.iter().filter(|import| !import.is_handed_on);
+            let targets = taken.filter_map(|import| self.target(module, &import.path));
+            let others = targets.filter(|target| target != module && self.0.contains_key(target));
+            (module, others.collect())
+        });
+        arrows.collect()
+    }
+}
+
+/// The paths that a source imports, in `use` trees and behind `crate::` or `super::` elsewhere.
+fn imports(source: &str) -> Vec<Import> {
+    let file = syn::parse_file(source).expect("a source in Rust");
+    let mut found = Vec::new();
+    for item in &file.items {
+        if let syn::Item::Use(item) = item {
+            let is_handed_on = matches!(item.vis, syn::Visibility::Public(_));
+            let mut paths = Vec::new();
+            leaves(&item.tree, &mut Vec::new(), &mut paths);
+            let import = |path| Import { path, is_handed_on };
+            found.extend(paths.into_iter().map(import));
+        }
+    }
+    let is_code = |line: &&str| {
+        let line = line.trim_start();
+        !line.starts_with("//") && !line.starts_with("use ") && !line.starts_with("pub use ")
+    };
+    for line in source.lines().filter(is_code) {
+        for start in ["crate::", "super::"] {
+            for (place, _) in line.match_indices(start) {
+                let before = line[..place].chars().next_back();
+                if before.is_some_and(|c| c.is_alphanumeric() || "_:$".contains(c)) {
+                    continue;
+                }
+                let is_path = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
+                let end = line[place..].find(|c| !is_path(c));
+                let path = &line[place..end.map_or(line.len(), |end| place + end)];
+                let parts = path.split("::").filter(|part| !part.is_empty());
+                found.push(Import {
+                    path: parts.map(str::to_owned).collect(),
+                    is_handed_on: false,
+                });
+            }
+        }
     }
     found
 }
 
-#[test]
-fn each_room_imports_what_it_may() {
-    for (room, allowed) in ROOMS {
-        for file in sources(room) {
-            let source = fs::read_to_string(&file).expect("a readable source");
-            for name in imported(&source) {
-                assert!(
-                    name == room || allowed.contains(&name.as_str()),
-                    "{} imports {name}",
-                    file.display()
-                );
+fn leaves(tree: &syn::UseTree, path: &mut Vec<String>, found: &mut Vec<Vec<String>>) {
+    let with = |path: &[String], name: &syn::Ident| [path, &[name.to_string()]].concat();
+    match tree {
+        syn::UseTree::Path(next) => {
+            path.push(next.ident.to_string());
+            leaves(&next.tree, path, found);
+            path.pop();
+        }
+        syn::UseTree::Name(name) if name.ident == "self" => found.push(path.clone()),
+        syn::UseTree::Name(name) => found.push(with(path, &name.ident)),
+        syn::UseTree::Rename(name) => found.push(with(path, &name.ident)),
+        syn::UseTree::Glob(_) => found.push(path.clone()),
+        syn::UseTree::Group(group) => {
+            for tree in &group.items {
+                leaves(tree, path, found);
             }
         }
     }
 }
 
+/// A circle of arrows, if there is one.
+fn circle<T: Ord + Clone>(arrows: &BTreeMap<T, BTreeSet<T>>) -> Option<Vec<T>> {
+    let mut left = arrows.clone();
+    loop {
+        let names: BTreeSet<T> = left.keys().cloned().collect();
+        let before = left.len();
+        left.retain(|_, targets| targets.iter().any(|target| names.contains(target)));
+        if left.is_empty() {
+            return None;
+        }
+        if left.len() == before {
+            break;
+        }
+    }
+    // every one that is left has an arrow to one that is left
+    let mut way: Vec<T> = Vec::new();
+    let mut next = left.keys().next()?.clone();
+    while !way.contains(&next) {
+        way.push(next.clone());
+        next = left[&next]
+            .iter()
+            .find(|target| left.contains_key(target))?
+            .clone();
+    }
+    let start = way.iter().position(|one| *one == next)?;
+    Some(way.split_off(start))
+}
+
 #[test]
-fn only_the_door_names_proc_macro() {
-    for (room, _) in ROOMS {
-        for file in sources(room) {
-            let source = fs::read_to_string(&file).expect("a readable source");
+fn each_room_imports_what_it_may() {
+    let house = House::read();
+    let allowed: BTreeMap<&str, &[&str]> = ROOMS.into_iter().collect();
+    for (module, targets) in house.arrows() {
+        let Some(room) = module.first().filter(|room| *room != "lib") else {
+            continue;
+        };
+        let allowed = allowed[room.as_str()];
+        for target in targets {
             assert!(
-                !source.contains("proc_macro::"),
-                "{} names proc_macro",
-                file.display()
+                target[0] == *room || allowed.contains(&target[0].as_str()),
+                "{} imports {}",
+                module.join("::"),
+                target.join("::")
             );
         }
     }
 }
 
 #[test]
+#[ignore = "the rooms above are still being arranged"]
+fn no_file_imports_itself_by_way_of_others() {
+    let house = House::read();
+    let arrows = house.arrows();
+    let arrows = arrows
+        .into_iter()
+        .map(|(module, targets)| (module.join("::"), targets))
+        .map(|(module, targets)| {
+            let targets = targets.iter().map(|target| target.join("::"));
+            (module, targets.collect())
+        });
+    assert_eq!(circle(&arrows.collect()), None);
+}
+
+/// A folder is a wing of its room: all of its files together.
+#[test]
+#[ignore = "the rooms above are still being arranged"]
+fn no_wing_imports_itself_by_way_of_others() {
+    let house = House::read();
+    let wing = |module: &Module| {
+        let is_face = house.0[module].path.ends_with("mod.rs");
+        let depth = if is_face || module.len() == 1 {
+            module.len()
+        } else {
+            module.len() - 1
+        };
+        module[..depth].join("::")
+    };
+    let mut arrows: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (module, targets) in house.arrows() {
+        let from = wing(module);
+        // a room is not a wing: its face, and what lies in it beside its wings
+        let others = targets.iter().map(wing).filter(|to| *to != from);
+        arrows.entry(from.clone()).or_default().extend(others);
+    }
+    assert_eq!(circle(&arrows), None);
+}
+
+#[test]
+#[ignore = "the rooms above are still being arranged"]
+fn wings_and_files_are_small() {
+    let house = House::read();
+    let mut sizes: BTreeMap<&Path, usize> = BTreeMap::new();
+    for file in house.0.values() {
+        let lines = file.source.lines().count();
+        assert!(lines <= LINES, "{}: {lines} lines", file.path.display());
+        if !file.path.ends_with("mod.rs") {
+            *sizes
+                .entry(file.path.parent().expect("a folder"))
+                .or_default() += 1;
+        }
+    }
+    for (folder, files) in sizes {
+        assert!(files <= FILES, "{}: {files} files", folder.display());
+    }
+}
+
+#[test]
+fn only_the_door_names_proc_macro() {
+    for (module, file) in House::read().0 {
+        let is_door = module == ["lib"];
+        assert_eq!(
+            file.source.contains("proc_macro::"),
+            is_door,
+            "{}",
+            file.path.display()
+        );
+    }
+}
+
+#[test]
 fn imports_are_found() {
-    assert_eq!(
-        imported("use crate::{emit, model::Model};"),
-        ["emit", "model"]
-    );
-    assert_eq!(imported("let x: crate::symbolic::Id;"), ["symbolic"]);
+    let source =
+        "use crate::{emit, model::Model};\npub use graph::Id;\nfn f() -> crate::symbolic::Id {}";
+    let found: Vec<(String, bool)> = imports(source)
+        .into_iter()
+        .map(|import| (import.path.join("::"), import.is_handed_on))
+        .collect();
+    let expected = [
+        ("crate::emit", false),
+        ("crate::model::Model", false),
+        ("graph::Id", true),
+        ("crate::symbolic::Id", false),
+    ];
+    assert_eq!(found, expected.map(|(path, on)| (path.to_owned(), on)));
+    let arrows = |list: &[(u8, &[u8])]| -> BTreeMap<u8, BTreeSet<u8>> {
+        let each = list.iter();
+        each.map(|(from, to)| (*from, to.iter().copied().collect()))
+            .collect()
+    };
+    assert_eq!(circle(&arrows(&[(1, &[2]), (2, &[3]), (3, &[])])), None);
+    let found = circle(&arrows(&[(1, &[2]), (2, &[3, 4]), (3, &[2]), (4, &[])]));
+    assert_eq!(found, Some(vec![2, 3]));
 }

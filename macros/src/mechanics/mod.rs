@@ -3,64 +3,36 @@
 //! Conventions: position, velocity and linear acceleration of G in world axes;
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
 
-mod about_axis;
-mod active;
-mod arm;
-mod axes;
-mod axial_torque;
-mod axis_of_symmetry;
-mod balance;
-mod charges;
-mod consistency;
-mod constraints;
-mod drives;
-mod dyadic;
-mod energy;
-mod euler_equations;
-mod flow;
-mod free_rotation;
-mod inertia_class;
-mod inverse;
-mod lagrange_top;
-mod momentum;
-mod newton_euler;
-mod partial;
-mod potential;
-mod pushes;
-mod rates;
-mod reactions;
-mod redundancy;
-mod response;
-mod rod;
-mod skipped;
-mod skipped_loads;
-mod solvability;
+mod answers;
+mod balances;
+mod closed_forms;
+mod proofs;
+mod report;
 mod structure;
-mod switches;
-mod symmetry;
-mod taylor;
-mod zeros;
+mod unknowns;
+mod variation;
+
+pub use answers::{
+    Axes, Balance, Energy, LoadExpressions, Momentum, Partial, Resultant, Switch, Taylor,
+    derive_balance, derive_energy, derive_momentum, derive_taylor,
+};
+pub use balances::uniform_field;
+pub use closed_forms::{Flow, Free, Turning, derive_flow};
+pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
+pub use unknowns::{Consistency, Reach, ReactionExpressions, derive_inverse, derive_reach};
+pub use variation::with_potentials;
 
 use std::cell::OnceCell;
+
+use answers::{derive_switches, list_partial};
+use balances::derive_accelerations;
+use report::{classify, list_centers, list_skipped};
+use structure::derive_structure;
+use unknowns::{derive_consistency, derive_constrained, derive_reactions};
 
 use crate::errors::Errors;
 use crate::model::{Model, Workspace};
 use crate::symbolic::{Components, Id};
-
-pub use axes::Axes;
-pub use balance::{Balance, LoadExpressions, Resultant, derive_balance};
-pub use consistency::{Consistency, Reach, derive_reach};
-pub use energy::{Energy, derive_energy, uniform_field};
-pub use flow::{Flow, Turning, derive_flow};
-pub use free_rotation::Free;
-pub use inverse::derive_inverse;
-pub use momentum::{Momentum, derive_momentum};
-pub use partial::Partial;
-pub use potential::with_potentials;
-pub use structure::{Dependence, QUANTITIES, Structure};
-pub use switches::Switch;
-pub use symmetry::Symmetry;
-pub use taylor::{Taylor, derive_taylor};
 
 /// The equations of motion, and what is known of them.
 pub struct Equations {
@@ -69,7 +41,7 @@ pub struct Equations {
     /// Angular acceleration, body axes; of a rod that of its axis, world axes.
     pub angular: Components,
     /// The unknown loads that go with them, world axes.
-    pub reactions: Vec<Components>,
+    pub reactions: Vec<ReactionExpressions>,
     /// How far a state is from each constraint.
     pub constraints: Vec<Consistency>,
     /// When the equations change by a condition on time.
@@ -94,12 +66,12 @@ pub fn derive_equations(
     errors: &mut Errors,
 ) -> Option<Equations> {
     let (linear, angular, reactions, constraints) = if model.constraints.is_empty() {
-        let (linear, angular) = newton_euler::derive_accelerations(model, work, errors)?;
-        let reactions = reactions::derive_reactions(model, work, &linear, &angular, errors)?;
+        let (linear, angular) = derive_accelerations(model, work, errors)?;
+        let reactions = derive_reactions(model, work, &linear, &angular, errors)?;
         (linear, angular, reactions, Vec::new())
     } else {
-        let solved = constraints::derive_constrained(model, work, errors)?;
-        let constraints = consistency::derive_consistency(model, work, &solved.constraints);
+        let solved = derive_constrained(model, work, errors)?;
+        let constraints = derive_consistency(model, work, &solved.constraints);
         (solved.linear, solved.angular, solved.reactions, constraints)
     };
     let acting: Vec<Id> = linear
@@ -111,9 +83,9 @@ pub fn derive_equations(
         linear,
         angular,
         reactions,
-        switches: switches::derive_switches(model, work, &acting),
+        switches: derive_switches(model, work, &acting),
         constraints,
-        partial: partial::list_partial(model, work),
+        partial: list_partial(model, work),
         structure: OnceCell::new(),
     })
 }
@@ -121,7 +93,7 @@ pub fn derive_equations(
 impl Equations {
     /// What integrators can make use of; looked for once.
     pub fn structure(&self, model: &Model, work: &mut Workspace) -> &Structure {
-        let derive = || structure::derive_structure(model, work, &self.linear, &self.angular);
+        let derive = || derive_structure(model, work, &self.linear, &self.angular);
         self.structure.get_or_init(derive)
     }
 }
@@ -130,10 +102,10 @@ impl Equations {
 pub fn describe_equations(model: &Model, work: &mut Workspace, equations: &Equations) -> Report {
     let structure = equations.structure(model, work);
     let (linear, angular) = (&equations.linear, &equations.angular);
-    let skipped = skipped::list_skipped(model, work, linear, angular, structure);
+    let skipped = list_skipped(model, work, linear, angular, structure);
     let lists = vec![
-        ("Inertia about G", inertia_class::classify(model, work)),
-        ("Charges", charges::list_centers(model, work)),
+        ("Inertia about G", classify(model, work)),
+        ("Charges", list_centers(model, work)),
     ];
     Report { lists, skipped }
 }

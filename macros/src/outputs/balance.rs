@@ -5,8 +5,9 @@ use quote::quote;
 
 use crate::emit::code::{GIVEN, Method, Site, Source, Writer};
 use crate::emit::items::Addition;
+use crate::families::Family;
+use crate::lower::Offer;
 use crate::mechanics::{self, LoadExpressions, Resultant, derive_balance};
-use crate::model::{Family, Offer};
 use crate::symbolic::Id;
 
 use super::output::{Given, Output};

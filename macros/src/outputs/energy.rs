@@ -4,8 +4,10 @@ use quote::quote;
 
 use crate::emit::code::{GIVEN, Method, Site, Source};
 use crate::emit::items::Addition;
+use crate::families::Family;
+use crate::lower::Offer;
 use crate::mechanics::{self, Report, derive_energy, uniform_field};
-use crate::model::{Family, Load, Model, Offer, Workspace};
+use crate::model::{Load, Model, Workspace};
 use crate::symbolic::Id;
 
 use super::output::{Given, Output};

@@ -6,8 +6,9 @@ use quote::{format_ident, quote};
 
 use crate::emit::code::{Method, PRINCIPAL_AXES, Shapes, Site, Values, Writer, local};
 use crate::emit::items::{Addition, Best};
+use crate::lower::Offer;
 use crate::mechanics::{self, Free, Report, Turning, derive_flow};
-use crate::model::{Model, Motion, Offer, Outline, Workspace};
+use crate::model::{Model, Motion, Outline, Workspace};
 use crate::symbolic::Id;
 
 use super::output::{Given, Output};

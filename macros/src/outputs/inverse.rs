@@ -4,38 +4,25 @@ use quote::quote;
 
 use crate::emit::code::{Site, Source, Writer};
 use crate::emit::items::{Addition, write_open};
-use crate::mechanics::derive_inverse;
-use crate::model::{INVERSE, Motion, Obstacle, Offer, is_drive, written_motion};
-use crate::symbolic::{Components, Id, Node};
-use crate::syntax::Description;
+use crate::lower::{INVERSE, Offer, is_drive};
+use crate::mechanics::{ReactionExpressions, derive_inverse};
+use crate::symbolic::{Id, Node};
 
 use super::output::{Given, Output};
 
 const OFFER: Offer = Offer {
-    obstacle,
+    obstacle: |description| {
+        let is_there = description.loads.iter().any(is_drive);
+        (!is_there).then_some(
+            "there are no unknown drives: leave components open, as in `moments: [motor = \
+             body(0, 0, _)]`",
+        )
+    },
     ..Offer::new(INVERSE)
 };
 
 #[derive(Default)]
-pub struct Inverse(Option<Vec<Components>>);
-
-fn obstacle(description: &Description) -> Option<Obstacle> {
-    if !description.loads.iter().any(is_drive) {
-        return Some(Obstacle::Nothing(
-            "there are no unknown drives: leave components open, as in `moments: [motor = \
-             body(0, 0, _)]`",
-        ));
-    }
-    if !description.constraints.is_empty() {
-        return Some(Obstacle::Later(
-            "inverse dynamics under constraints is not there yet: use a motion with a support",
-        ));
-    }
-    let is_rod = written_motion(description) == Some(Motion::Rod);
-    is_rod.then_some(Obstacle::Later(
-        "inverse dynamics of a rod is not there yet: make the drive an input",
-    ))
-}
+pub struct Inverse(Option<Vec<ReactionExpressions>>);
 
 impl Output for Inverse {
     fn offer(&self) -> Option<&'static Offer> {
@@ -49,7 +36,7 @@ impl Output for Inverse {
 
     fn roots(&self) -> Vec<Id> {
         let drives = self.0.iter().flatten();
-        drives.flatten().copied().collect()
+        drives.flat_map(|drive| drive.vector).collect()
     }
 
     /// A `Result` where the configuration may leave drives undetermined.

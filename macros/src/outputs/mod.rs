@@ -16,8 +16,9 @@ mod taylor;
 use crate::emit::code::Site;
 use crate::emit::items::{Addition, Roots};
 use crate::errors::Errors;
+use crate::lower::Offer;
 use crate::mechanics::{Equations, Report, Switch};
-use crate::model::{Model, Offer, Outline, Workspace};
+use crate::model::{Model, Outline, Workspace};
 
 use output::{Given, Output, Place};
 

@@ -4,8 +4,8 @@ use quote::quote;
 
 use crate::emit::code::{Method, Site, Source};
 use crate::emit::items::Addition;
+use crate::lower::Offer;
 use crate::mechanics::{self, derive_momentum};
-use crate::model::Offer;
 use crate::symbolic::{Components, Id};
 
 use super::output::{Given, Output};

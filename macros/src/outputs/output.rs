@@ -3,8 +3,9 @@
 use crate::emit::code::Site;
 use crate::emit::items::Addition;
 use crate::errors::Errors;
+use crate::lower::Offer;
 use crate::mechanics::{Equations, Report};
-use crate::model::{Model, Offer, Outline, Workspace};
+use crate::model::{Model, Outline, Workspace};
 use crate::symbolic::Id;
 
 /// A part of what is generated for a body, from what it derives to what its documentation says. It

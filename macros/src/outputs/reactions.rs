@@ -4,8 +4,9 @@ use quote::quote;
 
 use crate::emit::code::{GIVEN, Site, Writer};
 use crate::emit::items::{Addition, write_open};
-use crate::model::{Obstacle, Offer, is_unknown};
-use crate::symbolic::{Components, Id};
+use crate::lower::{Offer, is_unknown};
+use crate::mechanics::ReactionExpressions;
+use crate::symbolic::Id;
 
 use super::output::{Given, Output};
 
@@ -13,16 +14,16 @@ const OFFER: Offer = Offer {
     word: "reactions",
     obstacle: |description| {
         let is_there = description.loads.iter().any(is_unknown);
-        (!is_there).then_some(Obstacle::Nothing(
+        (!is_there).then_some(
             "there are no unknown reactions: leave components open, as in `reactions: \
              [pin = world(_, _).at(P)]`",
-        ))
+        )
     },
     is_missed: |outline| !outline.reactions.is_empty(),
 };
 
 #[derive(Default)]
-pub struct Reactions(Option<Vec<Components>>);
+pub struct Reactions(Option<Vec<ReactionExpressions>>);
 
 impl Output for Reactions {
     fn offer(&self) -> Option<&'static Offer> {
@@ -36,7 +37,7 @@ impl Output for Reactions {
 
     fn roots(&self) -> Vec<Id> {
         let reactions = self.0.iter().flatten();
-        reactions.flatten().copied().collect()
+        reactions.flat_map(|reaction| reaction.vector).collect()
     }
 
     /// Under constraints, an error where they do not determine their reactions.

@@ -7,22 +7,13 @@ use quote::quote;
 use crate::emit::code::{Site, Source, local};
 use crate::emit::items::{Addition, Best};
 use crate::emit::series::{Expansion, write_axes};
+use crate::lower::Offer;
 use crate::mechanics::{self, derive_taylor};
-use crate::model::{Obstacle, Offer};
 use crate::symbolic::Id;
 
 use super::output::{Given, Output};
 
-const OFFER: Offer = Offer {
-    obstacle: |description| {
-        let is_constrained = !description.constraints.is_empty();
-        is_constrained.then_some(Obstacle::Later(
-            "`taylor` under constraints is not there yet: use a motion with a support, \
-             or leave `taylor` out, and `integrate` takes Runge-Kutta steps",
-        ))
-    },
-    ..Offer::new("taylor")
-};
+const OFFER: Offer = Offer::new("taylor");
 
 #[derive(Default)]
 pub struct Taylor(Option<mechanics::Taylor>);

@@ -4,12 +4,18 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use crate::errors::Errors;
 
+use super::Declaration;
+use super::Definition;
+use super::Description;
+use super::Load;
+use super::Value;
 use super::charges::parse_charges;
 use super::expression::{Expression, Kind};
 use super::tokens::{after_sign, bracketed, is_punct, start, stream};
 use super::unit::UnitExpression;
 use super::words::check_name;
-use super::{Declaration, Definition, Description, Family, Load, LoadKind, Value};
+use crate::families::Family;
+use crate::families::LoadKind;
 
 /// Reads one entry of the list `key`. Without a name there is none; without a value it stays
 /// known, and silent.

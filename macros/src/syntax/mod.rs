@@ -8,7 +8,6 @@ mod charges;
 mod composition;
 mod entries;
 mod expression;
-mod fraction;
 mod motion;
 mod parse;
 mod read;
@@ -21,9 +20,10 @@ use proc_macro2::{Ident, TokenStream};
 
 use crate::errors::Extent;
 
+use crate::families::Family;
+use crate::families::LoadKind;
 pub use composition::{Composition, Part};
 pub use expression::{Expression, Kind, Operator, Prefix, Step};
-pub use fraction::Fraction;
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
 pub use unit::UnitExpression;
@@ -138,22 +138,6 @@ impl Declaration {
 pub struct Definition {
     pub name: Ident,
     pub value: Value,
-}
-
-/// The families of loads of (1.3) and (1.4), by their keys.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Family {
-    Reaction,
-    Joint,
-    External,
-    Field,
-}
-
-/// A force or a moment.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum LoadKind {
-    Force,
-    Moment,
 }
 
 /// `name = vector`, `name = vector.at(point)`, `name = moment(vector)` or `name = vector.on([..])`.

@@ -6,9 +6,9 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent};
 
-use super::fraction::Fraction;
 use super::tokens::group_beyond;
 use super::words::is_keyword;
+use crate::fraction::Fraction;
 
 /// A product of powers of named units.
 #[derive(Clone, Debug)]

@@ -4,19 +4,19 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::Range;
 
-use crate::columns::{Columns, Sink, Source};
-use crate::lanes::{Lanes, Register};
+use crate::bodies::columns::{Columns, Sink, Source};
+use crate::numbers::lanes::{Lanes, Register};
 
 /// Members of one block: a cache line for each number, which is one register, or two, or eight.
 pub(super) const BLOCK: usize = 8;
 
 /// One number of each member of a block.
-pub(super) type Row = [f64; BLOCK];
+pub(super) type Eight = [f64; BLOCK];
 
 /// A list of values, kept as columns of their scalars.
 ///
-/// The columns are cut into blocks of eight values and the blocks stand one after another, so that a block is read from one
-/// place in memory however many columns there are.
+/// The columns are cut into blocks of eight values and the blocks stand one after another, so that
+/// a block is read from one place in memory however many columns there are.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -28,9 +28,10 @@ pub(super) type Row = [f64; BLOCK];
 /// ```
 #[derive(Clone, Debug)]
 pub struct Blocks<C> {
-    /// As many rows as there are columns, of the first block, then of the second, and so on. The last block is filled with
-    /// values of the list as they once were: they are computed with, and nobody sees them.
-    rows: Vec<Row>,
+    /// As many rows as there are columns, of the first block, then of the second, and so on. The
+    /// last block is filled with values of the list as they once were: they are computed with, and
+    /// nobody sees them.
+    rows: Vec<Eight>,
     len: usize,
     kind: PhantomData<C>,
 }
@@ -103,11 +104,11 @@ impl<C: Columns<f64>> Blocks<C> {
 
     /// The rows of a block, if there is one.
     #[inline(always)]
-    pub(super) fn block(&self, index: usize) -> Option<&[Row]> {
+    pub(super) fn block(&self, index: usize) -> Option<&[Eight]> {
         self.rows.get(range::<C>(index))
     }
 
-    pub(super) fn rows_mut(&mut self) -> &mut [Row] {
+    pub(super) fn rows_mut(&mut self) -> &mut [Eight] {
         &mut self.rows
     }
 
@@ -161,7 +162,7 @@ pub(super) fn range<C: Columns<f64>>(block: usize) -> Range<usize> {
     C::COUNT * block..C::COUNT * (block + 1)
 }
 
-fn write<C: Columns<f64>>(rows: &mut [Row], block: usize, lane: usize, value: &C) {
+fn write<C: Columns<f64>>(rows: &mut [Eight], block: usize, lane: usize, value: &C) {
     value.write(&mut ColumnMut {
         rows: rows[range::<C>(block)].iter_mut(),
         lane,
@@ -170,7 +171,7 @@ fn write<C: Columns<f64>>(rows: &mut [Row], block: usize, lane: usize, value: &C
 
 /// One member of a block.
 struct Column<'a> {
-    rows: &'a [Row],
+    rows: &'a [Eight],
     lane: usize,
 }
 
@@ -184,7 +185,7 @@ impl Source<f64> for Column<'_> {
 
 /// One member of a block, to be written.
 struct ColumnMut<'a> {
-    rows: core::slice::IterMut<'a, Row>,
+    rows: core::slice::IterMut<'a, Eight>,
     lane: usize,
 }
 
@@ -198,7 +199,7 @@ impl Sink<f64> for ColumnMut<'_> {
 /// As many members of a block as a register holds, the first ones, or the next ones, by an index.
 pub(super) struct Group<'a, S> {
     pub(super) simd: S,
-    pub(super) rows: &'a [Row],
+    pub(super) rows: &'a [Eight],
     pub(super) index: usize,
 }
 
@@ -214,7 +215,7 @@ impl<S: Register> Source<Lanes<S>> for Group<'_, S> {
 
 /// As many members of a block as a register holds, to be written.
 pub(super) struct GroupMut<'a> {
-    pub(super) rows: core::slice::IterMut<'a, Row>,
+    pub(super) rows: core::slice::IterMut<'a, Eight>,
     pub(super) index: usize,
 }
 

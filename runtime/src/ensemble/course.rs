@@ -7,9 +7,10 @@
 
 use core::ops::Range;
 
-use super::moves::{Limits, MemberError, Moves};
+use super::moves::{MemberError, Moves};
+use super::plan::Limits;
 use super::{Blocks, Ensemble};
-use crate::columns::Generic;
+use crate::bodies::columns::Generic;
 #[cfg(feature = "progress")]
 use crate::integrate::Bar;
 use crate::integrate::{Instants, IntegrationError, Sample, Sampled};
@@ -17,7 +18,8 @@ use crate::integrate::{Instants, IntegrationError, Sample, Sampled};
 /// What acts on the members over time: [`AsGiven`], or a function asked at equal intervals, by
 /// [`EnsembleIntegration::control`](super::EnsembleIntegration::control).
 pub trait EnsembleControl<B: Generic> {
-    /// Sets the inputs that act from a time \[s\] on, and says until when they are held: a time towards `end`, or beyond.
+    /// Sets the inputs that act from a time \[s\] on, and says until when they are held: a time
+    /// towards `end`, or beyond.
     fn set(&mut self, ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64;
 }
 
@@ -44,7 +46,7 @@ impl<B: Generic, F: FnMut(f64, usize, &B::State) -> B::Input> EnsembleControl<B>
 
 /// Members between a start and an end.
 #[derive(Debug)]
-pub(super) struct Course<'e, B: Generic, M, C> {
+pub(super) struct EnsembleCourse<'e, B: Generic, M, C> {
     ensemble: &'e mut Ensemble<B>,
     method: M,
     control: C,
@@ -57,7 +59,7 @@ pub(super) struct Course<'e, B: Generic, M, C> {
     bar: Option<Bar>,
 }
 
-impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> Course<'e, B, M, C> {
+impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M, C> {
     pub(super) fn new(
         ensemble: &'e mut Ensemble<B>,
         method: M,
@@ -142,17 +144,18 @@ fn at_first<S>(error: IntegrationError<S>) -> MemberError<S> {
     MemberError { index: 0, error }
 }
 
-/// The states of all members at equal intervals: see [`EnsembleIntegration::samples`](super::EnsembleIntegration::samples).
+/// The states of all members at equal intervals: see
+/// [`EnsembleIntegration::samples`](super::EnsembleIntegration::samples).
 #[derive(Debug)]
 pub struct EnsembleSamples<'e, B: Generic, M, C> {
-    course: Course<'e, B, M, C>,
+    course: EnsembleCourse<'e, B, M, C>,
     /// None if the period is none.
     instants: Option<Instants>,
     period: f64,
 }
 
 impl<'e, B: Generic, M, C> EnsembleSamples<'e, B, M, C> {
-    pub(super) fn new(course: Course<'e, B, M, C>, period: f64) -> Self {
+    pub(super) fn new(course: EnsembleCourse<'e, B, M, C>, period: f64) -> Self {
         Self {
             instants: Instants::new(course.time, course.end, period),
             course,

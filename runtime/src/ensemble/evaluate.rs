@@ -5,12 +5,13 @@ use core::ops::Range;
 #[cfg(feature = "rayon")]
 use rayon::iter::{IndexedParallelIterator as _, ParallelIterator as _};
 
-use super::blocks::{BLOCK, Group, GroupMut, Row};
+use super::blocks::{BLOCK, Eight, Group, GroupMut};
 use super::{Blocks, Ensemble, Members};
-use crate::body::RigidBody;
-use crate::columns::{Columns, Generic};
-use crate::integrate::{cf4_step, exact};
-use crate::lanes::{Lanes, Register, Work};
+use crate::bodies::body::RigidBody;
+use crate::bodies::columns::{Columns, Generic};
+use crate::integrate::cf4_step;
+use crate::numbers::count::real;
+use crate::numbers::lanes::{Lanes, Register, Work};
 use crate::state::State;
 
 /// The acceleration of a body of this kind.
@@ -62,7 +63,7 @@ impl<B: Generic> Ensemble<B> {
         steps: usize,
         mut observer: impl FnMut(usize),
     ) {
-        let step = (times.end - times.start) / exact(steps);
+        let step = (times.end - times.start) / real(steps);
         let round = steps.div_ceil(ROUNDS).max(1);
         for done in (0..steps).step_by(round) {
             let last = steps.min(done + round);
@@ -75,7 +76,7 @@ impl<B: Generic> Ensemble<B> {
         let (width, members) = (self.width, &self.members);
         let columns = <B::State as Columns<f64>>::COUNT;
         in_chunks(self.states.rows_mut(), columns, |first, rows| {
-            width.run(Advance {
+            width.run(Cf4 {
                 members,
                 first,
                 start,
@@ -91,7 +92,11 @@ impl<B: Generic> Ensemble<B> {
 const CHUNK: usize = 32;
 
 /// Does some work on all blocks; it is told which block is the first of its rows.
-pub(super) fn in_chunks(rows: &mut [Row], columns: usize, work: impl Fn(usize, &mut [Row]) + Sync) {
+pub(super) fn in_chunks(
+    rows: &mut [Eight],
+    columns: usize,
+    work: impl Fn(usize, &mut [Eight]) + Sync,
+) {
     #[cfg(not(feature = "rayon"))]
     let chunks = rows.chunks_mut(columns * CHUNK).enumerate();
     #[cfg(feature = "rayon")]
@@ -104,8 +109,8 @@ pub(super) type Laned<B, S> = <B as Generic>::With<Lanes<S>>;
 
 /// The members of one block, by the rows of their bodies and of their inputs.
 pub(super) struct Block<'m> {
-    bodies: &'m [Row],
-    inputs: &'m [Row],
+    bodies: &'m [Eight],
+    inputs: &'m [Eight],
 }
 
 impl<B: Generic> Members<B> {
@@ -138,7 +143,7 @@ impl Block<'_> {
 
 /// What a group has in the rows of its block, over lanes.
 #[inline(always)]
-pub(super) fn read<D: Columns<Lanes<S>>, S: Register>(simd: S, rows: &[Row], group: usize) -> D {
+pub(super) fn read<D: Columns<Lanes<S>>, S: Register>(simd: S, rows: &[Eight], group: usize) -> D {
     D::read(&mut Group {
         simd,
         rows,
@@ -151,7 +156,7 @@ struct Accelerate<'e, B: Generic> {
     states: &'e Blocks<B::State>,
     first: usize,
     time: f64,
-    accelerations: &'e mut [Row],
+    accelerations: &'e mut [Eight],
 }
 
 impl<B: Generic> Work for Accelerate<'_, B> {
@@ -176,16 +181,16 @@ impl<B: Generic> Work for Accelerate<'_, B> {
     }
 }
 
-struct Advance<'e, B: Generic> {
+struct Cf4<'e, B: Generic> {
     members: &'e Members<B>,
     first: usize,
     start: f64,
     step: f64,
     steps: Range<usize>,
-    states: &'e mut [Row],
+    states: &'e mut [Eight],
 }
 
-impl<B: Generic> Work for Advance<'_, B> {
+impl<B: Generic> Work for Cf4<'_, B> {
     type Output = ();
 
     #[inline(always)]
@@ -198,7 +203,7 @@ impl<B: Generic> Work for Advance<'_, B> {
                 let (body, input) = block.group::<B, S>(simd, group);
                 let mut state = read(simd, rows, group);
                 for k in self.steps.clone() {
-                    let time = Lanes::splat(simd, self.start + exact(k) * self.step);
+                    let time = Lanes::splat(simd, self.start + real(k) * self.step);
                     let since = time - Lanes::splat(simd, self.start);
                     state = match body.input_after(&input, since) {
                         Some(moved) => cf4_step(&body, time, &state, &moved, step),

@@ -8,7 +8,7 @@ use super::Ensemble;
 use super::course::AsGiven;
 use super::integration::EnsembleIntegration;
 use super::moves::{MemberError, OneByOne, indices};
-use crate::columns::Generic;
+use crate::bodies::columns::Generic;
 use crate::integrate::{Event, Integrate, Method};
 
 /// An event in the motion of a member.
@@ -21,13 +21,15 @@ pub struct MemberEvent<S> {
 }
 
 impl<B: Generic + Integrate, M: Method<B>> EnsembleIntegration<'_, B, OneByOne<M>, AsGiven> {
-    /// Moves all members to the end \[s\] and tells where a function of time, member and its state changes its sign on the way: the events of
-    /// the first member in their order, then those of the second, as [`Integration::events`](crate::integrate::Integration::events) finds them.
+    /// Moves all members to the end \[s\] and tells where a function of time, member and its state
+    /// changes its sign on the way: the events of the first member in their order, then those of
+    /// the second, as [`Integration::events`](crate::integrate::Integration::events) finds them.
     ///
     /// It is for members one by one, under the inputs that they have, and shows no bar.
     ///
     /// # Errors
-    /// [`MemberError`] with a member that does not come there, or of which the function is not a number; the ensemble stays where it is.
+    /// [`MemberError`] with a member that does not come there, or of which the function is not a
+    /// number; the ensemble stays where it is.
     pub fn events<F>(
         self,
         end: f64,

@@ -4,14 +4,16 @@ use alloc::vec::Vec;
 use core::borrow::Borrow;
 
 use super::Ensemble;
-use super::course::{AsGiven, Course, EnsembleControl, EnsembleSamples};
-use super::moves::{Limits, MemberError, Moves, OneByOne};
-use crate::columns::Generic;
+use super::course::{AsGiven, EnsembleControl, EnsembleCourse, EnsembleSamples};
+use super::moves::{MemberError, Moves, OneByOne};
+use super::plan::Limits;
+use crate::bodies::columns::Generic;
 #[cfg(doc)]
 use crate::integrate::Fixed;
 use crate::integrate::{Integrate, Sampled, TOLERANCE, Tolerant};
 
-/// A motion of all members that is to be integrated, as one body's by [`Integration`](crate::integrate::Integration).
+/// A motion of all members that is to be integrated, as one body's by
+/// [`Integration`](crate::integrate::Integration).
 ///
 /// ```
 /// use newton_euler::integrate::{DormandPrince8, Fixed, Sample};
@@ -22,10 +24,14 @@ use crate::integrate::{Integrate, Sampled, TOLERANCE, Tolerant};
 ///     inertia: principal(1, 2, 3)[kg * m ^ 2],
 /// });
 ///
-/// let thrown = |i: u32| Rotation { angular_velocity: [0.01, 1.0, 0.001 * f64::from(i)].into(), ..Rotation::default() };
+/// let thrown = |i: u32| Rotation {
+///     angular_velocity: [0.01, 1.0, 0.001 * f64::from(i)].into(),
+///     ..Rotation::default()
+/// };
 /// let mut handles = Ensemble::new(&Handle::default(), (0..100).map(thrown));
 ///
-/// // several in a register, in steps of equal length; or each with its own steps, as long as the tolerance permits
+/// // several in a register, in steps of equal length;
+/// // or each with its own steps, as long as the tolerance permits
 /// handles.integrate().method(Fixed { method: DormandPrince8, step: 0.25 }).to(10.0)?;
 /// handles.integrate().starting_at(10.0).tolerance(1e-12).to(20.0)?;
 ///
@@ -52,8 +58,9 @@ pub struct EnsembleIntegration<'e, B: Generic, M, C> {
 }
 
 impl<B: Generic + Integrate> Ensemble<B> {
-    /// Integrates the motion of all members: from time zero, under the inputs that they have, each by the method that is best for it
-    /// ([`Integrate::Best`]) with steps of its own, all of which [`EnsembleIntegration`] can change.
+    /// Integrates the motion of all members: from time zero, under the inputs that they have, each
+    /// by the method that is best for it ([`Integrate::Best`]) with steps of its own, all of which
+    /// [`EnsembleIntegration`] can change.
     pub fn integrate(&mut self) -> EnsembleIntegration<'_, B, OneByOne<B::Best>, AsGiven> {
         EnsembleIntegration {
             ensemble: self,
@@ -101,23 +108,26 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         }
     }
 
-    /// With no step longer than this \[s\]: see [`Integration::max_step`](crate::integrate::Integration::max_step).
+    /// With no step longer than this \[s\]: see
+    /// [`Integration::max_step`](crate::integrate::Integration::max_step).
     pub fn max_step(mut self, max_step: f64) -> Self {
         self.limits.max_step = max_step;
         self
     }
 
     /// With steps that end at these times \[s\] as well, of all members: see
-    /// [`Integration::breaks`](crate::integrate::Integration::breaks). Where a member switches by conditions on time with parameters of its own,
-    /// its steps end in any case, and those of others do not.
+    /// [`Integration::breaks`](crate::integrate::Integration::breaks). Where a member switches by
+    /// conditions on time with parameters of its own, its steps end in any case, and those of
+    /// others do not.
     pub fn breaks(mut self, times: impl IntoIterator<Item: Borrow<f64>>) -> Self {
         let times = times.into_iter();
         self.limits.breaks = times.map(|time| *time.borrow()).collect();
         self
     }
 
-    /// Under inputs that a function of time, member and its state gives at the start and every so many seconds after, each held until the next
-    /// (zero-order hold), as by a controller of each. The members keep the last.
+    /// Under inputs that a function of time, member and its state gives at the start and every so
+    /// many seconds after, each held until the next (zero-order hold), as by a controller of each.
+    /// The members keep the last.
     pub fn control<F>(self, period: f64, function: F) -> EnsembleIntegration<'e, B, M, Sampled<F>>
     where
         F: FnMut(f64, usize, &B::State) -> B::Input,
@@ -133,8 +143,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         }
     }
 
-    /// Shows a bar on standard error, with how far the motion has come and the time that it will take. Nothing is shown where standard error is
-    /// no terminal.
+    /// Shows a bar on standard error, with how far the motion has come and the time that it will
+    /// take. Nothing is shown where standard error is no terminal.
     #[cfg(feature = "progress")]
     pub fn progress(self) -> Self {
         Self {
@@ -146,7 +156,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
     /// Moves all members to the end \[s\].
     ///
     /// # Errors
-    /// [`MemberError`] with a member that does not come there; the ensemble stays where it was when its inputs changed last.
+    /// [`MemberError`] with a member that does not come there; the ensemble stays where it was when
+    /// its inputs changed last.
     pub fn to(self, end: f64) -> Result<(), MemberError<B::State>>
     where
         M: Moves<B>,
@@ -155,9 +166,10 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         self.course(end).seek(end)
     }
 
-    /// The states of all members at the start and every so many seconds after, up to the end \[s\]; that is the last of them if it is a whole number of
-    /// periods away. The ensemble itself moves along, and stays at the last.
-    /// Unlike those of one body, steps end at the samples. An error is the last item.
+    /// The states of all members at the start and every so many seconds after, up to the end \[s\];
+    /// that is the last of them if it is a whole number of periods away. The ensemble itself moves
+    /// along, and stays at the last. Unlike those of one body, steps end at the samples. An error
+    /// is the last item.
     pub fn samples(self, end: f64, period: f64) -> EnsembleSamples<'e, B, M, C>
     where
         M: Moves<B>,
@@ -166,7 +178,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         EnsembleSamples::new(self.course(end), period)
     }
 
-    fn course(self, end: f64) -> Course<'e, B, M, C>
+    fn course(self, end: f64) -> EnsembleCourse<'e, B, M, C>
     where
         M: Moves<B>,
         C: EnsembleControl<B>,
@@ -176,7 +188,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         let bar = self
             .shows_progress
             .then(|| crate::integrate::Bar::new(times.clone()));
-        let course = Course::new(self.ensemble, self.method, self.control, self.limits, times);
+        let course =
+            EnsembleCourse::new(self.ensemble, self.method, self.control, self.limits, times);
         #[cfg(feature = "progress")]
         let course = course.shown_on(bar);
         course

@@ -8,17 +8,18 @@ use alloc::vec::Vec;
 #[cfg(feature = "rayon")]
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
-use super::blocks::{BLOCK, GroupMut, Row};
+use super::Ensemble;
+use super::blocks::{BLOCK, Blocks, Eight, GroupMut};
 use super::evaluate::{in_chunks, read};
+use super::plan::{Limits, Plan};
 use super::ways::{Apart, Ways};
-use super::{Ensemble, Members};
-use crate::body::RigidBody;
-use crate::columns::{Columns, Generic};
+use crate::bodies::body::RigidBody;
+use crate::bodies::columns::{Columns, Generic};
 use crate::integrate::{
-    Course, Equations, Fixed, Held, IntegrationError, Method, Pace, Run as _, RungeKutta, Tolerant,
-    add, exact,
+    Course, Equations, Fixed, Held, IntegrationError, Method, Run as _, RungeKutta, Tolerant, add,
 };
-use crate::lanes::{Lanes, Register, Work};
+use crate::numbers::count::real;
+use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
 
 /// A member whose motion ended before its time.
@@ -44,10 +45,12 @@ impl<S: fmt::Debug + 'static> core::error::Error for MemberError<S> {
 
 /// A method for all members of an ensemble.
 pub trait Moves<B: Generic> {
-    /// Moves all members between two times \[s\], with the inputs held, and tells an observer what part of them is done.
+    /// Moves all members between two times \[s\], with the inputs held, and tells an observer what
+    /// part of them is done.
     ///
     /// # Errors
-    /// [`MemberError`] with the first of those that do not come to the end; the ensemble stays where it is.
+    /// [`MemberError`] with the first of those that do not come to the end; the ensemble stays
+    /// where it is.
     fn moved(
         &self,
         ensemble: &mut Ensemble<B>,
@@ -55,26 +58,6 @@ pub trait Moves<B: Generic> {
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Result<(), MemberError<B::State>>;
-}
-
-/// What the steps of all members keep to.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Limits {
-    /// No step is longer \[s\].
-    pub max_step: f64,
-    /// Steps end at these times \[s\], in any order.
-    pub breaks: Vec<f64>,
-    /// When the inputs were given \[s\].
-    pub given: f64,
-}
-
-impl Limits {
-    pub(super) fn pace(&self) -> Pace<core::slice::Iter<'_, f64>> {
-        Pace {
-            max_step: self.max_step,
-            breaks: self.breaks.iter(),
-        }
-    }
 }
 
 /// Every member for itself, by any method, with steps of its own.
@@ -133,7 +116,7 @@ impl<F: Fn(f64)> Done<F> {
 
     fn add(&self, members: usize) {
         let before = self.count.fetch_add(members, Ordering::Relaxed);
-        (self.observer)(exact((before + members).min(self.all)) / exact(self.all));
+        (self.observer)(real((before + members).min(self.all)) / real(self.all));
     }
 }
 
@@ -149,7 +132,8 @@ pub(super) fn indices(count: usize) -> Range<usize> {
     0..count
 }
 
-/// In lanes: each member moves as it would alone, to the bit. Of a motion that does not stay finite, the error has the state at the start.
+/// In lanes: each member moves as it would alone, to the bit. Of a motion that does not stay
+/// finite, the error has the state at the start.
 impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     fn moved(
         &self,
@@ -158,7 +142,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Result<(), MemberError<B::State>> {
-        let Range { start: time, end } = times;
+        let (time, end) = (times.start, times.end);
         let before = ensemble.states.clone();
         let failed = |index: usize, step: Option<f64>| {
             let state = before.get(index);
@@ -184,33 +168,15 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         if pace.limit(time, end).is_none() || pace.limit(end, time).is_none() {
             return failed(0, Some(limits.max_step));
         }
-        let (width, members) = (ensemble.width, &ensemble.members);
-        let columns = <B::State as Columns<f64>>::COUNT;
         let done = Done::of(before.len(), observer);
-        in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
-            let members_here = rows.len() / columns * BLOCK;
-            let plan = Plan {
-                fixed: *self,
-                members,
-                first,
-                times: time..end,
-                limits,
-            };
-            let step = (end - time) / exact(steps);
-            let is_done = width.run(Advance {
-                plan: &plan,
-                step,
-                steps,
-                states: rows,
-            });
-            if !is_done {
-                width.run(Apart {
-                    plan: &plan,
-                    states: rows,
-                });
-            }
-            done.add(members_here);
-        });
+        let plan = Plan {
+            fixed: *self,
+            members: &ensemble.members,
+            first: 0,
+            times,
+            limits,
+        };
+        in_lanes(&plan, steps, ensemble.width, &mut ensemble.states, &done);
         let is_lost = |state: B::State| {
             let coordinates = state.coordinates();
             !coordinates.as_ref().iter().sum::<f64>().is_finite()
@@ -226,14 +192,37 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     }
 }
 
-/// What moves, how, and when.
-pub(super) struct Plan<'e, M, B: Generic> {
-    pub(super) fixed: Fixed<M>,
-    pub(super) members: &'e Members<B>,
-    /// The block of the first rows.
-    pub(super) first: usize,
-    pub(super) times: Range<f64>,
-    pub(super) limits: &'e Limits,
+/// Moves all members by this many steps, or by those that each takes on its way.
+fn in_lanes<B: Generic, M: RungeKutta>(
+    plan: &Plan<'_, M, B>,
+    steps: usize,
+    width: Width,
+    states: &mut Blocks<B::State>,
+    done: &Done<impl Fn(f64) + Sync>,
+) {
+    let columns = <B::State as Columns<f64>>::COUNT;
+    let step = (plan.times.end - plan.times.start) / real(steps);
+    in_chunks(states.rows_mut(), columns, |first, rows| {
+        let members_here = rows.len() / columns * BLOCK;
+        let plan = Plan {
+            first,
+            times: plan.times.clone(),
+            ..*plan
+        };
+        let is_done = width.run(Advance {
+            plan: &plan,
+            step,
+            steps,
+            states: rows,
+        });
+        if !is_done {
+            width.run(Apart {
+                plan: &plan,
+                states: rows,
+            });
+        }
+        done.add(members_here);
+    });
 }
 
 /// The members of each register that take the same steps; says whether those are all.
@@ -241,7 +230,7 @@ struct Advance<'e, M, B: Generic> {
     plan: &'e Plan<'e, M, B>,
     step: f64,
     steps: usize,
-    states: &'e mut [Row],
+    states: &'e mut [Eight],
 }
 
 impl<M: RungeKutta, B: Generic> Work for Advance<'_, M, B> {
@@ -291,7 +280,7 @@ where
     let mut coordinates = state.coordinates();
     let mut lost = <L::State as Coordinates>::Array::default();
     for k in 0..steps {
-        let time = Lanes::splat(simd, start + exact(k) * step);
+        let time = Lanes::splat(simd, start + real(k) * step);
         let length = Lanes::splat(simd, step);
         let mut change = M::increment(equations, time, &coordinates, length);
         L::State::keep(&coordinates, &mut change);

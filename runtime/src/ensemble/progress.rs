@@ -5,11 +5,11 @@ use core::ops::Range;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Ensemble;
-use crate::columns::Generic;
+use crate::bodies::columns::Generic;
 
 impl<B: Generic> Ensemble<B> {
-    /// As [`Self::cf4`], with a bar on standard error that shows the steps done and the time left. Nothing is shown where standard
-    /// error is no terminal.
+    /// As [`Self::cf4`], with a bar on standard error that shows the steps done and the time left.
+    /// Nothing is shown where standard error is no terminal.
     pub fn cf4_with_progress(&mut self, times: Range<f64>, steps: usize) {
         let bar = ProgressBar::new(steps as u64).with_style(style());
         self.cf4_observed(times, steps, |done| bar.set_position(done as u64));

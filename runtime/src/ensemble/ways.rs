@@ -7,17 +7,19 @@
 
 use core::ops::Range;
 
-use super::blocks::{BLOCK, GroupMut, Row};
+use super::blocks::{BLOCK, Eight, GroupMut};
 use super::evaluate::read;
-use super::moves::{Limits, Plan};
-use crate::body::RigidBody;
-use crate::columns::{Columns, Generic};
-use crate::integrate::{Equations, Fixed, RungeKutta, Stretch, Within, add, exact};
-use crate::lanes::{Lanes, Register, Work};
-use crate::scalar::Scalar;
+use super::plan::{Limits, Plan};
+use crate::bodies::body::RigidBody;
+use crate::bodies::columns::{Columns, Generic};
+use crate::integrate::{Equations, Fixed, RungeKutta, Stretch, Within, add};
+use crate::numbers::count::real;
+use crate::numbers::lanes::{Lanes, Register, Work};
+use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// How far each member of a register has come: as a course leads a run of equal steps, so that each moves as it would alone, to the bit.
+/// How far each member of a register has come: as a course leads a run of equal steps, so that each
+/// moves as it would alone, to the bit.
 pub(super) struct Ways<'e, M> {
     fixed: Fixed<M>,
     limits: &'e Limits,
@@ -165,7 +167,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
     /// A part of the ways of all members, in a register.
     #[inline(always)]
     fn register<S: Register>(&self, simd: S, part: fn(&Way) -> f64) -> Lanes<S> {
-        let row: Row = core::array::from_fn(|lane| part(&self.each[lane]));
+        let row: Eight = core::array::from_fn(|lane| part(&self.each[lane]));
         let (registers, _) = S::as_simd_f64s(&row);
         Lanes::new(simd, registers[0])
     }
@@ -174,7 +176,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
 /// The members of those registers in which each has steps of its own.
 pub(super) struct Apart<'e, M, B: Generic> {
     pub(super) plan: &'e Plan<'e, M, B>,
-    pub(super) states: &'e mut [Row],
+    pub(super) states: &'e mut [Eight],
 }
 
 impl<M: RungeKutta, B: Generic> Work for Apart<'_, M, B> {
@@ -202,7 +204,7 @@ impl<M: RungeKutta, B: Generic> Work for Apart<'_, M, B> {
 
 impl Way {
     fn time(&self) -> f64 {
-        self.start + exact(self.taken) * self.step()
+        self.start + real(self.taken) * self.step()
     }
 
     /// Zero at the end.
@@ -210,7 +212,7 @@ impl Way {
         if self.steps == 0 {
             0.0
         } else {
-            (self.end - self.start) / exact(self.steps)
+            (self.end - self.start) / real(self.steps)
         }
     }
 

@@ -1,4 +1,5 @@
-//! Ensembles as they are serialised: states as states, parameters and inputs as lists of numbers, all checked on reading.
+//! Ensembles as they are serialised: states as states, parameters and inputs as lists of numbers,
+//! all checked on reading.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -6,7 +7,7 @@ use core::fmt;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 use super::{Ensemble, Members};
-use crate::columns::{Columns, Generic, Sink, Source};
+use crate::bodies::columns::{Columns, Generic, Sink, Source};
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Ensemble")]

@@ -1,6 +1,7 @@
 //! Bodies that move and turn, neither depending on the other.
 
-use super::{GreatCircle, Parabola, Path};
+use super::{GreatCircle, Parabola};
+use crate::bodies::path::Path;
 use crate::state::{Hinge, Planar, Rod, Rotation, Spatial};
 
 /// A parabola of G and a rotation.
@@ -12,7 +13,11 @@ use crate::state::{Hinge, Planar, Rod, Rotation, Spatial};
 ///
 /// let thrown = Rotation { angular_velocity: Vector3::new(0.0, 0.0, 2.0), ..Rotation::default() };
 /// let ball = Flight {
-///     center: Parabola { position: Vector3::zeros(), velocity: Vector3::x(), acceleration: Vector3::z() * -9.80665 },
+///     center: Parabola {
+///         position: Vector3::zeros(),
+///         velocity: Vector3::x(),
+///         acceleration: Vector3::z() * -9.80665,
+///     },
 ///     rotation: FreeRotation::steady(&thrown),
 /// };
 /// let later: Spatial = ball.at(0.5);
@@ -23,8 +28,9 @@ use crate::state::{Hinge, Planar, Rod, Rotation, Spatial};
 pub struct Flight<R, const D: usize> {
     /// Of G, world axes.
     pub center: Parabola<D>,
-    /// A [`FreeRotation`](super::FreeRotation), a [`LagrangeTop`](super::LagrangeTop) or an [`AxialTorque`](super::AxialTorque), of a rod a
-    /// [`GreatCircle`], in the plane a path of the angle: a [`Parabola`] or a [`Pendulum`](super::Pendulum).
+    /// A [`FreeRotation`](super::FreeRotation), a [`LagrangeTop`](super::LagrangeTop) or an
+    /// [`AxialTorque`](super::AxialTorque), of a rod a [`GreatCircle`], in the plane a path of the
+    /// angle: a [`Parabola`] or a [`Pendulum`](super::Pendulum).
     pub rotation: R,
 }
 

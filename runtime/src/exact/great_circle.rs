@@ -2,10 +2,11 @@
 
 use nalgebra::{Unit, UnitVector3, Vector3};
 
-use crate::scale;
-use crate::twofold::Twofold;
+use crate::numbers::scale;
+use crate::numbers::twofold::Twofold;
 
-/// The axis of a rod on which no moment acts: it turns along a great circle at the constant rate |u̇|.
+/// The axis of a rod on which no moment acts: it turns along a great circle at the constant
+/// rate |u̇|.
 ///
 /// ```text
 /// u(t) = u cos |u̇| t + u̇/|u̇| sin |u̇| t

@@ -2,16 +2,21 @@
 
 use nalgebra::SVector;
 
-use super::Path;
+use crate::bodies::path::Path;
 use crate::state::{Hinge, PlanarTranslation, Translation};
 
-/// A point under constant acceleration, in D coordinates: `x₀ + v₀ t + a t²/2`. One coordinate may be an angle.
+/// A point under constant acceleration, in D coordinates: `x₀ + v₀ t + a t²/2`. One coordinate may
+/// be an angle.
 ///
 /// ```
 /// use newton_euler::exact::Parabola;
 /// use nalgebra::Vector2;
 ///
-/// let thrown = Parabola { position: Vector2::zeros(), velocity: [3.0, 4.0].into(), acceleration: [0.0, -10.0].into() };
+/// let thrown = Parabola {
+///     position: Vector2::zeros(),
+///     velocity: [3.0, 4.0].into(),
+///     acceleration: [0.0, -10.0].into(),
+/// };
 /// assert_eq!(thrown.position_at(0.5), Vector2::new(1.5, 0.75));
 /// assert_eq!(thrown.velocity_at(0.5), Vector2::new(3.0, -1.0));
 /// ```

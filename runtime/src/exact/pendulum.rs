@@ -2,12 +2,12 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::Path;
-use super::jacobi::{Elliptic, Jacobi};
-use super::phase::Phase;
-use crate::private::math;
+use crate::bodies::path::Path;
+use crate::exact::elliptic::jacobi::{Elliptic, Jacobi};
+use crate::exact::elliptic::phase::Phase;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 use crate::state::Hinge;
-use crate::twofold::Twofold;
 
 /// π/2 less the double next to it.
 const QUARTER_REST: f64 = 6.123_233_995_736_766e-17;
@@ -18,7 +18,8 @@ const NEAR: f64 = 1e-5;
 /// As such a cosine: squares of what is larger do not underflow.
 const LEAST: f64 = 1e-150;
 
-/// A body that turns about a fixed axis under its weight: `θ'' = -Ω² sin(θ - θ₀)`, at any amplitude.
+/// A body that turns about a fixed axis under its weight: `θ'' = -Ω² sin(θ - θ₀)`, at any
+/// amplitude.
 ///
 /// With φ = θ - θ₀, it swings or it goes round, by which of `cos(φ/2)` and `|φ'|/2Ω` is the larger:
 ///
@@ -27,16 +28,21 @@ const LEAST: f64 = 1e-150;
 /// goes round    φ/2 = am(k Ω t + u₀, 1/k)         φ' = 2 k Ω dn        k² = sin²(φ/2) + φ'²/4Ω²
 /// ```
 ///
-/// k' is written as a product, and keeps its digits near the separatrix between the two. The angle is not wrapped. Next to upright
-/// its digits are those of the tilt that it leaves; below 1e-150, at rest, it stays upright. A θ₀ that is the double next to a quarter
-/// turn, or to several, is taken for these.
+/// k' is written as a product, and keeps its digits near the separatrix between the two. The angle
+/// is not wrapped. Next to upright its digits are those of the tilt that it leaves; below 1e-150,
+/// at rest, it stays upright. A θ₀ that is the double next to a quarter turn, or to several, is
+/// taken for these.
 ///
 /// ```
 /// use newton_euler::exact::{Path, Pendulum};
 /// use newton_euler::prelude::*;
 ///
 /// // half a period from 90 degrees: K(1/√2) = 1.8540746773013719
-/// let swing = Pendulum::new(2.0, 0.0, &Hinge { angle: core::f64::consts::FRAC_PI_2, angular_velocity: 0.0 });
+/// let swing = Pendulum::new(
+///     2.0,
+///     0.0,
+///     &Hinge { angle: core::f64::consts::FRAC_PI_2, angular_velocity: 0.0 },
+/// );
 /// assert!((swing.at(1.854_074_677_301_371_9).angle + core::f64::consts::FRAC_PI_2).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,12 +55,12 @@ pub struct Pendulum {
     center: Twofold,
     /// `k Ω` \[rad/s\]
     rate: f64,
-    course: Course,
+    course: Case,
     phase: Phase,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Course {
+enum Case {
     /// k
     Swings(f64),
     /// 1 or -1
@@ -62,7 +68,8 @@ enum Course {
 }
 
 impl Pendulum {
-    /// From the rate Ω of small oscillations \[rad/s\], the angle θ₀ at which it hangs at rest, and the state at time zero.
+    /// From the rate Ω of small oscillations \[rad/s\], the angle θ₀ at which it hangs at rest, and
+    /// the state at time zero.
     #[must_use]
     pub fn new(rate: f64, hanging: f64, state: &Hinge) -> Self {
         let mut wrapped = 2.0 * math::floor((state.angle - hanging) / TAU + 0.5);
@@ -96,10 +103,7 @@ impl Pendulum {
                 dn: cosine,
             };
             let jacobi = Jacobi::new(f64::min(1.0, apart / rate));
-            (
-                Course::Swings(total / rate),
-                Phase::new(jacobi, start, rate),
-            )
+            (Case::Swings(total / rate), Phase::new(jacobi, start, rate))
         } else {
             let direction = f64::copysign(1.0, speed);
             let start = Elliptic {
@@ -109,7 +113,7 @@ impl Pendulum {
             };
             let jacobi = Jacobi::new(f64::min(1.0, over(apart, total, 1.0)));
             let phase = Phase::new(jacobi, start, total);
-            (Course::GoesRound(direction), phase)
+            (Case::GoesRound(direction), phase)
         };
         Self {
             hanging,
@@ -132,8 +136,8 @@ impl Pendulum {
     #[must_use]
     pub fn period(&self) -> f64 {
         let angle = match self.course {
-            Course::Swings(_) => TAU,
-            Course::GoesRound(_) => PI,
+            Case::Swings(_) => TAU,
+            Case::GoesRound(_) => PI,
         };
         if self.phase.jacobi.is_hyperbolic() {
             f64::INFINITY
@@ -166,12 +170,12 @@ impl Path for Pendulum {
         let reading = self.phase.at(time);
         // φ as it comes, the sine and cosine of half of it, up to a common sign
         let (turned, [sine, cosine], speed) = match self.course {
-            Course::Swings(modulus) => {
+            Case::Swings(modulus) => {
                 let Elliptic { sn, cn, dn } = reading.elliptic();
                 let sine = modulus * sn;
                 (2.0 * math::atan2(sine, dn), [sine, dn], cn)
             }
-            Course::GoesRound(direction) => {
+            Case::GoesRound(direction) => {
                 let Elliptic { sn, cn, dn } = reading.sum;
                 let turned = 2.0 * direction * reading.amplitude();
                 (turned, [direction * sn, cn], direction * dn)

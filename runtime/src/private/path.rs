@@ -3,11 +3,12 @@
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 
 use crate::exact::{AxialTorque, FreeRotation, LagrangeTop};
-use crate::inertia::InertiaTensor;
-use crate::principal::PrincipalAxes;
+use crate::mechanics::inertia::InertiaTensor;
+use crate::mechanics::principal::PrincipalAxes;
 use crate::state::Rotation;
 
-/// Of a tensor that the constructor has checked: its entries xx, yy, zz, xy, yz, zx. Axes that are principal stay, in any order.
+/// Of a tensor that the constructor has checked: its entries xx, yy, zz, xy, yz, zx. Axes that are
+/// principal stay, in any order.
 #[must_use]
 pub fn principal_axes(entries: [f64; 6]) -> PrincipalAxes {
     let inertia = InertiaTensor::checked(entries);
@@ -49,7 +50,8 @@ pub fn principal_rotation(
     FreeRotation::principal(moments, &Matrix3::from(axes), state)
 }
 
-/// Of the moments across an axis and about it, its unit vector, and the couple per unit of its arm, world axes.
+/// Of the moments across an axis and about it, its unit vector, and the couple per unit of its arm,
+/// world axes.
 #[must_use]
 pub fn lagrange_top(
     moments: [f64; 2],

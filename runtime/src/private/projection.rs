@@ -1,7 +1,8 @@
-//! How far it is to the constraints, and the way back: Newton's method in the metric of the kinetic energy.
+//! How far it is to the constraints, and the way back: Newton's method in the metric of the kinetic
+//! energy.
 
-use crate::body::Singular;
-use crate::constrained::Inconsistent;
+use crate::bodies::body::Singular;
+use crate::bodies::constrained::Inconsistent;
 use crate::state::State;
 
 /// One constraint in one state, as generated code tells of it.
@@ -146,7 +147,8 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
     Ok(())
 }
 
-/// `A M⁻¹ Aᵀ λ = g` by elimination along the diagonal, which is positive; what depends on the rows before it in this state has no part of its own.
+/// `A M⁻¹ Aᵀ λ = g` by elimination along the diagonal, which is positive; what depends on the rows
+/// before it in this state has no part of its own.
 fn solve<R, const N: usize>(system: &[Row<R, N>; N], kept: [Option<f64>; N]) -> [f64; N] {
     let mut matrix: [[f64; N]; N] = core::array::from_fn(|row| system[row].coupling);
     let mut values = kept.map(Option::unwrap_or_default);

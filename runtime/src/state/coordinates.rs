@@ -5,12 +5,14 @@ use core::ops::Range;
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3, Vector4};
 
-use super::{State, generic};
-use crate::attitude::generic::kinematics;
-use crate::scalar::Scalar;
+use super::generic;
+use super::space::State;
+use crate::mechanics::attitude::generic::kinematics;
+use crate::numbers::scalar::Scalar;
 
-/// A state as a list of coordinates: position, attitude or angle or axis, velocity, and their rates, those that there are,
-/// in this order; components x, y, z, of an attitude with the scalar last.
+/// A state as a list of coordinates: position, attitude or angle or axis, velocity, and their
+/// rates, those that there are, in this order; components x, y, z, of an attitude with the scalar
+/// last.
 pub trait Coordinates: State<Scalar: Scalar> {
     /// `[Scalar; COUNT]`
     type Array: Copy + Debug + Default + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
@@ -18,7 +20,8 @@ pub trait Coordinates: State<Scalar: Scalar> {
     /// How many coordinates belong together: each group is of one unit.
     const GROUPS: &'static [usize];
 
-    /// Where the coordinates of an attitude quaternion begin, and those of the angular velocity in body axes, if there are such axes.
+    /// Where the coordinates of an attitude quaternion begin, and those of the angular velocity in
+    /// body axes, if there are such axes.
     const AXES: Option<[usize; 2]> = None;
 
     /// The coordinates of this state.
@@ -27,16 +30,18 @@ pub trait Coordinates: State<Scalar: Scalar> {
     /// The state with these coordinates, as they are: see [`keep`](Self::keep).
     fn from_coordinates(coordinates: &Self::Array) -> Self;
 
-    /// The derivatives of the coordinates with respect to time, given the acceleration in this state: of an attitude q the components of
-    /// `q (0, ω) / 2`.
+    /// The derivatives of the coordinates with respect to time, given the acceleration in this
+    /// state: of an attitude q the components of `q (0, ω) / 2`.
     fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array;
 
-    /// Corrects a small change of coordinates, so that attitude and axis stay unit to rounding, and the rate of an axis across it.
+    /// Corrects a small change of coordinates, so that attitude and axis stay unit to rounding, and
+    /// the rate of an axis across it.
     #[inline(always)]
     fn keep(_coordinates: &Self::Array, _change: &mut Self::Array) {}
 }
 
-/// The lists: the fields of a state one after another, its rates, and which of its coordinates are a unit vector.
+/// The lists: the fields of a state one after another, its rates, and which of its coordinates are
+/// a unit vector.
 macro_rules! plain {
     ($(
         $state:ident: $count:literal, $groups:expr,

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use serde::{Deserialize, Deserializer, de::Error};
 
-use crate::scalar::Scalar;
+use crate::numbers::scalar::Scalar;
 
 pub(super) fn scalar<'de, T: Scalar + Deserialize<'de>, D: Deserializer<'de>>(
     deserializer: D,

@@ -4,12 +4,13 @@ use nalgebra::Vector2;
 #[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
 
-use super::State;
 #[cfg(feature = "serde")]
 use super::finite;
-use crate::scalar::Scalar;
+use super::space::State;
+use crate::numbers::scalar::Scalar;
 
-/// State of `motion: pivot` and `motion: fixed_axis`, one degree of freedom; its acceleration is a scalar \[rad/s²\].
+/// State of `motion: pivot` and `motion: fixed_axis`, one degree of freedom; its acceleration is a
+/// scalar \[rad/s²\].
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -25,8 +26,8 @@ use crate::scalar::Scalar;
     serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))
 )]
 pub struct Hinge<T: Scalar> {
-    /// Zero with body axes along world axes; right-handed about the axis, in the plane anticlockwise; not wrapped
-    /// \[rad\].
+    /// Zero with body axes along world axes; right-handed about the axis, in the plane
+    /// anticlockwise; not wrapped \[rad\].
     #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub angle: T,
     /// Rate of the angle \[rad/s\].

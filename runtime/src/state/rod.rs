@@ -1,31 +1,34 @@
 //! The state of a slender rod: five degrees of freedom.
 //!
-//! A rod has no moment of inertia about its axis, and turning about it is no motion. What is left of the attitude is the
-//! axis u, a point of the unit sphere, and its rate u̇, tangent there.
+//! A rod has no moment of inertia about its axis, and turning about it is no motion. What is left
+//! of the attitude is the axis u, a point of the unit sphere, and its rate u̇, tangent there.
 
 use nalgebra::{SVector, Unit, UnitQuaternion, UnitVector3, Vector3};
 #[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
 
-use super::State;
-use crate::attitude;
-use crate::scalar::{Scalar, either};
+use super::space::State;
+use crate::mechanics::attitude;
+use crate::numbers::scalar::{Scalar, either};
 
 /// State of `motion: rod(axis)`, five degrees of freedom: |u| = 1 and u·u̇ = 0.
 ///
-/// By default the axis is along world x, that of a rod with J = (0, J, J) and body axes along world axes.
+/// By default the axis is along world x, that of a rod with J = (0, J, J) and body axes along world
+/// axes.
 ///
-/// The five-dimensional sphere bundle is not a group, but rigid motions act on it: with w = u × u̇, the angular velocity
-/// without spin, (u, w) is a line in space with a moment about the origin, and a displacement turns and shifts it,
+/// The five-dimensional sphere bundle is not a group, but rigid motions act on it: with w = u × u̇,
+/// the angular velocity without spin, (u, w) is a line in space with a moment about the origin, and
+/// a displacement turns and shifts it,
 ///
 /// ```text
 /// u₁ = R u        u̇₁ = R u̇ + P V ü        R = exp ξ,  P = 1 - u₁ u₁ᵀ
 /// V = ∫₀¹ exp(sξ) ds = 1 + (1 - cos ξ)/ξ² [ξ]× + (ξ - sin ξ)/ξ³ [ξ]×²
 /// ```
 ///
-/// This is the flow of a constant element (ξ, η) of the Lie algebra of rigid motions, η = -ü; the rate of a state has
-/// ξ = w. So methods on Lie groups keep their order, both conditions hold exactly but for rounding (which is removed at
-/// each displacement), and a free rod moves along its great circle without error.
+/// This is the flow of a constant element (ξ, η) of the Lie algebra of rigid motions, η = -ü; the
+/// rate of a state has ξ = w. So methods on Lie groups keep their order, both conditions hold
+/// exactly but for rounding (which is removed at each displacement), and a free rod moves along its
+/// great circle without error.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -33,8 +36,12 @@ use crate::scalar::{Scalar, either};
 ///
 /// let thrown = Rod { axis_rate: Vector3::new(0.0, 0.2, 0.0), ..Rod::default() };
 /// let later = thrown.moved(&(thrown.rate(&RodAcceleration::default()) * 10.0));
-/// assert!((later.axis.into_inner() - Vector3::new(2.0_f64.cos(), 2.0_f64.sin(), 0.0)).norm() < 1e-15);
-/// assert!((later.axis_rate - Vector3::new(-2.0_f64.sin(), 2.0_f64.cos(), 0.0) * 0.2).norm() < 1e-15);
+/// assert!(
+///     (later.axis.into_inner() - Vector3::new(2.0_f64.cos(), 2.0_f64.sin(), 0.0)).norm() < 1e-15
+/// );
+/// assert!(
+///     (later.axis_rate - Vector3::new(-2.0_f64.sin(), 2.0_f64.cos(), 0.0) * 0.2).norm() < 1e-15
+/// );
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
@@ -49,8 +56,8 @@ pub struct Rod<T: Scalar> {
     pub velocity: Vector3<T>,
     /// Unit vector u along the rod, world axes.
     pub axis: UnitVector3<T>,
-    /// u̇, perpendicular to the axis, world axes \[1/s\]; a component along it has no meaning and is dropped when the
-    /// state is moved.
+    /// u̇, perpendicular to the axis, world axes \[1/s\]; a component along it has no meaning and
+    /// is dropped when the state is moved.
     pub axis_rate: Vector3<T>,
 }
 
@@ -60,8 +67,9 @@ pub struct Rod<T: Scalar> {
 pub struct RodAcceleration<T: Scalar> {
     /// Acceleration of G, world axes \[m/s²\].
     pub linear: Vector3<T>,
-    /// ü, world axes \[1/s²\]: `(K × u)/J - |u̇|² u`, with K the moment about G and J the moment of inertia about every
-    /// axis through G perpendicular to the rod. Its component along u follows from |u| = 1 and is not read.
+    /// ü, world axes \[1/s²\]: `(K × u)/J - |u̇|² u`, with K the moment about G and J the moment of
+    /// inertia about every axis through G perpendicular to the rod. Its component along u follows
+    /// from |u| = 1 and is not read.
     pub axis: Vector3<T>,
 }
 
@@ -97,7 +105,8 @@ impl<T: Scalar> Rod<T> {
 impl<T: Scalar> State for Rod<T> {
     type Scalar = T;
     type Acceleration = RodAcceleration<T>;
-    /// Velocity, angular velocity u × u̇, acceleration of G, ü without its component along u: three components each.
+    /// Velocity, angular velocity u × u̇, acceleration of G, ü without its component along u: three
+    /// components each.
     type Rate = SVector<T, 12>;
 
     #[inline(always)]
@@ -199,10 +208,11 @@ mod written {
     use serde::{Deserialize, Serialize};
 
     use super::super::finite;
-    use crate::scalar::Scalar;
+    use crate::numbers::scalar::Scalar;
 
-    /// How far |u|² may be from 1, and u·u̇ from 0 relative to |u̇|: as for attitudes, nine printed digits pass, single
-    /// precision does not, and what passes is right to rounding after the first step. It is kept as it was read.
+    /// How far |u|² may be from 1, and u·u̇ from 0 relative to |u̇|: as for attitudes, nine printed
+    /// digits pass, single precision does not, and what passes is right to rounding after the first
+    /// step. It is kept as it was read.
     fn tolerance<T: Scalar>() -> f64 {
         f64::max(1e-9, 8.0 * T::EPSILON)
     }

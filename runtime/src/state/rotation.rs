@@ -4,11 +4,11 @@ use nalgebra::{UnitQuaternion, Vector3, Vector6};
 #[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
 
-use super::State;
 #[cfg(feature = "serde")]
 use super::finite;
-use crate::attitude;
-use crate::scalar::Scalar;
+use super::space::State;
+use crate::mechanics::attitude;
+use crate::numbers::scalar::Scalar;
 
 /// State of `motion: rotation`, three degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]

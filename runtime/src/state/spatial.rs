@@ -4,11 +4,11 @@ use nalgebra::{SVector, UnitQuaternion, Vector3};
 #[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
 
-use super::State;
 #[cfg(feature = "serde")]
 use super::finite;
-use crate::attitude;
-use crate::scalar::Scalar;
+use super::space::State;
+use crate::mechanics::attitude;
+use crate::numbers::scalar::Scalar;
 
 /// State of `motion: spatial`, six degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,8 +38,8 @@ pub struct Spatial<T: Scalar> {
 pub struct SpatialAcceleration<T: Scalar> {
     /// Acceleration of G, world axes \[m/s²\].
     pub linear: Vector3<T>,
-    /// Angular acceleration, body axes \[rad/s²\]: the derivatives of the components of the angular velocity, which
-    /// are the components of its derivative (1.7).
+    /// Angular acceleration, body axes \[rad/s²\]: the derivatives of the components of the angular
+    /// velocity, which are the components of its derivative (1.7).
     pub angular: Vector3<T>,
 }
 

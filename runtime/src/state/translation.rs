@@ -4,10 +4,10 @@ use nalgebra::{Vector3, Vector6};
 #[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
 
-use super::State;
 #[cfg(feature = "serde")]
 use super::finite;
-use crate::scalar::Scalar;
+use super::space::State;
+use crate::numbers::scalar::Scalar;
 
 /// State of `motion: translation`, three degrees of freedom; body axes stay along world axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

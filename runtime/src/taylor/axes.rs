@@ -2,31 +2,33 @@
 
 use nalgebra::{Vector3, Vector4};
 
-use crate::integrate::exact;
-use crate::private::math;
+use crate::numbers::count::real;
+use crate::numbers::math;
 use crate::state::Coordinates;
 
 /// The axes of a body, or such that do not spin with it.
 ///
 /// Let a body be symmetric about e: its accelerations do not change if its axes are turned about e
-/// ([`Dependence::body`](crate::structure::Dependence::body)), and its spin s = ω·e is constant. In axes F that turn against it at -σ about e, with the
-/// components of the whole angular velocity in them, the motion is slower:
+/// ([`Dependence::body`](crate::structure::Dependence::body)), and its spin s = ω·e is constant. In
+/// axes F that turn against it at -σ about e, with the components of the whole angular velocity in
+/// them, the motion is slower:
 ///
 /// ```text
 /// q_F' = q_F (0, ω_F - σ e) / 2        ω_F' = α(q_F, ω_F) + σ e × ω_F
 /// ```
 ///
-/// α is the same function as in the axes of the body. Since s is a number, products with it are no products of series. With F along the
-/// axes of the body at t₀,
+/// α is the same function as in the axes of the body. Since s is a number, products with it are no
+/// products of series. With F along the axes of the body at t₀,
 ///
 /// ```text
 /// q = q_F exp(e σ (t - t₀) / 2)        ω = R_e(-σ (t - t₀)) ω_F
 /// ```
 ///
-/// while position and velocity are the same. In axes without spin, σ = s, the angular velocity of a free body turns at
-/// `β = s J_e / J_t`, of the moments of inertia along e and across it; for σ = s - β it stands still, but the attitude turns faster.
-/// [`rigid_body!`](crate::rigid_body) takes σ = s - β / 2, halfway. Steps are the longest then or nearly so, of heavy tops flat
-/// and slender, fast and slow; without spin those of flat tops would be shorter than in the axes of the body.
+/// while position and velocity are the same. In axes without spin, σ = s, the angular velocity of a
+/// free body turns at `β = s J_e / J_t`, of the moments of inertia along e and across it; for σ =
+/// s - β it stands still, but the attitude turns faster. [`rigid_body!`](crate::rigid_body) takes
+/// σ = s - β / 2, halfway. Steps are the longest then or nearly so, of heavy tops flat and slender,
+/// fast and slow; without spin those of flat tops would be shorter than in the axes of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
     begin: f64,
@@ -38,8 +40,8 @@ impl Axes {
     /// Those of the body.
     pub const BODY: Self = Self::despun(0.0, [0.0; 3], 0.0);
 
-    /// Those that are along the body's at the time `begin` \[s\], and against which it turns at σ = `spin` \[rad/s\] about
-    /// `direction`, a unit vector in both.
+    /// Those that are along the body's at the time `begin` \[s\], and against which it turns at σ =
+    /// `spin` \[rad/s\] about `direction`, a unit vector in both.
     #[must_use]
     pub const fn despun(begin: f64, direction: [f64; 3], spin: f64) -> Self {
         Self {
@@ -93,8 +95,8 @@ impl Axes {
             for n in (j..N).rev() {
                 let (q, w) = read::<S>(&terms[n - 1], places);
                 let (q, w) = (
-                    times(&q, &turning) * (0.5 / exact(j)),
-                    w.cross(&turning) / exact(j),
+                    times(&q, &turning) * (0.5 / real(j)),
+                    w.cross(&turning) / real(j),
                 );
                 write::<S>(&mut terms[n], places, &q, &w);
                 let (sum_q, sum_w) = read::<S>(&coefficients[n], places);
@@ -103,7 +105,8 @@ impl Axes {
         }
     }
 
-    /// Brings the rate of the angular velocity into these, from that of the same coordinates in the axes of the body: `+ σ e × ω_F`.
+    /// Brings the rate of the angular velocity into these, from that of the same coordinates in the
+    /// axes of the body: `+ σ e × ω_F`.
     #[inline(always)]
     pub(crate) fn turn_rates<S: Coordinates<Scalar = f64>>(
         &self,

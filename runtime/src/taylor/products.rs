@@ -2,10 +2,11 @@
 
 use super::Arithmetic;
 
-/// Terms of sums of products of series of N coefficients; of all sums together there are WIDTH products.
+/// Terms of sums of products of series of N coefficients; of all sums together there are WIDTH
+/// products.
 ///
-/// The series lie side by side, so that a register holds the same coefficient of several of them: of sums from place FIRST on
-/// in LANES lanes, with COUNT products each,
+/// The series lie side by side, so that a register holds the same coefficient of several of them:
+/// of sums from place FIRST on in LANES lanes, with COUNT products each,
 ///
 /// ```text
 /// sum[k] = Σ_p weight[p][k] Σ_j left[j][p][k] right[n - j][p][k],   j = 0 .. n
@@ -15,20 +16,20 @@ use super::Arithmetic;
 #[derive(Clone, Debug)]
 pub struct Products<A, const WIDTH: usize, const N: usize> {
     arithmetic: A,
-    weights: Row<WIDTH>,
+    weights: Aligned<WIDTH>,
     /// With their weights.
-    left: [Row<WIDTH>; N],
-    right: [Row<WIDTH>; N],
+    left: [Aligned<WIDTH>; N],
+    right: [Aligned<WIDTH>; N],
 }
 
 /// The same coefficient of several series; registers are read fastest where they are aligned.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-struct Row<const WIDTH: usize>([f64; WIDTH]);
+struct Aligned<const WIDTH: usize>([f64; WIDTH]);
 
 impl<A, const WIDTH: usize, const N: usize> From<A> for Products<A, WIDTH, N> {
     fn from(arithmetic: A) -> Self {
-        let zero = Row([0.0; WIDTH]);
+        let zero = Aligned([0.0; WIDTH]);
         Self {
             arithmetic,
             weights: zero,
@@ -38,7 +39,8 @@ impl<A, const WIDTH: usize, const N: usize> From<A> for Products<A, WIDTH, N> {
     }
 }
 
-// What runs by an arithmetic is written in loops: a closure that is not inlined would not be compiled for its instructions.
+// What runs by an arithmetic is written in loops: a closure that is not inlined would not be
+// compiled for its instructions.
 impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
     /// The weights and the first coefficients of sums: `(weight, left, right)`.
     #[inline(always)]
@@ -56,8 +58,8 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
         }
     }
 
-    /// Terms n of sums, by coefficients n of their factors. One that is not known yet is given as zero, and later by
-    /// [`complete`](Self::complete): its partner begins with zero.
+    /// Terms n of sums, by coefficients n of their factors. One that is not known yet is given as
+    /// zero, and later by [`complete`](Self::complete): its partner begins with zero.
     #[inline(always)]
     pub fn terms<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &mut self,
@@ -74,7 +76,8 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
             }
             left[p] = arithmetic.multiply_add([0.0; LANES], left[p], self.weights.part(place(p)));
         }
-        // first what was there before the last order, while that is still computed; then what is of it
+        // first what was there before the last order, while that is still computed; then what is of
+        // it
         let mut terms = [[0.0; LANES]; COUNT];
         let early = 2..n.max(3) - 1;
         let right_rows = self.right[early.clone()].iter().rev();
@@ -123,7 +126,8 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
         sums
     }
 
-    /// Numbers times a factor, side by side in registers: what an operation leaves stays there from one order to the next.
+    /// Numbers times a factor, side by side in registers: what an operation leaves stays there from
+    /// one order to the next.
     #[inline(always)]
     pub fn times<const COUNT: usize>(&self, numbers: [f64; COUNT], factor: f64) -> [f64; COUNT] {
         let zeros = [0.0; COUNT];
@@ -131,13 +135,14 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
             .multiply_add(zeros, numbers, [factor; COUNT])
     }
 
-    /// Adds the products of two rows, to a sum for each, so that additions do not wait for one another.
+    /// Adds the products of two rows, to a sum for each, so that additions do not wait for one
+    /// another.
     #[inline(always)]
     fn add<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &self,
         terms: &mut [[f64; LANES]; COUNT],
-        left: &Row<WIDTH>,
-        right: &Row<WIDTH>,
+        left: &Aligned<WIDTH>,
+        right: &Aligned<WIDTH>,
     ) {
         for (p, term) in terms.iter_mut().enumerate() {
             let place = FIRST + p * LANES;
@@ -158,7 +163,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
     }
 }
 
-impl<const WIDTH: usize> Row<WIDTH> {
+impl<const WIDTH: usize> Aligned<WIDTH> {
     /// COUNT numbers from a place on.
     #[inline(always)]
     fn part<const COUNT: usize>(&self, place: usize) -> [f64; COUNT] {

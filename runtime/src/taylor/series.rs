@@ -1,7 +1,7 @@
 //! The coefficients of a motion.
 
 use super::{Arithmetic, Axes, Products};
-use crate::integrate::exact;
+use crate::numbers::count::real;
 use crate::state::Coordinates;
 
 /// A motion as a polynomial in the time since its start, coordinate by coordinate.
@@ -50,7 +50,8 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
         self.coefficients[0] = state.coordinates();
     }
 
-    /// Coefficient n of the coordinates, and what fills their last register, from coefficient n - 1 of their rates.
+    /// Coefficient n of the coordinates, and what fills their last register, from coefficient n - 1
+    /// of their rates.
     #[inline(always)]
     pub fn extend<A: Arithmetic, const WIDTH: usize, const COUNT: usize>(
         &mut self,
@@ -58,7 +59,7 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
         n: usize,
         rates: [f64; COUNT],
     ) -> [f64; COUNT] {
-        let next = products.times(rates, 1.0 / exact(n));
+        let next = products.times(rates, 1.0 / real(n));
         let row = self.coefficients[n].as_mut();
         row.copy_from_slice(&next[..row.len()]);
         next
@@ -100,7 +101,8 @@ fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) 
     even
 }
 
-/// How fast coordinates change on a polynomial, from a place in their list on; zero before it. As in [`evaluate`], neither half waits for the other.
+/// How fast coordinates change on a polynomial, from a place in their list on; zero before it. As
+/// in [`evaluate`], neither half waits for the other.
 #[inline(always)]
 pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
     coefficients: &[S::Array; N],
@@ -116,7 +118,7 @@ pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
         }
     };
     for (pair, rows) in coefficients[1..].chunks(2).enumerate().rev() {
-        let order = exact(2 * pair + 1);
+        let order = real(2 * pair + 1);
         climb(&mut even, &rows[0], order);
         if let Some(row) = rows.get(1) {
             climb(&mut odd, row, order + 1.0);

@@ -1,10 +1,11 @@
 //! A description as the compiler understands it.
 
 use fuzz::errors::Errors;
+use fuzz::lower::{lower_description, outline};
 use fuzz::mechanics::{
     Equations, Flow, Structure, derive_equations, derive_flow, describe_equations, with_potentials,
 };
-use fuzz::model::{Meaning, Model, Workspace, lower_description, outline};
+use fuzz::model::{Meaning, Model, Workspace};
 use fuzz::outputs::{derive_outputs, offers};
 use fuzz::symbolic::{Id, Node};
 use fuzz::syntax::parse_description;

@@ -20,12 +20,20 @@ mod emit;
 pub mod errors;
 #[path = "../../../macros/src/expand.rs"]
 mod expand;
+#[path = "../../../macros/src/families.rs"]
+pub mod families;
+#[path = "../../../macros/src/fraction.rs"]
+pub mod fraction;
+#[path = "../../../macros/src/lower/mod.rs"]
+pub mod lower;
 #[path = "../../../macros/src/mechanics/mod.rs"]
 pub mod mechanics;
 #[path = "../../../macros/src/model/mod.rs"]
 pub mod model;
 #[path = "../../../macros/src/outputs/mod.rs"]
 pub mod outputs;
+#[path = "../../../macros/src/range.rs"]
+pub mod range;
 #[path = "../../../macros/src/symbolic/mod.rs"]
 pub mod symbolic;
 #[path = "../../../macros/src/syntax/mod.rs"]

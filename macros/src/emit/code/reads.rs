@@ -6,7 +6,11 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use crate::model::{AXES, Declared, LoadKind, Meaning, Motion};
+use crate::families::LoadKind;
+use crate::model::AXES;
+use crate::model::Declared;
+use crate::model::Meaning;
+use crate::model::Motion;
 use crate::symbolic::{Id, Number, Program, Stage};
 
 use super::block::Block;

@@ -223,7 +223,13 @@ impl Shapes {
             } else {
                 "angular_velocity"
             };
-            fields.extend(field(name, self.moment(values)));
+            let value = if self.motion.is_hinged() {
+                let value = values.next();
+                quote!(#value)
+            } else {
+                self.moment(values)
+            };
+            fields.extend(field(name, value));
         }
         quote!(#kind { #fields ..*#state })
     }

@@ -4,7 +4,9 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::code::{Scalar, Shapes, allow_constants, local_name, private};
-use crate::model::{Declared, LoadKind, Outline};
+use crate::families::LoadKind;
+use crate::model::Declared;
+use crate::model::Outline;
 
 use super::constructor::Constructor;
 use super::docs::{Documentation, declared_doc};

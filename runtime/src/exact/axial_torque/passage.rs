@@ -5,8 +5,8 @@ use nalgebra::Quaternion;
 use super::reversal::Reversal;
 use super::sweep::{Place, Sweep};
 use super::wobble::{lag, tilt};
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// P, put together of precession before the spin reverses, the reversal, and precession after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub(super) struct Passage {
     /// With what P begins there; none where the vector sweeps slowly throughout.
     reversal: Option<(Quaternion<f64>, Reversal)>,
     /// For negative u, and for positive; without a reversal they are one.
-    precessions: [Precession; 2],
+    precessions: [Leg; 2],
 }
 
 impl Passage {
@@ -32,7 +32,7 @@ impl Passage {
         Self {
             sweep,
             reversal: None,
-            precessions: [Precession::from_start(&sweep, middle); 2],
+            precessions: [Leg::from_start(&sweep, middle); 2],
         }
     }
 
@@ -42,13 +42,13 @@ impl Passage {
         let at_edges = edges.map(|edge| reversal.at(&edge));
         let after_edge = |side: usize, before: Quaternion<f64>| {
             let (edge, p) = (edges[side], before * at_edges[side]);
-            Precession::new(&sweep, 0.0, sweep.time(&edge), edge, p)
+            Leg::new(&sweep, 0.0, sweep.time(&edge), edge, p)
         };
         let (before, precessions) = if reversal.holds(&start) {
             let before = reversal.at(&start).conjugate();
             (before, [0, 1].map(|side| after_edge(side, before)))
         } else {
-            let (own, side) = (Precession::from_start(&sweep, 0.0), start.side());
+            let (own, side) = (Leg::from_start(&sweep, 0.0), start.side());
             let p = own.at(&sweep, sweep.time(&edges[side]), &edges[side]);
             let before = p * at_edges[side].conjugate();
             let mut precessions = [own; 2];
@@ -72,9 +72,9 @@ impl Passage {
     }
 }
 
-/// Precession about the vector, from a place on.
+/// A leg of precession about the vector, from a place on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Precession {
+struct Leg {
     time: Twofold,
     place: Place,
     /// By what the phase differs from `∫ λ dt`, counted from where u vanishes.
@@ -85,7 +85,7 @@ struct Precession {
     before: Quaternion<f64>,
 }
 
-impl Precession {
+impl Leg {
     fn from_start(sweep: &Sweep, middle: f64) -> Self {
         let (start, one) = (sweep.place(sweep.start), Quaternion::identity());
         Self::new(sweep, middle, Twofold::default(), start, one)

@@ -1,14 +1,15 @@
 //! The rotation while the spin reverses, where λ is small.
 //!
-//! In the unit `√b` of rates, `R' = R (i g + k τ/2)` with `g = w/(2 √b)` and τ = u: the coefficients of its Taylor series have a
-//! recurrence of three terms. R is one at τ = 0, and from there series lead on. `R(-τ) = k* R(τ) k`.
+//! In the unit `√b` of rates, `R' = R (i g + k τ/2)` with `g = w/(2 √b)` and τ = u: the
+//! coefficients of its Taylor series have a recurrence of three terms. R is one at τ = 0, and from
+//! there series lead on. `R(-τ) = k* R(τ) k`.
 
 use nalgebra::Quaternion;
 
 use super::sweep::{Place, Sweep};
-use crate::attitude;
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::mechanics::attitude;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// |τ| up to which series go: from there on `ε = b/λ²` is no more than 1/81.
 const REACH: f64 = 9.0;
@@ -80,7 +81,8 @@ impl Reversal {
     }
 }
 
-/// From R at τ to R at `τ + x`. With `Rₙ xⁿ` its terms, `(n + 1) Rₙ₊₁ = Rₙ (i g + k τ/2) + Rₙ₋₁ k/2`.
+/// From R at τ to R at `τ + x`. With `Rₙ xⁿ` its terms,
+/// `(n + 1) Rₙ₊₁ = Rₙ (i g + k τ/2) + Rₙ₋₁ k/2`.
 fn advanced(start: &Quaternion<f64>, across: f64, along: f64, x: f64) -> Quaternion<f64> {
     let (g, h, half) = (across * x, 0.5 * along * x, 0.5 * x * x);
     let (mut before, mut term, mut sum) = (Quaternion::default(), *start, *start);

@@ -1,7 +1,7 @@
 //! A vector `(w, 0, u)` of which the third component is linear in time.
 
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// `u = u₀ + b t`
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,8 @@ impl Sweep {
         (place.along - self.start) / self.rate
     }
 
-    /// `∫ λ dt` between two places, over the time between them: with y the difference of `asinh(u/w)`,
+    /// `∫ λ dt` between two places, over the time between them: with y the difference of
+    /// `asinh(u/w)`,
     ///
     /// ```text
     /// ∫ λ dt = (u λ + w² asinh(u/w))/2b, between the two      tanh(y/2) = b t/(λ₀ + λ₁)

@@ -1,8 +1,9 @@
 //! Free rotation of a body with three different moments of inertia.
 //!
-//! L. D. Landau, E. M. Lifshitz, Mechanics, § 37; R. van Zon, J. Schofield, J. Comput. Phys. 225 (2007) 145. The forms here
-//! do not cancel, so that nothing is lost near the separatrix. Axes are principal: 2 that of the intermediate moment, 3 the one
-//! that the angular momentum m circles, of the largest or the smallest moment; `m₃ > 0`. With G = |m|, T the kinetic energy,
+//! L. D. Landau, E. M. Lifshitz, Mechanics, § 37; R. van Zon, J. Schofield, J. Comput. Phys. 225
+//! (2007) 145. The forms here do not cancel, so that nothing is lost near the separatrix. Axes are
+//! principal: 2 that of the intermediate moment, 3 the one that the angular momentum m circles, of
+//! the largest or the smallest moment; `m₃ > 0`. With G = |m|, T the kinetic energy,
 //! `D_ij = |I_i - I_j|`:
 //!
 //! ```text
@@ -13,18 +14,20 @@
 //! k'² = (D₁₃/D₂₃) (a + b) (a - b)/E₁      a² = I₃ D₂₃ ω₃²,  b² = I₁ D₁₂ ω₁²
 //! ```
 //!
-//! Attitude: A(m) is the shortest rotation of m to axis 3, and what is left is a turn about the angular momentum, which is
-//! constant in space,
+//! Attitude: A(m) is the shortest rotation of m to axis 3, and what is left is a turn about the
+//! angular momentum, which is constant in space,
 //!
 //! ```text
 //! q(t) = q(0) A(m(0))⁻¹ exp(χ e₃) A(m(t))       χ' = (2 T + G ω₃)/(G + m₃)
 //! ```
 //!
-//! χ' is positive and smooth in all motions, so that nothing has to be unwrapped. A Landen transformation to the modulus
-//! `k₁ = (1 - k')/(1 + k')` makes it a function of sn² alone, with `p² = k₁ (I₁ W₁/(G + I₃ W₃))²`, s = sn(u₁, k₁):
+//! χ' is positive and smooth in all motions, so that nothing has to be unwrapped. A Landen
+//! transformation to the modulus `k₁ = (1 - k')/(1 + k')` makes it a function of sn² alone, with
+//! `p² = k₁ (I₁ W₁/(G + I₃ W₃))²`, s = sn(u₁, k₁):
 //!
 //! ```text
-//! χ = χ'(dn = 1) t + C (R(u₁(t)) - R(u₁(0)))     u₁ = u/(1 + k₁)     R = ∫ s²/(1 + p² s²) du₁ = s³/3 R_J(cn², dn², 1, 1 + p² s²)
+//! χ = χ'(dn = 1) t + C (R(u₁(t)) - R(u₁(0)))     u₁ = u/(1 + k₁)
+//! R = ∫ s²/(1 + p² s²) du₁ = s³/3 R_J(cn², dn², 1, 1 + p² s²)
 //! C = 2 k₁ W₃ E₃/((G + I₃ W₃)² |λ|/(1 + k₁))
 //! ```
 //!
@@ -32,14 +35,14 @@
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-use crate::attitude;
-use crate::exact::jacobi::{Elliptic, Jacobi};
-use crate::exact::phase::Phase;
-use crate::exact::third_kind::ThirdKind;
-use crate::private::math;
-use crate::scale;
+use crate::exact::elliptic::jacobi::{Elliptic, Jacobi};
+use crate::exact::elliptic::phase::Phase;
+use crate::exact::elliptic::third_kind::ThirdKind;
+use crate::mechanics::attitude;
+use crate::numbers::math;
+use crate::numbers::scale;
+use crate::numbers::twofold::Twofold;
 use crate::state::Rotation;
-use crate::twofold::Twofold;
 
 /// The motion from one state on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +80,8 @@ struct Arranged {
     sign: f64,
 }
 
-/// Principal axes by ascending moments, right-handed, `ω₃ >= 0`; then 1 and 3 are exchanged where ω circles the least moment.
+/// Principal axes by ascending moments, right-handed, `ω₃ >= 0`; then 1 and 3 are exchanged where ω
+/// circles the least moment.
 fn arrange(moments: [f64; 3], principal: &Matrix3<f64>, w: &Vector3<f64>) -> Arranged {
     let size = |along: f64, from: f64, rate: f64| {
         let moment = Twofold::from(along) * Twofold::sum(along, -from);
@@ -117,6 +121,13 @@ fn arrange(moments: [f64; 3], principal: &Matrix3<f64>, w: &Vector3<f64>) -> Arr
     }
 }
 
+/// Moments over a power of two.
+fn of_order_one(moments: [f64; 3]) -> [f64; 3] {
+    let heaviest = moments.into_iter().fold(0.0, f64::max);
+    let exponent = scale::exponent(heaviest);
+    moments.map(|moment| libm::scalbn(moment, -exponent))
+}
+
 /// Moments and what belongs to them, in order.
 fn ascending<A>([a, b, c]: [(f64, A); 3]) -> [(f64, A); 3] {
     let in_order = |a: (f64, A), b: (f64, A)| if b.0 < a.0 { (b, a) } else { (a, b) };
@@ -127,23 +138,19 @@ fn ascending<A>([a, b, c]: [(f64, A); 3]) -> [(f64, A); 3] {
 }
 
 impl Circling {
-    /// Principal moments, the axes in columns, right-handed, and the state. No two moments are equal, and ω is not along a
-    /// principal axis.
+    /// Principal moments, the axes in columns, right-handed, and the state. No two moments are
+    /// equal, and ω is not along a principal axis.
     pub fn new(moments: [f64; 3], principal: &Matrix3<f64>, state: &Rotation) -> Self {
-        // numbers of order one; all rates carry one power of two
-        let heaviest = moments.into_iter().fold(0.0, f64::max);
-        let exponent = scale::exponent(heaviest);
-        let moments = moments.map(|moment| libm::scalbn(moment, -exponent));
+        // all rates carry one power of two
         let exponent = scale::exponent(state.angular_velocity.amax());
         let w = scale::scaled(&state.angular_velocity, -exponent);
-
         let Arranged {
             axes,
             moments: [i1, i2, i3],
             rates: w,
             roots,
             sign,
-        } = arrange(moments, principal, &w);
+        } = arrange(of_order_one(moments), principal, &w);
         let [d12, d23, d13] = [i2 - i1, i3 - i2, i3 - i1].map(f64::abs);
         let root = math::sqrt;
         let [x, y] = [root(i1 * d13) * w.x, root(i2 * d23) * w.y];
@@ -154,11 +161,8 @@ impl Circling {
         let ratio = root(d12 / d23) * h3 / (h1 * (1.0 + complement));
         let modulus = ratio * ratio; // k₁ = k²/(1 + k')²
         let rate = sign * root(d23 / (i1 * i2 * i3)) * h1 / (1.0 + modulus);
-        let rates = Vector3::new(
-            h3 / root(i1 * d13),
-            h3 / root(i2 * d23),
-            h1 / root(i3 * d13),
-        );
+        let [r1, r2, r3] = [i1 * d13, i2 * d23, i3 * d13].map(root);
+        let rates = Vector3::new(h3 / r1, h3 / r2, h1 / r3);
         let momenta = Vector3::new(i1, i2, i3).component_mul(&rates);
         // |m| where sn = 0
         let size = root(momenta.x * momenta.x + momenta.z * momenta.z);
@@ -230,7 +234,8 @@ fn halved(Elliptic { sn, cn, dn }: Elliptic, complement: f64) -> Elliptic {
     }
 }
 
-/// Landen's transformation, from k₁ to k: `sn(u) = (1 + k₁) sn/(1 + k₁ sn²)`, with the functions of `u/(1 + k₁)`.
+/// Landen's transformation, from k₁ to k: `sn(u) = (1 + k₁) sn/(1 + k₁ sn²)`, with the functions of
+/// `u/(1 + k₁)`.
 fn doubled(Elliptic { sn, cn, dn }: Elliptic, modulus: f64, complement: f64) -> Elliptic {
     let square = sn * sn;
     let scale = 1.0 / (1.0 + modulus * square);

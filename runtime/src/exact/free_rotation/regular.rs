@@ -3,17 +3,18 @@
 //! With L the angular momentum, A the moment across the axis of symmetry n and C the one about it,
 //!
 //! ```text
-//! q(t) = q(0) exp(t L(0)/A) exp(ν t n)      ω(t): ω(0), turned about n by -ν t      ν = (1 - C/A) n·ω
+//! q(t) = q(0) exp(t L(0)/A) exp(ν t n)      ν = (1 - C/A) n·ω
+//! ω(t): ω(0), turned about n by -ν t
 //! ```
 //!
 //! (33.5) in the axes of the body. Rotation about a principal axis is the case ν = 0, L/A = ω.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use crate::attitude;
-use crate::scale;
+use crate::mechanics::attitude;
+use crate::numbers::scale;
+use crate::numbers::twofold::Twofold;
 use crate::state::Rotation;
-use crate::twofold::Twofold;
 
 /// Two rotations, each at a constant rate.
 #[derive(Clone, Copy, Debug, PartialEq)]

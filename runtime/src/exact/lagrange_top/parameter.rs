@@ -1,28 +1,33 @@
 //! The parameters of Cayley and Klein of a top.
 //!
-//! The attitude is α = w + i z and β = x + i y, `|α|² = (1 + u)/2`, `|β|² = (1 - u)/2`: no angles, and nothing happens at the
-//! vertical. With s, c, d = sn, cn, dn of λ t + u₀, `|α|² = c₁² (1 + n s²)`, n = (u₂ - u₁)/(1 + u₁), and of β with -(u₂ - u₁)/(1 - u₁); and
+//! The attitude is α = w + i z and β = x + i y, `|α|² = (1 + u)/2`, `|β|² = (1 - u)/2`: no angles,
+//! and nothing happens at the vertical. With s, c, d = sn, cn, dn of λ t + u₀,
+//! `|α|² = c₁² (1 + n s²)`, n = (u₂ - u₁)/(1 + u₁), and of β with -(u₂ - u₁)/(1 - u₁); and
 //!
 //! ```text
 //! arg' = ω + σ λ G/(1 + n s²)      ω = ± (ω₃ - p)/2      G² = (1 + n)(1 + κ)      n κ = k²
 //! ```
 //!
-//! where σ is the sign of b ± p. There are two forms, of which the one has no pole near the real axis where the other has:
+//! where σ is the sign of b ± p. There are two forms, of which the one has no pole near the real
+//! axis where the other has:
 //!
 //! ```text
-//! |n| < k       c₁ √(1 + n s²) exp i(ω t + σ G λ t - σ G n R)             R = ∫ s²/(1 + n s²) λ dt
-//! |κ| <= k      (c₁ c d + i σ c₂ s)/√(1 + κ s²) exp i(ω t + σ G κ R)      R = ∫ s²/(1 + κ s²) λ dt,  c₂ = G c₁
+//! |n| < k       c₁ √(1 + n s²) exp i(ω t + σ G λ t - σ G n R)
+//!               R = ∫ s²/(1 + n s²) λ dt
+//! |κ| <= k      (c₁ c d + i σ c₂ s)/√(1 + κ s²) exp i(ω t + σ G κ R)
+//!               R = ∫ s²/(1 + κ s²) λ dt,  c₂ = G c₁
 //! ```
 //!
-//! as `atan(G s/(c d))' = λ G (1/(1 + n s²) + 1/(1 + κ s²) - 1)`. In the second, α may pass through zero.
+//! as `atan(G s/(c d))' = λ G (1/(1 + n s²) + 1/(1 + κ s²) - 1)`. In the second, α may pass through
+//! zero.
 
 use nalgebra::Complex;
 
-use crate::exact::jacobi::Elliptic;
-use crate::exact::phase::{Phase, Reading};
-use crate::exact::third_kind::ThirdKind;
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::exact::elliptic::jacobi::Elliptic;
+use crate::exact::elliptic::phase::{Phase, Reading};
+use crate::exact::elliptic::third_kind::ThirdKind;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// One of the two, as a function of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,7 +56,7 @@ struct Form {
 }
 
 /// What a parameter is made from.
-pub(super) struct Given {
+pub(super) struct Ingredients {
     /// 1 for α, -1 for β
     pub sign: f64,
     /// Of u₁, u₂ and, times 2a, u₃ from the pole where the parameter is zero.
@@ -73,8 +78,8 @@ pub(super) struct Given {
 }
 
 impl Parameter {
-    pub fn new(given: &Given, phase: &Phase) -> Self {
-        let Given {
+    pub fn new(given: &Ingredients, phase: &Phase) -> Self {
+        let Ingredients {
             sign,
             distances: [first, second, third],
             apart,

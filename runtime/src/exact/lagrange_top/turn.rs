@@ -1,11 +1,12 @@
-//! Quaternions in twice the precision: next to the vertical, the tilt is what an attitude and the axes leave.
+//! Quaternions in twice the precision: next to the vertical, the tilt is what an attitude and the
+//! axes leave.
 
 use core::ops::Mul;
 
 use nalgebra::{Quaternion, Vector3};
 
-use crate::scale;
-use crate::twofold::Twofold;
+use crate::numbers::scale;
+use crate::numbers::twofold::Twofold;
 
 /// A rotation: the scalar, then the vector.
 #[derive(Clone, Copy)]

@@ -1,16 +1,18 @@
 //! Between which heights the axis of a top nods.
 //!
-//! With u = cos θ, a = k/A, p = C ω₃/A, b the vertical angular momentum over A, w the angular velocity across the axis at time
-//! zero,
+//! With u = cos θ, a = k/A, p = C ω₃/A, b the vertical angular momentum over A, w the angular
+//! velocity across the axis at time zero,
 //!
 //! ```text
-//! u'² = (1 - u²)(w² - 2a (u - u(0))) - (b - p u)² = 2a (u - u₁)(u₂ - u)(u₃ - u)      -1 <= u₁ <= u <= u₂ <= 1 <= u₃
+//! u'² = (1 - u²)(w² - 2a (u - u(0))) - (b - p u)² = 2a (u - u₁)(u₂ - u)(u₃ - u)
+//! -1 <= u₁ <= u <= u₂ <= 1 <= u₃
 //! ```
 //!
-//! Of the three roots one lies apart: it is found first, in twice the precision. The two others are then the roots of a
-//! quadratic, of opposite signs as they lie on either side of u(0), or of 1: neither cancels. So the distances of the roots from the
-//! poles, the start and each other all keep their digits, at the edge of steady precession as near the separatrix; small ones next to
-//! a pole by
+//! Of the three roots one lies apart: it is found first, in twice the precision. The two others are
+//! then the roots of a quadratic, of opposite signs as they lie on either side of u(0), or of 1:
+//! neither cancels. So the distances of the roots from the poles, the start and each other all keep
+//! their digits, at the edge of steady precession as near the separatrix; small ones next to a pole
+//! by
 //!
 //! ```text
 //! (b + p)² = 2a (1 + u₁)(1 + u₂)(1 + u₃)      (b - p)² = 2a (1 - u₁)(1 - u₂)(u₃ - 1)
@@ -18,8 +20,8 @@
 
 use core::f64::consts::FRAC_PI_3;
 
-use crate::private::math;
-use crate::twofold::Twofold;
+use crate::numbers::math;
+use crate::numbers::twofold::Twofold;
 
 /// What the motion depends on, at time zero.
 #[derive(Clone, Copy)]
@@ -152,8 +154,9 @@ fn opposite_roots(half: Twofold, product: Twofold) -> [Twofold; 2] {
     }
 }
 
-/// Of the three real roots of a cubic, not zero all three, on either side of zero: the one that lies apart from the two others,
-/// and whether it is the highest. By the cosine of a third of an angle, then Newton's method.
+/// Of the three real roots of a cubic, not zero all three, on either side of zero: the one that
+/// lies apart from the two others, and whether it is the highest. By the cosine of a third of an
+/// angle, then Newton's method.
 fn isolated(cubic: &[Twofold; 3]) -> (Twofold, bool) {
     let [c0, c1, c2] = cubic.map(Twofold::value);
     let center = -c2 / 3.0;

@@ -1,0 +1,224 @@
+//! Definitions: parameters, inputs, points, locals and the mass, each after those it refers to.
+
+use std::collections::HashMap;
+
+use crate::lower::expressions::{Lowering, Value};
+use crate::model::{Defaults, Dimension, Mass, Motion, Outline, Vector, Workspace, shown};
+use crate::symbolic::Id;
+use crate::syntax::{Composition, Description, Expression};
+
+use super::order::{Definition, definition_order, split_at_axis, split_at_support};
+use super::outline;
+
+impl Lowering<'_> {
+    pub fn declarations(&mut self, description: &Description, outline: &mut Outline) -> Defaults {
+        let mut defaults = HashMap::new();
+        for (index, param) in outline::distinct(&description.params).enumerate() {
+            let value = self.param(index, param, &mut outline.params[index], &mut defaults);
+            self.scope.define(&param.name.to_string(), value);
+        }
+        let mut is_lost = false;
+        for (index, input) in outline::distinct(&description.inputs).enumerate() {
+            // what is wrong with a declaration is wrong once
+            let value = if input.order > 0 && is_lost {
+                None
+            } else {
+                self.input(index, input, &mut outline.inputs[index])
+            };
+            is_lost = value.is_none();
+            self.scope.define(&input.name.to_string(), value);
+        }
+        defaults
+    }
+
+    /// Points, locals and the mass, each after those it refers to.
+    pub fn definitions(&mut self, description: &Description, defaults: &Defaults) -> Mass {
+        let (order, circular) = definition_order(description, self.errors);
+        let mut mass = match description.mass {
+            Some(_) => Mass::Reported,
+            // that it is missing is reported
+            None if self.motion.knows_position() => Mass::Reported,
+            None => Mass::Absent,
+        };
+        self.check_mass_key(
+            description,
+            crate::lower::expressions::written_motion(description).is_some(),
+        );
+        let order = if self.motion == Motion::Rod {
+            self.definitions_at_axis(description, defaults, &order, &mut mass)
+        } else {
+            order
+        };
+        let (first, rest) = split_at_support(description, &order);
+        for definition in &first {
+            self.definition(*definition, description, defaults, &mut mass);
+        }
+        if self.composed.is_some() {
+            let is_point_or_local = |definition: &&Definition| **definition != Definition::Mass;
+            for definition in first.iter().take_while(is_point_or_local) {
+                self.read_again(*definition, description);
+            }
+        }
+        if self.motion.is_supported() {
+            self.support(description, defaults);
+        }
+        for definition in rest {
+            self.definition(definition, description, defaults, &mut mass);
+        }
+        for definition in circular {
+            self.scope.define(&definition.of(description).0, None);
+            if definition == Definition::Mass {
+                self.scope.define("G", None);
+            }
+        }
+        mass
+    }
+
+    /// Reads what the direction of a rod needs, and the direction; returns what is left.
+    fn definitions_at_axis(
+        &mut self,
+        description: &Description,
+        defaults: &Defaults,
+        order: &[Definition],
+        mass: &mut Mass,
+    ) -> Vec<Definition> {
+        let (first, rest) = split_at_axis(description, order);
+        for definition in &first {
+            self.definition(*definition, description, defaults, mass);
+        }
+        self.axis(description, defaults);
+        for definition in first {
+            if definition != Definition::Mass {
+                self.read_again(definition, description);
+            }
+        }
+        rest
+    }
+
+    fn definition(
+        &mut self,
+        definition: Definition,
+        description: &Description,
+        defaults: &Defaults,
+        mass: &mut Mass,
+    ) {
+        let (name, value) = definition.of(description);
+        let value = if definition == Definition::Mass {
+            let id = match &description.composition {
+                None => self.mass(value, defaults),
+                Some(parts) => self.mass_of_parts(parts, defaults),
+            };
+            *mass = id.map_or(Mass::Reported, Mass::Known);
+            id.map(|id| Value::Scalar(id, Dimension::MASS))
+        } else {
+            self.read(definition, description)
+        };
+        self.scope.define(&name, value);
+    }
+
+    /// The value of a point or a local.
+    fn read(&mut self, definition: Definition, description: &Description) -> Option<Value> {
+        let (name, value) = definition.of(description);
+        if let Definition::Point(_) = definition {
+            return self.point(value?).map(Value::Point);
+        }
+        let value = self.value(value?)?;
+        Some(self.named(value, &name))
+    }
+
+    /// Reads again, now that G is known, what the parts refer to; and, now that the axis is, what the
+    /// direction of a rod refers to.
+    fn read_again(&mut self, definition: Definition, description: &Description) {
+        let (name, _) = definition.of(description);
+        if self.scope.peek(&name).is_some() {
+            let value = self.read(definition, description);
+            self.scope.redefine(&name, value);
+        }
+    }
+
+    /// The mass that the parts have together; with it, G becomes known.
+    fn mass_of_parts(&mut self, parts: &Composition, defaults: &Defaults) -> Option<Id> {
+        self.composed = self.compose(parts, defaults);
+        if self.composed.is_none() {
+            self.scope.define("G", None);
+        }
+        self.composed.map(|composed| composed.mass)
+    }
+
+    /// A local becomes a statement of the code, under its own name.
+    pub fn named(&mut self, value: Value, name: &str) -> Value {
+        let Workspace { graph, labels, .. } = &mut *self.work;
+        match value {
+            Value::Scalar(id, dimension) => {
+                let id = graph.quantity(id);
+                labels.name(graph.split_sign(id).1, name);
+                Value::Scalar(id, dimension)
+            }
+            Value::Vector(vector, dimension) => {
+                let vector = Vector {
+                    body: graph.quantities(vector.body),
+                    world: graph.quantities(vector.world),
+                };
+                labels.vector(
+                    &if graph.is_zero_vector(&vector.world) {
+                        name.to_owned()
+                    } else {
+                        format!("{name}_body")
+                    },
+                    vector.body,
+                );
+                labels.vector(name, vector.world);
+                Value::Vector(vector, dimension)
+            }
+            Value::Components(frame, components, dimension) => {
+                let components = graph.quantities(components);
+                labels.vector(name, components);
+                Value::Components(frame, components, dimension)
+            }
+            other => other,
+        }
+    }
+
+    fn mass(&mut self, written: Option<&Expression>, defaults: &Defaults) -> Option<Id> {
+        let value = written?;
+        let mass = self.scalar(value, Dimension::MASS, "a mass")?;
+        self.check_early(value, &[mass], "the mass is constant")?;
+        match self.known(mass, defaults) {
+            Some(number) if !number.is_positive() => {
+                let number = shown(&number);
+                self.report(
+                    value.extent,
+                    format!("the mass of a body that moves is positive, and this is {number}"),
+                )
+            }
+            Some(number) if !number.fits_f64() => {
+                self.report(value.extent, "this mass is out of the range of `f64`")
+            }
+            _ => Some(mass),
+        }
+    }
+
+    /// A body that moves has a mass, once.
+    fn check_mass_key(&mut self, description: &Description, motion_is_known: bool) {
+        if description.composition.is_some() {
+            if let Some(key) = description.keys.iter().find(|key| *key == "mass") {
+                self.errors.push(
+                    key.span(),
+                    "the parts of `compose([..])` have the mass of the body: leave `mass` out",
+                );
+            }
+            return;
+        }
+        if description.mass.is_some() || !self.motion.knows_position() {
+            return;
+        }
+        self.scope.define("mass", None);
+        if motion_is_known {
+            let name = &description.name;
+            self.errors.push(
+                name.span(),
+                format!("`{name}` has no mass: write `mass: 1[kg]`"),
+            );
+        }
+    }
+}

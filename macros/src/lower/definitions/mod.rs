@@ -1,0 +1,12 @@
+//! Parameters, inputs, points and locals, in the order of what they refer to.
+
+mod in_order;
+mod names;
+mod order;
+mod outline;
+mod parameters;
+mod support;
+
+pub use names::check_names;
+pub use order::{Definition, definition_order};
+pub use outline::{INVERSE, Offer, outline};

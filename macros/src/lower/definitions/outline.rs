@@ -1,0 +1,233 @@
+//! The outline of a body: what its types and signatures follow from. It exists for every
+//! description, however broken, so that the rest of a user's crate stays as it is.
+
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, hint, similar};
+use crate::families::LoadKind;
+use crate::lower::expressions::{
+    has_placeholder, is_drive, is_turning_drive, is_unknown, motion, written_frame, written_motion,
+};
+use crate::model::{Asked, Declared, Dimension, Motion, Outline};
+use crate::symbolic::Number;
+use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
+
+/// Outputs of later versions.
+const LATER: [&str; 2] = ["linearization", "sensitivity"];
+
+/// The output that solves for drives: without it, none may be unknown.
+pub const INVERSE: &str = "inverse";
+
+/// An output that a description may ask for, beyond the accelerations.
+pub struct Offer {
+    pub word: &'static str,
+    /// Why a description cannot ask for it, and what to write instead.
+    pub obstacle: fn(&Description) -> Option<&'static str>,
+    /// Whether a description that does not ask for it is told so.
+    pub is_missed: fn(&Outline) -> bool,
+}
+
+impl Offer {
+    /// Of every description, and none is told if it does not ask for it.
+    pub const fn new(word: &'static str) -> Self {
+        Self {
+            word,
+            obstacle: |_| None,
+            is_missed: |_| false,
+        }
+    }
+}
+
+/// The outline of `description`; without a valid motion it is taken to be the most likely one.
+pub fn outline(
+    description: &Description,
+    offers: &[&'static Offer],
+    errors: &mut Errors,
+) -> Outline {
+    check_motion(description, errors);
+    let motion = written_motion(description).unwrap_or_else(|| likely_motion(description));
+    let declared = |declaration: &Declaration| {
+        let frame = declaration.value.iter().flatten().find_map(written_frame);
+        let has_default = declaration
+            .value
+            .as_ref()
+            .is_some_and(|value| !value.as_ref().is_some_and(has_placeholder));
+        let components = frame.map_or(1, |_| motion.axes());
+        Declared {
+            name: declaration.name.clone(),
+            frame,
+            dimension: Dimension::ANY,
+            moves: declaration.moving.is_some(),
+            order: declaration.order,
+            default: has_default.then(|| vec![Number::zero(); components]),
+        }
+    };
+    Outline {
+        name: description.name.clone(),
+        scalar: description.scalar.clone(),
+        runtime: description.runtime.clone(),
+        doc: description.doc.clone(),
+        motion,
+        params: distinct(&description.params).map(declared).collect(),
+        inputs: distinct(&description.inputs).map(declared).collect(),
+        outputs: check_outputs(description, offers, errors),
+        reactions: by_name(description, is_unknown),
+        drives: by_name(description, is_drive),
+        has_turning_drive: description.loads.iter().any(is_turning_drive)
+            || !description.constraints.is_empty()
+            || written_motion(description) == Some(Motion::Rod),
+        is_constrained: !description.constraints.is_empty(),
+        loads: description
+            .loads
+            .iter()
+            .filter(|load| !is_unknown(load) && !is_drive(load))
+            .count()
+            + description.potentials.len(),
+        keys: description.keys.clone(),
+        unused: Vec::new(),
+    }
+}
+
+/// The declarations without those that repeat a name: a struct has a field once.
+pub fn distinct(declarations: &[Declaration]) -> impl Iterator<Item = &Declaration> {
+    let mut seen = HashSet::new();
+    declarations
+        .iter()
+        .filter(move |declaration| seen.insert(declaration.name.to_string()))
+}
+
+/// What a description without a valid motion was probably meant to be, so that the rest of it can
+/// be checked.
+fn likely_motion(description: &Description) -> Motion {
+    let word = description
+        .motion
+        .as_ref()
+        .map(|motion| motion.word.to_string());
+    let word = word.unwrap_or_default();
+    let meant = similar(&word, Motion::ALL.iter().map(|(known, _)| *known));
+    if let Some(motion) = meant.and_then(motion) {
+        return motion;
+    }
+    let points = description.points.iter().map(|point| &point.value);
+    let loads = description.loads.iter().map(|load| &load.vector);
+    let mut vectors = points.chain(loads).flatten();
+    match vectors.find_map(component_count) {
+        Some(2) => Motion::Planar,
+        _ => Motion::Spatial,
+    }
+}
+
+/// How many components the first vector in an expression has.
+fn component_count(expression: &Expression) -> Option<usize> {
+    let mut count = None;
+    expression.visit(|part| match &part.kind {
+        Kind::Call(word, parts) if word == "body" || word == "world" => {
+            count = count.or(Some(parts.len()));
+        }
+        Kind::Tuple(parts) => count = count.or(Some(parts.len())),
+        _ => {}
+    });
+    count
+}
+
+fn check_motion(description: &Description, errors: &mut Errors) {
+    let words = || Motion::ALL.iter().map(|(word, _)| *word);
+    let all = || words().collect::<Vec<_>>().join("`, `");
+    let name = &description.name;
+    let Some(syntax::Motion { word, support }) = &description.motion else {
+        // a key without a value is reported already
+        if !description.keys.iter().any(|key| key == "motion") {
+            errors.push(
+                name.span(),
+                format!(
+                    "`{name}` has no motion: write `motion: ..`, one of `{}`",
+                    all()
+                ),
+            );
+        }
+        return;
+    };
+    let written = word.to_string();
+    if written == ROD && support.is_none() {
+        errors.push(
+            word.span(),
+            "`rod` along which axis? write `rod(body(1, 0, 0))` with its direction in the body",
+        );
+    } else if SUPPORTS.contains(&written.as_str()) && support.is_none() {
+        errors.push(
+            word.span(),
+            format!("`{written}` about which point? write `{written}(P)` with a point of the body"),
+        );
+    } else if written_motion(description).is_none() {
+        let hint = hint(&written, words());
+        errors.push(
+            word.span(),
+            format!(
+                "unknown motion `{written}`: expected one of `{}`{hint}",
+                all()
+            ),
+        );
+    }
+}
+
+/// The loads with unknown components that are wanted, each name once.
+fn by_name(description: &Description, wanted: fn(&syntax::Load) -> bool) -> Vec<(Ident, LoadKind)> {
+    let mut seen = HashSet::new();
+    let unknown = description.loads.iter().filter(|load| wanted(load));
+    let loads = unknown.map(|load| (load.name.clone(), load.kind));
+    loads
+        .filter(|(name, _)| seen.insert(name.to_string()))
+        .collect()
+}
+
+/// Whether an entry that may have been meant as an unknown reaction is reported.
+fn is_reported(description: &Description) -> bool {
+    let is_partly_open = |value: &Expression| {
+        let mut found = false;
+        value.visit(|part| found |= matches!(part.kind, Kind::Placeholder));
+        found
+    };
+    let wrong = |load: &syntax::Load| load.vector.as_ref().is_none_or(is_partly_open);
+    !description.lost.is_empty() || description.loads.iter().any(wrong)
+}
+
+fn check_outputs(
+    description: &Description,
+    offers: &[&'static Offer],
+    errors: &mut Errors,
+) -> Vec<Asked> {
+    let mut outputs: Vec<Asked> = Vec::new();
+    for word in &description.outputs {
+        let (written, place) = (word.to_string(), word.span());
+        let Some(offer) = offers.iter().find(|offer| offer.word == written) else {
+            errors.push(place, unknown_output(&written, offers));
+            continue;
+        };
+        let obstacle = (offer.obstacle)(description).filter(|_| !is_reported(description));
+        if outputs.iter().any(|asked| asked.word == written) {
+            errors.push(place, format!("`{written}` is asked for twice"));
+        } else if let Some(obstacle) = obstacle {
+            errors.push(place, obstacle);
+        } else {
+            outputs.push(Asked {
+                word: offer.word,
+                place: place.into(),
+            });
+        }
+    }
+    outputs
+}
+
+fn unknown_output(written: &str, offers: &[&'static Offer]) -> String {
+    if LATER.contains(&written) {
+        return format!(
+            "`{written}` is part of the language, but this version does not have it yet"
+        );
+    }
+    let words = offers.iter().map(|offer| offer.word);
+    let all = words.clone().collect::<Vec<_>>().join("`, `");
+    let hint = hint(written, words);
+    format!("unknown output `{written}`: expected one of `{all}`{hint}")
+}

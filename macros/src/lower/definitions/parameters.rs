@@ -1,0 +1,275 @@
+//! Parameters and inputs: their symbols, shapes, dimensions and defaults.
+
+use crate::lower::expressions::{
+    Lowering, UNTURNED, Value, dimension, has_placeholder, lower_unit, strip_unit,
+};
+use crate::model::{Declared, Defaults, Dimension, Frame, Meaning, Motion, Point};
+use crate::symbolic::{Components, Id, Number, Stage};
+use crate::syntax::{Declaration, Expression, Kind};
+
+impl Lowering<'_> {
+    /// A parameter: `arm`, `arm[m]`, `arm = 0.2[m]`, `tip = body(0.1, 0, 0)[m]`.
+    pub fn param(
+        &mut self,
+        index: usize,
+        written: &Declaration,
+        declared: &mut Declared,
+        defaults: &mut Defaults,
+    ) -> Option<Value> {
+        let Some(value) = &written.value else {
+            declared.dimension = self.declared_unit(written)?;
+            let symbol = self
+                .work
+                .symbol(Stage::Parameter, Meaning::Param(index, None));
+            return Some(Value::Scalar(symbol, declared.dimension));
+        };
+        let value = value.as_ref()?;
+        self.check_not_in_rod(declared.frame, value)?;
+        if has_placeholder(value) {
+            return self.open_vector(value, declared, Stage::Parameter, |axis| {
+                Meaning::Param(index, Some(axis))
+            });
+        }
+        if let Some(open) = value.names().into_iter().find(|name| {
+            let word = name.to_string();
+            self.scope.is_open(&word)
+        }) {
+            return self.report(
+                open.span(),
+                format!(
+                    "a default is a constant, and `{open}` is not: what follows from other names \
+                     is a local"
+                ),
+            );
+        }
+        let default =
+            if declared.frame.is_some() && matches!(strip_unit(value).kind, Kind::Tuple(_)) {
+                self.point(value).and_then(|point| match point {
+                    Point::Body(components) => Some(Value::Components(
+                        Frame::Body,
+                        components,
+                        Dimension::LENGTH,
+                    )),
+                    Point::World(components) => Some(Value::Components(
+                        Frame::World,
+                        components,
+                        Dimension::LENGTH,
+                    )),
+                    Point::Moving(_) => None,
+                })?
+            } else {
+                self.value(value)?
+            };
+        declared.dimension = match dimension(default) {
+            Some(dimension) => dimension,
+            None => {
+                return self.report(
+                    value.extent,
+                    format!(
+                        "a default is a scalar or a vector, and this is {}",
+                        default.kind()
+                    ),
+                );
+            }
+        };
+        if let Value::Scalar(id, _) = default {
+            declared.default = Some(vec![self.constant(id, value)?]);
+            let symbol = self
+                .work
+                .symbol(Stage::Parameter, Meaning::Param(index, None));
+            defaults.insert(symbol, id);
+            return Some(Value::Scalar(symbol, declared.dimension));
+        }
+        let Some(frame) = declared.frame else {
+            return self.report(
+                value.extent,
+                "write a vector parameter with its components: `body(..)` or `world(..)`",
+            );
+        };
+        let vector = self.as_vector(default)?;
+        let components = if frame == Frame::Body {
+            vector.body
+        } else {
+            vector.world
+        };
+        let axes = self.motion.axes();
+        let numbers: Option<Vec<Number>> = components[..axes]
+            .iter()
+            .map(|id| self.constant(*id, value))
+            .collect();
+        declared.default = Some(numbers?);
+        let symbols =
+            self.vector_symbols(Stage::Parameter, |axis| Meaning::Param(index, Some(axis)));
+        defaults.extend(symbols.into_iter().zip(components));
+        Some(Value::Vector(
+            self.work.vector(frame, symbols),
+            declared.dimension,
+        ))
+    }
+
+    /// An input: `thrust`, `thrust[N]`, `wind = world(_, _, _)[m / s]`.
+    pub fn input(
+        &mut self,
+        index: usize,
+        written: &Declaration,
+        declared: &mut Declared,
+    ) -> Option<Value> {
+        let Some(value) = &written.value else {
+            declared.dimension = self.declared_unit(written)?;
+            self.differentiate(written, declared)?;
+            let symbol = self.work.symbol(Stage::State, Meaning::Input(index, None));
+            return Some(Value::Scalar(symbol, declared.dimension));
+        };
+        let value = value.as_ref()?;
+        self.check_not_in_rod(declared.frame, value)?;
+        if !has_placeholder(value) {
+            let name = &written.name;
+            return self.report(
+                value.extent,
+                format!(
+                    "an input is given at each evaluation and has no value here: write \
+                     `{name}[unit]`, or make it a param"
+                ),
+            );
+        }
+        let vector = self.open_vector(value, declared, Stage::State, |axis| {
+            Meaning::Input(index, Some(axis))
+        })?;
+        self.differentiate(written, declared)?;
+        match vector {
+            Value::Vector(vector, _) => Some(Value::Vector(vector, declared.dimension)),
+            other => Some(other),
+        }
+    }
+
+    /// The unit of a rate, or of an acceleration, from that of what moves.
+    fn differentiate(&mut self, written: &Declaration, declared: &mut Declared) -> Option<()> {
+        for _ in 0..written.order {
+            let Some(rate) = declared.dimension.over(Dimension::TIME) else {
+                let name = &written.name;
+                return self.report(
+                    name.span(),
+                    format!("the unit of `{name}` has powers beyond measure"),
+                );
+            };
+            declared.dimension = rate;
+        }
+        Some(())
+    }
+
+    /// A vector in body axes that is given from outside may have any direction, and one of a rod not.
+    fn check_not_in_rod(&mut self, frame: Option<Frame>, value: &Expression) -> Option<()> {
+        if frame == Some(Frame::Body) && self.motion == Motion::Rod {
+            return self.report(
+                value.extent,
+                format!(
+                    "{UNTURNED}: what is given from outside is a scalar, for a multiple of `axis`, or a \
+                     vector in world axes"
+                ),
+            );
+        }
+        Some(())
+    }
+
+    fn declared_unit(&mut self, written: &Declaration) -> Option<Dimension> {
+        let Some(unit) = &written.unit else {
+            return Some(Dimension::ANY);
+        };
+        let (factor, dimension) = lower_unit(unit, self.errors)?;
+        if factor != Number::one() {
+            let name = &written.name;
+            let unit_to_write = dimension.unit();
+            return self.report(
+                unit.extent,
+                format!(
+                    "`{name}` is given in SI units: write `{name}{unit_to_write}`, and convert \
+                     where you build the value"
+                ),
+            );
+        }
+        Some(dimension)
+    }
+
+    /// `world(_, _, _)[unit]`: a vector given from outside.
+    fn open_vector(
+        &mut self,
+        value: &Expression,
+        declared: &mut Declared,
+        stage: Stage,
+        meaning: impl Fn(usize) -> Meaning,
+    ) -> Option<Value> {
+        if let Kind::Unit(_, unit) = &value.kind {
+            let (factor, dimension) = lower_unit(unit, self.errors)?;
+            if factor != Number::one() {
+                return self.report(
+                    unit.extent,
+                    format!(
+                        "what is given from outside is in SI units: write `{}`",
+                        dimension.unit()
+                    ),
+                );
+            }
+            declared.dimension = dimension;
+        }
+        let (Some(frame), Kind::Call(_, parts)) = (declared.frame, &strip_unit(value).kind) else {
+            let name = &declared.name;
+            return self.report(
+                value.extent,
+                format!(
+                    "what is given from outside is a scalar, `{name}` or `{name}[unit]`, or a vector, \
+                     `{name} = body(_, _, _)` or `world(_, _, _)`"
+                ),
+            );
+        };
+        let axes = self.motion.axes();
+        if parts.len() != axes {
+            return self.report(
+                value.extent,
+                format!(
+                    "a vector has {axes} components under `motion: {}`, and this has {}",
+                    self.motion.word(),
+                    parts.len()
+                ),
+            );
+        }
+        if let Some(fixed) = parts
+            .iter()
+            .find(|part| !matches!(part.kind, Kind::Placeholder))
+        {
+            return self.report(
+                fixed.extent,
+                "all components of an open vector are open: write `_`",
+            );
+        }
+        let symbols = self.vector_symbols(stage, meaning);
+        Some(Value::Vector(
+            self.work.vector(frame, symbols),
+            declared.dimension,
+        ))
+    }
+
+    fn vector_symbols(&mut self, stage: Stage, meaning: impl Fn(usize) -> Meaning) -> Components {
+        let axes = self.motion.axes();
+        [0, 1, 2].map(|axis| {
+            if axis < axes {
+                self.work.symbol(stage, meaning(axis))
+            } else {
+                self.work.graph.zero()
+            }
+        })
+    }
+
+    fn constant(&mut self, id: Id, place: &Expression) -> Option<Number> {
+        match self.work.graph.as_number(id) {
+            Some(number) if number.fits_f64() => Some(number.clone()),
+            Some(_) => self.report(
+                place.extent,
+                "this is out of the range of `f64`, which is about 5e-324 to 1.8e308",
+            ),
+            None => self.report(
+                place.extent,
+                "a default is a constant: what follows from other names is a local",
+            ),
+        }
+    }
+}

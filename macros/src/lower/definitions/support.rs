@@ -1,0 +1,142 @@
+//! Supports: `pivot(P)`, `fixed_point(P)`, `fixed_axis(P, direction)`, held at the world origin or
+//! `.at(world(..))`.
+
+use crate::lower::expressions::Lowering;
+use crate::model::{Defaults, Dimension, Motion, Point, Support};
+use crate::syntax::{self, Description, Expression};
+
+impl Lowering<'_> {
+    /// Reads the support that `motion` names, and holds the body by it.
+    pub fn support(&mut self, description: &Description, defaults: &Defaults) -> Option<()> {
+        let motion = description.motion.as_ref()?;
+        let word = motion.word.to_string();
+        let support = self.read_support(motion.support.as_ref()?, &word, defaults)?;
+        self.state.hold(self.work, support);
+        Some(())
+    }
+
+    fn read_support(
+        &mut self,
+        written: &syntax::Support,
+        word: &str,
+        defaults: &Defaults,
+    ) -> Option<Support> {
+        let (point, direction) = match (written.arguments.as_slice(), self.motion) {
+            ([point, direction], Motion::FixedAxis) => (point, Some(direction)),
+            ([point], Motion::Pivot | Motion::FixedPoint) => (point, None),
+            (arguments, motion) => {
+                let (count, form) = if motion == Motion::FixedAxis {
+                    (2, "fixed_axis(P, body(0, 0, 1))`: a point of the body and the direction of the axis".to_owned())
+                } else {
+                    (1, format!("{word}(P)`: one point of the body"))
+                };
+                let excess = arguments
+                    .get(count..)
+                    .into_iter()
+                    .flatten()
+                    .flatten()
+                    .next();
+                let place = excess.map_or(written.extent, |argument| argument.extent);
+                return self.report(place, format!("write `{form}"));
+            }
+        };
+        let anchor = match &written.anchor {
+            None => Some(self.work.graph.zeros()),
+            Some(anchor) => anchor.as_ref().and_then(|anchor| self.anchor(anchor)),
+        };
+        let offset = point.as_ref().and_then(|point| self.held_point(point));
+        let direction = match direction {
+            None => Some(None),
+            Some(direction) => direction
+                .as_ref()
+                .and_then(|direction| self.direction(direction, defaults))
+                .map(Some),
+        };
+        Some(Support {
+            offset: offset?,
+            anchor: anchor?,
+            direction: direction?,
+        })
+    }
+
+    fn held_point(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
+        match self.point(written)? {
+            Point::Body(offset) => Some(offset),
+            other => self.report(
+                written.extent,
+                format!(
+                    "a support holds a point of the body, and this one is {}: name the point of \
+                     the body, and where it is held as `.at(world(..))`",
+                    other.where_else()
+                ),
+            ),
+        }
+    }
+
+    fn anchor(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
+        match self.point(written)? {
+            Point::World(position) => Some(position),
+            Point::Body(_) | Point::Moving(_) => self.report(
+                written.extent,
+                "a support is held at a point in space: write `.at(world(..))`",
+            ),
+        }
+    }
+
+    /// A unit vector along `written`; at the angle zero both axes are the same. That of a rod is
+    /// written in the body.
+    pub fn direction(
+        &mut self,
+        written: &Expression,
+        defaults: &Defaults,
+    ) -> Option<crate::symbolic::Components> {
+        let vector = self.vector(written, Dimension::ANY, "a direction")?;
+        let graph = &mut self.work.graph;
+        let components = match (
+            graph.is_zero_vector(&vector.body),
+            graph.is_zero_vector(&vector.world),
+        ) {
+            (true, false) if self.motion == Motion::Rod => {
+                return self.report(
+                    written.extent,
+                    "the axis of a rod has a direction in the body: write `body(..)`",
+                );
+            }
+            (true, false) => vector.world,
+            (false, true) => vector.body,
+            (true, true) => {
+                return self.report(
+                    written.extent,
+                    "an axis has a direction, and this vector is zero",
+                );
+            }
+            (false, false) => {
+                return self.report(
+                    written.extent,
+                    "write the direction of the axis in body axes alone, or in world axes alone",
+                );
+            }
+        };
+        if components
+            .iter()
+            .any(|component| !graph.is_early(*component))
+        {
+            let place = self.late_name(written);
+            return self.report(
+                place,
+                "the direction of an axis is fixed: it cannot depend on the time, the state or an input",
+            );
+        }
+        let known = graph.substitute(&components, |id| defaults.get(&id).copied());
+        if known.into_iter().all(|component| graph.is_zero(component)) {
+            return self.report(
+                written.extent,
+                "an axis has a direction, and this vector is zero with the defaults of its parameters",
+            );
+        }
+        let norm = graph.norm(components);
+        let one = graph.one();
+        let reciprocal = graph.divide(one, norm);
+        Some(graph.scale_vector(reciprocal, components))
+    }
+}

@@ -1,0 +1,136 @@
+//! A description, read in order: what it declares, the body, its loads.
+
+use proc_macro2::Ident;
+
+use crate::errors::Errors;
+use crate::lower::definitions::{INVERSE, check_names};
+use crate::lower::expressions::{Lowering, Scope, is_drive, is_unknown};
+use crate::model::{
+    Declared, Labels, Load, Meanings, Model, Outline, Reaction, Workspace, state_symbols,
+};
+use crate::symbolic::Graph;
+use crate::syntax::Description;
+
+/// Gives a description its meaning. `None` if anything was wrong with it.
+pub fn lower_description(
+    description: &Description,
+    outline: &mut Outline,
+    errors: &mut Errors,
+) -> Option<(Model, Workspace)> {
+    let repeated = check_names(description, errors);
+    let mut graph = Graph::default();
+    let mut meanings = Meanings::default();
+    let (mut state, attitude) = state_symbols(outline.motion, &mut graph, &mut meanings);
+    let mut work = Workspace {
+        graph,
+        labels: Labels::default(),
+        meanings,
+        attitude,
+        turns: None,
+        turned: Vec::new(),
+        swept: Vec::new(),
+        doubtful: Vec::new(),
+    };
+    let mut scope = Scope::new(description, repeated);
+    let mut lowering = Lowering {
+        work: &mut work,
+        scope: &mut scope,
+        errors,
+        motion: outline.motion,
+        state: &mut state,
+        composed: None,
+        has_parts: description.composition.is_some(),
+        reactions: if outline.is_constrained {
+            let names = outline.reactions.iter().map(|(name, _)| name.to_string());
+            names.collect()
+        } else {
+            Vec::new()
+        },
+    };
+
+    let defaults = lowering.declarations(description, outline);
+    let mass = lowering.definitions(description, &defaults);
+    let inertia = lowering.inertia(description, mass, &defaults);
+    let potentials = lowering.potentials(description);
+    let plain = description
+        .loads
+        .iter()
+        .filter(|load| load.charges.is_none());
+    let (unknown, given): (Vec<_>, Vec<_>) = plain.partition(|load| is_unknown(load));
+    let (driving, given): (Vec<_>, Vec<_>) = given.into_iter().partition(|load| is_drive(load));
+    let is_asked_for = outline.rank(INVERSE).is_some();
+    let drives: Vec<Option<Reaction>> = driving
+        .into_iter()
+        .map(|load| lowering.drive(load, is_asked_for))
+        .collect();
+    let constraints = lowering.constraints(description, &outline.inputs);
+    let reactions: Vec<Option<Reaction>> = unknown
+        .into_iter()
+        .enumerate()
+        .map(|(index, load)| lowering.reaction(index, load))
+        .collect();
+    lowering.name_reactions(description, &reactions);
+    let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
+    let pole = lowering.pole(description.pole.as_ref());
+
+    outline.unused = unused(description, &scope);
+    let loads = loads.into_iter().collect::<Option<Vec<_>>>();
+    let reactions = reactions.into_iter().collect::<Option<Vec<_>>>();
+    let (inertia, loads, reactions, pole) = (inertia?, loads?, reactions?, pole?);
+    let (potentials, constraints) = (potentials?, constraints?);
+    let motion = outline.motion;
+    let model = Model {
+        motion,
+        derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
+        state,
+        mass: mass.known(),
+        inertia,
+        has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
+        loads,
+        potentials,
+        reactions,
+        drives: drives.into_iter().collect::<Option<Vec<_>>>()?,
+        constraints,
+        pole,
+        defaults,
+    };
+    name_properties(&model, &mut work.labels);
+    Some((model, work))
+}
+
+/// Mass and inertia are called what they are, where they are computed.
+fn name_properties(model: &Model, labels: &mut Labels) {
+    let names = [
+        "inertia_xx",
+        "inertia_yy",
+        "inertia_zz",
+        "inertia_xy",
+        "inertia_yz",
+        "inertia_zx",
+    ];
+    let entries = model.inertia_entries();
+    let names = if entries.len() == 1 {
+        &["inertia"][..]
+    } else {
+        &names[..]
+    };
+    for (id, name) in entries.into_iter().zip(names) {
+        labels.name(id, *name);
+    }
+    if let Some(mass) = model.mass {
+        labels.name(mass, "mass");
+    }
+}
+
+/// The names that nothing refers to; the rates of an input come with it.
+fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
+    let inputs = description.inputs.iter().filter(|input| input.order == 0);
+    let declared = description.params.iter().chain(inputs);
+    let defined = description.points.iter().chain(&description.locals);
+    declared
+        .map(|declaration| &declaration.name)
+        .chain(defined.map(|definition| &definition.name))
+        .filter(|name| !scope.is_used(name))
+        .cloned()
+        .collect()
+}

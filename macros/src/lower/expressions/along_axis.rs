@@ -1,0 +1,92 @@
+//! Rods: of the attitude there is the axis u alone, a unit vector in world axes.
+//!
+//! How a rod is turned about its axis is not known, so that a vector v of the body is known only if it
+//! is along the direction e of the axis in the body: it is `(e . v) u`. It becomes this vector in world
+//! axes where it is read. Only the offsets of points stay in body axes, from which inertia is made.
+
+use crate::errors::Extent;
+use crate::model::{Attitude, Defaults, Point, Vector};
+use crate::symbolic::Components;
+use crate::syntax::{Description, Support};
+
+use super::lowering::Lowering;
+
+/// Why something is not known of a rod.
+pub const UNTURNED: &str = "how a rod is turned about its axis is not known";
+
+impl Lowering<'_> {
+    /// Reads the direction of `rod(direction)`: from here on, vectors of the body are along it.
+    pub fn axis(&mut self, description: &Description, defaults: &Defaults) -> Option<()> {
+        let written = description.motion.as_ref()?.support.as_ref()?;
+        let Support {
+            arguments, anchor, ..
+        } = written;
+        if let Some(anchor) = anchor {
+            let place = anchor
+                .as_ref()
+                .map_or(written.extent, |anchor| anchor.extent);
+            return self.report(
+                place,
+                "a rod moves freely, and nothing holds it: leave `.at(..)` out",
+            );
+        }
+        let [direction] = arguments.as_slice() else {
+            let place = match arguments.as_slice() {
+                [_, Some(excess)] => excess.extent,
+                _ => written.extent,
+            };
+            return self.report(
+                place,
+                "write `rod(body(1, 0, 0))`: the direction of the axis in the body",
+            );
+        };
+        let direction = self.direction(direction.as_ref()?, defaults)?;
+        let axis = self.state.axis?;
+        self.work.attitude = Attitude::Line {
+            direction,
+            axis: axis.unit,
+        };
+        let swept = (self.state.angular_velocity, axis.rate);
+        self.work.swept.push(swept);
+        Some(())
+    }
+
+    /// `body(x, y, z)`: of a rod, a vector along its axis.
+    pub fn body_vector(&mut self, components: Components, place: Extent) -> Option<Vector> {
+        if !self.is_along_axis(components) {
+            return self.report(
+                place,
+                format!(
+                    "{UNTURNED}, and this vector has a part across it: write a multiple of the \
+                     axis, such as `2 * axis`, or world axes"
+                ),
+            );
+        }
+        Some(self.work.fixed_in_body(components))
+    }
+
+    /// A point, of a rod one that is on its axis.
+    pub fn on_axis(&mut self, point: Point, place: Extent) -> Option<Point> {
+        // no offset from G is known before the parts are
+        let is_known = self.composed.is_some() || !self.has_parts;
+        match point {
+            Point::Body(offset) if is_known && !self.is_along_axis(offset) => self.report(
+                place,
+                format!("{UNTURNED}, and this point is not on it: write a point of the axis, or `world(..)`"),
+            ),
+            _ => Some(point),
+        }
+    }
+
+    /// Whether a vector of the body is along the axis, if it is a rod.
+    pub fn is_along_axis(&mut self, components: Components) -> bool {
+        let Attitude::Line { direction, .. } = self.work.attitude else {
+            return true;
+        };
+        let graph = &mut self.work.graph;
+        let across = graph.cross(direction, components);
+        across
+            .into_iter()
+            .all(|component| graph.vanishes(component))
+    }
+}

@@ -1,0 +1,122 @@
+//! Names: what was defined, and what every description knows without defining it.
+
+use proc_macro2::Ident;
+
+use crate::model::{Attitude, Dimension, Frame, Motion, Point};
+use crate::symbolic::Number;
+
+use super::along_axis::UNTURNED;
+use super::lowering::Lowering;
+use super::value::Value;
+
+impl Lowering<'_> {
+    pub fn name(&mut self, name: &Ident) -> Option<Value> {
+        let word = name.to_string();
+        if let Some(value) = self.scope.look_up(&word) {
+            return value;
+        }
+        let graph = &mut self.work.graph;
+        match word.as_str() {
+            "t" => Some(Value::Scalar(self.state.time, Dimension::TIME)),
+            "PI" => Some(Value::Scalar(graph.number(Number::pi()), Dimension::ANY)),
+            "TAU" => Some(Value::Scalar(
+                graph.number(Number::pi() * Number::integer(2)),
+                Dimension::ANY,
+            )),
+            "G" => Some(Value::Point(Point::Body(graph.zeros()))),
+            "position" | "velocity" => self.motion_of_center(name),
+            "axis" | "axis_rate" if self.motion == Motion::Rod => {
+                let axis = self.state.axis?;
+                let (components, dimension) = if word == "axis" {
+                    (axis.unit, Dimension::NONE)
+                } else {
+                    (axis.rate, Dimension::FREQUENCY)
+                };
+                let vector = self.work.vector(Frame::World, components);
+                Some(Value::Vector(vector, dimension))
+            }
+            "attitude" if self.motion == Motion::Rod => self.report(
+                name.span(),
+                format!("{UNTURNED}: write `axis`, the unit vector along it"),
+            ),
+            "attitude" if !self.motion.has_attitude() => self.absent(name, "attitude"),
+            "attitude" => match self.work.attitude {
+                Attitude::Axis { angle, .. } => Some(Value::Scalar(angle, Dimension::NONE)),
+                _ => Some(Value::Attitude),
+            },
+            "angular_velocity" if !self.motion.has_attitude() => {
+                self.absent(name, "angular velocity")
+            }
+            "angular_velocity" if self.motion.is_planar() => Some(Value::Scalar(
+                self.state.angular_velocity[2],
+                Dimension::FREQUENCY,
+            )),
+            "angular_velocity" => {
+                let vector = self.work.vector(Frame::Body, self.state.angular_velocity);
+                Some(Value::Vector(vector, Dimension::FREQUENCY))
+            }
+            "mass" => self.report(name.span(), "this body has no mass: write `mass: ..`"),
+            keyword if keyword.starts_with("r#") => self.report(
+                name.span(),
+                format!("`{}` is a keyword of Rust, and no name here", &keyword[2..]),
+            ),
+            "body" | "world" => self.report(
+                name.span(),
+                format!("`{word}` makes a vector: write `{word}(..)` with components"),
+            ),
+            _ if self.reactions.contains(&word) => self.report(
+                name.span(),
+                format!(
+                    "`{word}` is an unknown reaction, and only given loads can depend on it: write \
+                     this out in the load"
+                ),
+            ),
+            _ => {
+                let hint = self.scope.hint(&word);
+                self.report(
+                    name.span(),
+                    format!("nothing here is called `{word}`{hint}"),
+                )
+            }
+        }
+    }
+
+    fn absent(&mut self, name: &Ident, what: &str) -> Option<Value> {
+        self.report(
+            name.span(),
+            format!(
+                "under `motion: {}` a body has no {what}",
+                self.motion.word()
+            ),
+        )
+    }
+
+    fn motion_of_center(&mut self, name: &Ident) -> Option<Value> {
+        if !self.motion.knows_position() {
+            return self.report(
+                name.span(),
+                format!(
+                    "`{name}` is not known under `motion: rotation`: the motion of G is not \
+                     modelled"
+                ),
+            );
+        }
+        self.check_support_is_read(name)?;
+        Some(if name == "position" {
+            Value::Vector(self.state.position, Dimension::LENGTH)
+        } else {
+            Value::Vector(self.state.velocity, Dimension::VELOCITY)
+        })
+    }
+
+    /// What a support is made of cannot depend on the motion that it allows.
+    pub fn check_support_is_read(&mut self, place: &Ident) -> Option<()> {
+        if self.motion.is_supported() && self.state.support.is_none() {
+            return self.report(
+                place.span(),
+                "a support is fixed: it cannot depend on the motion of the body",
+            );
+        }
+        Some(())
+    }
+}

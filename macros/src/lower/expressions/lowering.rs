@@ -1,0 +1,308 @@
+//! Expressions: from what was written to the graph, with frames and dimensions checked.
+//!
+//! Every method returns `None` for what was reported, here or before; nothing is reported twice.
+
+use crate::errors::{Errors, Extent};
+use crate::model::{Composed, Defaults, Dimension, Motion, State, Vector, Workspace};
+use crate::symbolic::{Id, Number};
+use crate::syntax::{Expression, Kind, UnitExpression};
+
+use super::scope::Scope;
+use super::unit::lower_unit;
+use super::value::Value;
+
+/// Messages that are given in more than one place.
+const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
+const CHARGES: &str = "a list of charges stands behind a field: `field.on([q.at(P)])`";
+pub const UNKNOWN: &str = "unknown components (`_`) stand alone in a reaction or a drive, or as `_ * direction`: write a \
+     value here";
+
+/// All that an expression can see.
+pub struct Lowering<'a> {
+    pub work: &'a mut Workspace,
+    pub scope: &'a mut Scope,
+    pub errors: &'a mut Errors,
+    pub motion: Motion,
+    pub state: &'a mut State,
+    /// The names of the unknown reactions that loads can refer to: under constraints.
+    pub reactions: Vec<String>,
+    /// Of a body that is composed of parts, once they are read.
+    pub composed: Option<Composed>,
+    /// Whether it is.
+    pub has_parts: bool,
+}
+
+impl Lowering<'_> {
+    pub fn report<T>(
+        &mut self,
+        place: impl Into<Extent>,
+        message: impl core::fmt::Display,
+    ) -> Option<T> {
+        self.errors.push(place, message);
+        None
+    }
+
+    /// A scalar that fits `dimension`.
+    pub fn scalar(
+        &mut self,
+        expression: &Expression,
+        dimension: Dimension,
+        what: &str,
+    ) -> Option<Id> {
+        if let Kind::Tuple(parts) = &expression.kind {
+            let count = parts.len();
+            return self.report(
+                expression.extent,
+                format!("{what} is a scalar, and this has {count} components"),
+            );
+        }
+        match self.value(expression)? {
+            Value::Scalar(id, found) if found.fits(dimension) => Some(id),
+            Value::Scalar(_, found) => self.mismatch(expression, dimension, found, what),
+            other => self.report(
+                expression.extent,
+                format!("{what} is a scalar, and this is {}", other.kind()),
+            ),
+        }
+    }
+
+    /// A vector that fits `dimension`.
+    pub fn vector(
+        &mut self,
+        expression: &Expression,
+        dimension: Dimension,
+        what: &str,
+    ) -> Option<Vector> {
+        if let Kind::Tuple(_) = expression.kind {
+            return self.report(expression.extent, AXES);
+        }
+        match self.value(expression)? {
+            Value::Vector(vector, found) if found.fits(dimension) => Some(vector),
+            Value::Components(frame, components, found) if found.fits(dimension) => {
+                Some(self.work.vector(frame, components))
+            }
+            Value::Vector(_, found) | Value::Components(_, _, found) => {
+                self.mismatch(expression, dimension, found, what)
+            }
+            Value::Scalar(..) => {
+                let form = if self.motion.is_planar() {
+                    "world(0, 1)"
+                } else {
+                    "world(0, 0, 1)"
+                };
+                self.report(
+                    expression.extent,
+                    format!("{what} is a vector, and this is a scalar: write for example `{form}`"),
+                )
+            }
+            other => self.report(
+                expression.extent,
+                format!("{what} is a vector, and this is {}", other.kind()),
+            ),
+        }
+    }
+
+    pub fn value(&mut self, expression: &Expression) -> Option<Value> {
+        let extent = expression.extent;
+        let value = match &expression.kind {
+            Kind::Number(digits) => self.number(digits, extent),
+            Kind::Name(name) => self.name(name),
+            Kind::Poisoned => None,
+            Kind::Placeholder => self.report(extent, UNKNOWN),
+            Kind::Tuple(_) => self.report(extent, AXES),
+            Kind::List(_) => self.report(extent, CHARGES),
+            Kind::Unit(operand, unit) => self.unit(operand, unit),
+            Kind::Prefix(prefix, operand) => self.prefix(*prefix, operand),
+            Kind::Chain(first, rest) => self.chain(first, rest),
+            Kind::Call(function, arguments) => self.call(function, arguments, extent),
+            Kind::Method(receiver, method, arguments) => {
+                let Some(value) = self.value(receiver) else {
+                    self.visit(arguments);
+                    return None;
+                };
+                self.method(value, receiver, method, arguments)
+            }
+            Kind::Field(receiver, field) => self.field(receiver, field),
+            Kind::Record(name, _) if name == "tensor" || name == "products" => self.report(
+                name.span(),
+                format!("`{name} {{ .. }}` is an inertia: it stands behind `inertia:`"),
+            ),
+            Kind::Record(name, _) => self.report(
+                name.span(),
+                format!("`{name} {{ .. }}` is not part of the language"),
+            ),
+            Kind::If(parts) => self.choice(parts),
+        }?;
+        let undefined = |id: &Id| self.work.graph.is_undefined(*id);
+        let is_undefined = match &value {
+            Value::Scalar(id, _) | Value::Condition(id) => undefined(id),
+            Value::Components(_, components, _) => components.iter().any(undefined),
+            Value::Vector(vector, _) => vector.body.iter().chain(&vector.world).any(undefined),
+            Value::Point(_) | Value::Attitude => false,
+        };
+        if is_undefined {
+            return self.report(
+                extent,
+                "this has no value: it leads to a division by zero, or beyond all bounds",
+            );
+        }
+        Some(value)
+    }
+
+    /// Looks for mistakes in what cannot be used, because something around it is wrong.
+    pub fn visit(&mut self, expressions: &[Expression]) {
+        for expression in expressions {
+            let is_value = !matches!(
+                expression.kind,
+                Kind::Tuple(_) | Kind::List(_) | Kind::Placeholder
+            );
+            let _ = is_value.then(|| self.value(expression));
+        }
+    }
+
+    fn number(&mut self, digits: &str, extent: Extent) -> Option<Value> {
+        match Number::parse(digits) {
+            Some(number) if number.fits_f64() => Some(Value::Scalar(
+                self.work.graph.number(number),
+                Dimension::ANY,
+            )),
+            _ => self.report(
+                extent,
+                format!(
+                    "`{digits}` is out of the range of `f64`, which is about 5e-324 to 1.8e308"
+                ),
+            ),
+        }
+    }
+
+    fn mismatch<T>(
+        &mut self,
+        expression: &Expression,
+        expected: Dimension,
+        found: Dimension,
+        what: &str,
+    ) -> Option<T> {
+        let place = self.culprit(expression, expected);
+        let (expected, found) = (expected.described(), found.described());
+        self.report(place, format!("{what} is {expected}, and this is {found}"))
+    }
+
+    /// The part of a sound expression that gives it another dimension than `expected`.
+    pub fn culprit(&mut self, expression: &Expression, expected: Dimension) -> Extent {
+        let mut expression = expression;
+        loop {
+            expression = match &expression.kind {
+                Kind::Unit(_, unit) => return unit.extent,
+                Kind::Prefix(_, operand) => operand,
+                Kind::Call(_, parts) | Kind::Tuple(parts) => {
+                    let wrong = parts.iter().filter(|part| match self.value(part) {
+                        Some(Value::Scalar(_, found)) => !found.fits(expected),
+                        _ => false,
+                    });
+                    match wrong.collect::<Vec<_>>().as_slice() {
+                        [part] => part,
+                        _ => return expression.extent,
+                    }
+                }
+                _ => return expression.extent,
+            }
+        }
+    }
+
+    /// The first name in `expression` whose value is not known before the body moves.
+    pub fn late_name(&mut self, expression: &Expression) -> Extent {
+        let late = |name: &&&proc_macro2::Ident| {
+            let word = name.to_string();
+            match self.scope.peek(&word) {
+                Some(Value::Scalar(id, _)) => !self.work.graph.is_early(id),
+                Some(Value::Components(_, components, _)) => {
+                    !components.iter().all(|id| self.work.graph.is_early(*id))
+                }
+                Some(Value::Vector(vector, _)) => {
+                    let mut components = vector.body.iter().chain(&vector.world);
+                    !components.all(|id| self.work.graph.is_early(*id))
+                }
+                Some(_) => false,
+                None => Scope::is_changing(&word),
+            }
+        };
+        let names = expression.names();
+        let found = names.iter().find(late);
+        found.map_or(expression.extent, |name| name.span().into())
+    }
+
+    /// What is fixed is known before the body moves; `rule` says why it has to be.
+    pub fn check_early(&mut self, written: &Expression, ids: &[Id], rule: &str) -> Option<()> {
+        if ids.iter().all(|id| self.work.graph.is_early(*id)) {
+            return Some(());
+        }
+        let place = self.late_name(written);
+        self.report(
+            place,
+            format!("{rule}: it cannot depend on the time, the state or an input"),
+        )
+    }
+
+    /// The numbers that expressions are, with the defaults of parameters; `None` if one has none.
+    pub fn all_known(&mut self, ids: &[Id], defaults: &Defaults) -> Option<Vec<Number>> {
+        let graph = &mut self.work.graph;
+        let known = graph.substitute(ids, |id| defaults.get(&id).copied());
+        known
+            .iter()
+            .map(|id| graph.as_number(*id).cloned())
+            .collect()
+    }
+
+    pub fn known(&mut self, id: Id, defaults: &Defaults) -> Option<Number> {
+        match self.work.graph.as_number(id) {
+            Some(number) => Some(number.clone()),
+            None => self.all_known(&[id], defaults)?.pop(),
+        }
+    }
+
+    pub fn check_unitless(&mut self, found: Dimension, place: Extent) -> Option<()> {
+        if found.is_known() {
+            let found = found.described();
+            return self.report(place, format!("this has a unit already: it is {found}"));
+        }
+        Some(())
+    }
+
+    fn unit(&mut self, operand: &Expression, unit: &UnitExpression) -> Option<Value> {
+        let value = self.value(operand);
+        let (factor, dimension) = lower_unit(unit, self.errors)?;
+        let factor = self.work.graph.number(factor);
+        match value? {
+            Value::Scalar(id, found) => {
+                self.check_unitless(found, unit.extent)?;
+                Some(Value::Scalar(
+                    self.work.graph.multiply(factor, id),
+                    dimension,
+                ))
+            }
+            Value::Vector(vector, found) => {
+                self.check_unitless(found, unit.extent)?;
+                Some(Value::Vector(self.work.scale(factor, vector), dimension))
+            }
+            Value::Components(frame, components, found) => {
+                self.check_unitless(found, unit.extent)?;
+                Some(Value::Components(
+                    frame,
+                    self.work.graph.scale_vector(factor, components),
+                    dimension,
+                ))
+            }
+            other => self.report(unit.extent, format!("{} has no unit", other.kind())),
+        }
+    }
+}
+
+/// The dimension of a scalar or a vector.
+pub fn dimension(value: Value) -> Option<Dimension> {
+    match value {
+        Value::Scalar(_, dimension)
+        | Value::Vector(_, dimension)
+        | Value::Components(_, _, dimension) => Some(dimension),
+        _ => None,
+    }
+}

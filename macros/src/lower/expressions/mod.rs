@@ -1,0 +1,24 @@
+//! Expressions: names, operators, functions, vectors and points, with frames and dimensions checked.
+
+mod along_axis;
+mod arithmetic;
+mod built_in;
+mod domains;
+mod functions;
+mod lowering;
+mod points;
+mod scope;
+mod unit;
+mod value;
+mod vectors;
+mod written;
+
+pub use along_axis::UNTURNED;
+pub use lowering::{Lowering, dimension};
+pub use scope::{BUILT_IN, OF_ROD, Scope};
+pub use unit::lower_unit;
+pub use value::Value;
+pub use written::{
+    base, direction, has_placeholder, is_drive, is_of_solid, is_turning_drive, is_unknown, motion,
+    placeholders, strip_unit, written_frame, written_motion,
+};

@@ -1,0 +1,186 @@
+//! Points, and the components of points and vectors.
+
+use crate::errors::Extent;
+use crate::model::{Dimension, Frame, Motion, Point};
+use crate::symbolic::{Components, Id};
+use crate::syntax::{Expression, Kind};
+
+use super::lowering::{Lowering, UNKNOWN};
+use super::unit::lower_unit;
+use super::value::Value;
+use super::written::written_frame;
+
+impl Lowering<'_> {
+    /// A point: a name, `(x, y, z)` in body axes, from G or, in the composition of a body, from its
+    /// drawing origin, or a vector that is fixed in its frame.
+    pub fn point(&mut self, expression: &Expression) -> Option<Point> {
+        if let Some((components, found)) = self.tuple(expression)? {
+            return self.fixed_point(Point::Body(components), found, expression);
+        }
+        match self.value(expression)? {
+            Value::Point(point) => Some(point),
+            Value::Components(Frame::Body, components, found) => {
+                self.fixed_point(Point::Body(components), found, expression)
+            }
+            Value::Components(Frame::World, components, found) => {
+                self.fixed_point(Point::World(components), found, expression)
+            }
+            Value::Vector(vector, found) => {
+                let graph = &self.work.graph;
+                match (
+                    graph.is_zero_vector(&vector.body),
+                    graph.is_zero_vector(&vector.world),
+                ) {
+                    (true, true) => match written_frame(expression) {
+                        Some(Frame::Body) => {
+                            self.fixed_point(Point::Body(vector.body), found, expression)
+                        }
+                        Some(Frame::World) => {
+                            self.fixed_point(Point::World(vector.world), found, expression)
+                        }
+                        None => self.report(
+                            expression.extent,
+                            "this is the zero vector, which points to G and to the origin alike: \
+                             write `G` or `world(..)`",
+                        ),
+                    },
+                    (true, _) if self.motion == Motion::Rod && !graph.is_early(vector.world[0]) => {
+                        self.report(
+                            expression.extent,
+                            "a point of a rod is written with its coordinates in the body, `(x, y, \
+                             z)`, or from another point, as `G + s * axis`",
+                        )
+                    }
+                    (true, _) => self.fixed_point(Point::World(vector.world), found, expression),
+                    (_, true) => self.fixed_point(Point::Body(vector.body), found, expression),
+                    _ => self.report(
+                        expression.extent,
+                        "a point is fixed in the body or in space: write its offset in body axes \
+                         alone, or its position in world axes alone",
+                    ),
+                }
+            }
+            other => self.report(
+                expression.extent,
+                format!("expected a point, and this is {}", other.kind()),
+            ),
+        }
+    }
+
+    fn fixed_point(
+        &mut self,
+        point: Point,
+        found: Dimension,
+        written: &Expression,
+    ) -> Option<Point> {
+        if !found.fits(Dimension::LENGTH) {
+            let (place, found) = (self.culprit(written, Dimension::LENGTH), found.described());
+            return self.report(place, format!("a point is in m, and this is {found}"));
+        }
+        let components = match point {
+            Point::Body(components) | Point::World(components) => components,
+            Point::Moving(_) => return Some(point),
+        };
+        self.check_early(written, &components, "a point is fixed")?;
+        let (Point::Body(from_origin), Some(composed)) = (point, self.composed) else {
+            return self.on_axis(point, written.extent);
+        };
+        let offset = composed.offset(&mut self.work.graph, from_origin);
+        self.on_axis(Point::Body(offset), written.extent)
+    }
+
+    /// `(x, y, z)`, `body(x, y, z)` and both with a unit; the inner `None` is anything else.
+    #[allow(clippy::option_option, reason = "outer: reported; inner: not a tuple")]
+    fn tuple(&mut self, expression: &Expression) -> Option<Option<(Components, Dimension)>> {
+        match &expression.kind {
+            Kind::Tuple(parts) => self.component_list(parts, expression.extent).map(Some),
+            Kind::Call(word, parts) if word == "body" => {
+                self.component_list(parts, expression.extent).map(Some)
+            }
+            Kind::Unit(inner, unit) if written_frame(inner) == Some(Frame::Body) => {
+                let Some((components, found)) = self.tuple(inner)? else {
+                    return Some(None);
+                };
+                let (factor, dimension) = lower_unit(unit, self.errors)?;
+                self.check_unitless(found, unit.extent)?;
+                let factor = self.work.graph.number(factor);
+                Some(Some((
+                    self.work.graph.scale_vector(factor, components),
+                    dimension,
+                )))
+            }
+            _ => Some(None),
+        }
+    }
+
+    /// The components of a vector: as many as the motion has axes, all of one dimension.
+    pub fn component_list(
+        &mut self,
+        parts: &[Expression],
+        extent: Extent,
+    ) -> Option<(Components, Dimension)> {
+        let axes = self.motion.axes();
+        if parts.len() != axes {
+            return self.report(
+                extent,
+                format!(
+                    "a vector has {axes} components under `motion: {}`, and this has {}",
+                    self.motion.word(),
+                    parts.len()
+                ),
+            );
+        }
+        if let Some(unknown) = parts
+            .iter()
+            .find(|part| matches!(part.kind, Kind::Placeholder))
+        {
+            self.visit(parts);
+            return self.report(unknown.extent, UNKNOWN);
+        }
+        let values: Vec<Option<(Id, Dimension)>> = parts
+            .iter()
+            .map(|part| match self.value(part)? {
+                Value::Scalar(id, dimension) => Some((id, dimension)),
+                other => self.report(
+                    part.extent,
+                    format!("a component is a scalar, and this is {}", other.kind()),
+                ),
+            })
+            .collect();
+        let values: Vec<(Id, Dimension)> = values.into_iter().collect::<Option<_>>()?;
+        let dimensions: Vec<Dimension> = values.iter().map(|(_, dimension)| *dimension).collect();
+        if let Some((odd, other)) = odd_one_out(&dimensions) {
+            let place = self.culprit(&parts[odd], other);
+            let (found, other) = (dimensions[odd].described(), other.described());
+            return self.report(
+                place,
+                format!(
+                    "components of one vector have one dimension: this is {found}, and another \
+                     is {other}"
+                ),
+            );
+        }
+        let unified = dimensions
+            .into_iter()
+            .try_fold(Dimension::ANY, Dimension::unify)?;
+        let mut components = self.work.graph.zeros();
+        for (component, (id, _)) in components.iter_mut().zip(values) {
+            *component = id;
+        }
+        Some((components, unified))
+    }
+}
+
+/// The dimension that fits the fewest of the others, the last of such, and one that it does not
+/// fit.
+fn odd_one_out(dimensions: &[Dimension]) -> Option<(usize, Dimension)> {
+    let strangers = |index: usize| {
+        let own = dimensions[index];
+        dimensions
+            .iter()
+            .copied()
+            .filter(move |other| !own.fits(*other))
+    };
+    let odd = (0..dimensions.len()).max_by_key(|index| strangers(*index).count())?;
+    Some((odd, strangers(odd).next()?))
+}

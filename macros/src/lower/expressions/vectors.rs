@@ -1,0 +1,238 @@
+//! The methods of vectors and points, and the components of vectors.
+
+use proc_macro2::Ident;
+
+use crate::errors::hint;
+use crate::model::{Attitude, Dimension, Frame, Motion, Point, Vector};
+use crate::symbolic::{Function, Id};
+use crate::syntax::Expression;
+
+use super::along_axis::UNTURNED;
+use super::functions::VECTOR_METHODS;
+use super::lowering::{Lowering, dimension};
+use super::unit::TOO_LARGE;
+use super::value::Value;
+
+impl Lowering<'_> {
+    /// In the plane: `w.cross(v)` of a scalar `w` about z.
+    pub fn planar_rotation(
+        &mut self,
+        w: Id,
+        of_w: Dimension,
+        method: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        self.expect_arguments(method, arguments, 1)?;
+        let (vector, of_vector) = self.vector_argument(&arguments[0])?;
+        let zero = self.work.graph.zero();
+        let axis = [zero, zero, w];
+        let graph = &mut self.work.graph;
+        let turned = Vector {
+            body: graph.cross(axis, vector.body),
+            world: graph.cross(axis, vector.world),
+        };
+        let of_turned = self.multiplied(of_w, of_vector, method)?;
+        Some(Value::Vector(turned, of_turned))
+    }
+
+    fn multiplied(&mut self, a: Dimension, b: Dimension, method: &Ident) -> Option<Dimension> {
+        let product = a.times(b);
+        product.or_else(|| self.report(method.span(), TOO_LARGE))
+    }
+
+    fn vector_argument(&mut self, argument: &Expression) -> Option<(Vector, Dimension)> {
+        let value = self.value(argument)?;
+        match (self.as_vector(value), dimension(value)) {
+            (Some(vector), Some(dimension)) => Some((vector, dimension)),
+            _ => self.report(
+                argument.extent,
+                format!("expected a vector, and this is {}", value.kind()),
+            ),
+        }
+    }
+
+    pub fn vector_method(
+        &mut self,
+        value: Value,
+        method: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        let word = method.to_string();
+        let (vector, of_vector) = (self.as_vector(value)?, dimension(value)?);
+        if !VECTOR_METHODS.contains(&word.as_str()) {
+            return self.report(
+                method.span(),
+                format!(
+                    "there is no method `{word}` of a vector{}",
+                    hint(&word, VECTOR_METHODS)
+                ),
+            );
+        }
+        let count = usize::from(matches!(word.as_str(), "cross" | "dot"));
+        self.expect_arguments(method, arguments, count)?;
+        match word.as_str() {
+            "cross" => {
+                let (other, of_other) = self.vector_argument(&arguments[0])?;
+                let of_product = self.multiplied(of_vector, of_other, method)?;
+                let product = self.work.cross(vector, other);
+                Some(self.moment_value(product, of_product))
+            }
+            "dot" => {
+                let (other, of_other) = self.vector_argument(&arguments[0])?;
+                let of_product = self.multiplied(of_vector, of_other, method)?;
+                Some(Value::Scalar(self.work.dot(vector, other), of_product))
+            }
+            "norm" => Some(Value::Scalar(self.work.norm(vector), of_vector)),
+            "norm_squared" => Some(Value::Scalar(
+                self.work.norm_squared(vector),
+                self.multiplied(of_vector, of_vector, method)?,
+            )),
+            "normalize" => {
+                let norm = self.work.norm(vector);
+                let one = self.work.graph.one();
+                let reciprocal = self.work.graph.divide(one, norm);
+                let reciprocal = self.work.graph.quantity(reciprocal);
+                self.scaled(reciprocal, value, Dimension::NONE)
+            }
+            "in_body" if self.motion == Motion::Rod => self.report(
+                method.span(),
+                format!("{UNTURNED}: write `.in_world()`, or what is along it, `.dot(axis)`"),
+            ),
+            frame => {
+                let frame = if frame == "in_body" {
+                    Frame::Body
+                } else {
+                    Frame::World
+                };
+                let components = self.work.components(vector, frame);
+                Some(Value::Components(frame, components, of_vector))
+            }
+        }
+    }
+
+    /// A cross product: in the plane, its component along z.
+    fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
+        if self.motion.is_planar() {
+            Value::Scalar(
+                self.work.graph.add(product.body[2], product.world[2]),
+                dimension,
+            )
+        } else {
+            Value::Vector(product, dimension)
+        }
+    }
+
+    pub fn point_method(
+        &mut self,
+        point: Point,
+        method: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        let word = method.to_string();
+        if !matches!(word.as_str(), "position" | "velocity") {
+            return self.report(
+                method.span(),
+                format!("a point has `.position()` and `.velocity()`, and no `{word}`"),
+            );
+        }
+        self.expect_arguments(method, arguments, 0)?;
+        let dimension = if word == "position" {
+            Dimension::LENGTH
+        } else {
+            Dimension::VELOCITY
+        };
+        if !self.motion.knows_position() && !matches!(point, Point::World(_)) {
+            return self.report(
+                method.span(),
+                format!(
+                    "the {word} of a point of the body is not known under `motion: rotation`: \
+                     the motion of G is not modelled"
+                ),
+            );
+        }
+        self.check_support_is_read(method)?;
+        let vector = match (point, word.as_str()) {
+            (point, "position") => self.state.place(self.work, point),
+            (Point::Body(offset), _) => {
+                let swept = self.state.swept(self.work, offset);
+                self.work.add(self.state.velocity, swept)
+            }
+            (Point::Moving(offset), _) => {
+                let swept = self.swept(offset);
+                self.work.add(self.state.velocity, swept)
+            }
+            (Point::World(_), _) => self.work.zero_vector(),
+        };
+        Some(Value::Vector(vector, dimension))
+    }
+
+    /// `w x r`, each part in its own axes: those of w change together, and `w x w` is zero.
+    fn swept(&mut self, offset: Vector) -> Vector {
+        let w = self.state.angular_velocity;
+        let in_world = if self.motion.is_planar() || self.work.graph.is_zero_vector(&offset.world) {
+            w
+        } else {
+            let w = self.work.vector(Frame::Body, w);
+            self.work.components(w, Frame::World)
+        };
+        let graph = &mut self.work.graph;
+        Vector {
+            body: graph.cross(w, offset.body),
+            world: graph.cross(in_world, offset.world),
+        }
+    }
+
+    pub fn field(&mut self, receiver: &Expression, field: &Ident) -> Option<Value> {
+        let value = self.value(receiver)?;
+        let word = field.to_string();
+        let axes = &["x", "y", "z"][..self.motion.axes()];
+        match value {
+            Value::Components(_, components, dimension) => {
+                match axes.iter().position(|axis| *axis == word) {
+                    Some(axis) => Some(Value::Scalar(components[axis], dimension)),
+                    None => self.report(
+                        field.span(),
+                        format!("components are called `{}`", axes.join("`, `")),
+                    ),
+                }
+            }
+            Value::Vector(..) if !VECTOR_METHODS.contains(&word.as_str()) => self.report(
+                field.span(),
+                if self.motion == Motion::Rod {
+                    format!("a component in which axes? write `.in_world().{word}`")
+                } else {
+                    format!(
+                        "a component in which axes? write `.in_body().{word}` or `.in_world().{word}`"
+                    )
+                },
+            ),
+            Value::Attitude => {
+                let Attitude::Quaternion { scalar, vector } = self.work.attitude else {
+                    return None;
+                };
+                match ["w", "i", "j", "k"].iter().position(|part| *part == word) {
+                    Some(0) => Some(Value::Scalar(scalar, Dimension::NONE)),
+                    Some(part) => Some(Value::Scalar(vector[part - 1], Dimension::NONE)),
+                    None => self.report(
+                        field.span(),
+                        "the parts of the attitude quaternion are called `w`, `i`, `j` and `k`",
+                    ),
+                }
+            }
+            other => {
+                let word = word.trim_start_matches("r#");
+                let is_method = Function::from_name(word).is_some()
+                    || VECTOR_METHODS.contains(&word)
+                    || ["position", "velocity"].contains(&word);
+                self.report(
+                    field.span(),
+                    if is_method {
+                        format!("parentheses are missing: write `.{word}()`")
+                    } else {
+                        format!("{} has no field `{word}`", other.kind())
+                    },
+                )
+            }
+        }
+    }
+}

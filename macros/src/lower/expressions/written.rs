@@ -1,0 +1,115 @@
+//! What can be told of an expression before it is read.
+
+use crate::errors::Extent;
+use crate::families::Family;
+use crate::model::{Frame, Motion, is_solid};
+use crate::syntax::{self, Description, Expression, Kind, Operator};
+
+/// Whether a load has unknown components.
+pub fn is_unknown(written: &syntax::Load) -> bool {
+    let value = written.vector.as_ref();
+    written.family == Family::Reaction
+        && value.is_some_and(|value| placeholders(value).next().is_some())
+}
+
+/// Whether a load is a drive with unknown components.
+pub fn is_drive(written: &syntax::Load) -> bool {
+    let drives = matches!(written.family, Family::External | Family::Joint);
+    let value = written.vector.as_ref();
+    drives && value.is_some_and(|value| placeholders(value).next().is_some())
+}
+
+/// Whether it is one in world axes with a known component, or along a direction, at a point.
+pub fn is_turning_drive(written: &syntax::Load) -> bool {
+    let Some(value) = written.vector.as_ref().filter(|_| is_drive(written)) else {
+        return false;
+    };
+    let in_world = match &value.kind {
+        Kind::Call(word, parts) => word == "world" && placeholders(value).count() < parts.len(),
+        _ => direction(value).is_some(),
+    };
+    in_world && written.point.is_some()
+}
+
+/// The placeholders in `_`, `body(_, 0, _)` and `body(_, 0, _)[N]`, with their axes.
+pub fn placeholders(value: &Expression) -> impl Iterator<Item = (usize, Extent)> {
+    let inner = match &value.kind {
+        Kind::Unit(inner, _) => inner,
+        _ => value,
+    };
+    let parts = match &inner.kind {
+        Kind::Chain(first, _) if direction(inner).is_some() => std::slice::from_ref(&**first),
+        Kind::Call(word, parts) if word == "body" || word == "world" => parts.as_slice(),
+        Kind::Placeholder => std::slice::from_ref(inner),
+        _ => &[],
+    };
+    let unknown = parts
+        .iter()
+        .enumerate()
+        .filter(|(_, part)| matches!(part.kind, Kind::Placeholder));
+    unknown.map(|(axis, part)| (axis, part.extent))
+}
+
+/// The direction of `_ * direction`.
+pub fn direction(value: &Expression) -> Option<&Expression> {
+    match &value.kind {
+        Kind::Chain(first, rest) if matches!(first.kind, Kind::Placeholder) => match &**rest {
+            [step] if step.operator == Operator::Multiply => Some(&step.operand),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+pub fn strip_unit(value: &Expression) -> &Expression {
+    match &value.kind {
+        Kind::Unit(inner, _) => inner,
+        _ => value,
+    }
+}
+
+pub fn has_placeholder(value: &Expression) -> bool {
+    match &strip_unit(value).kind {
+        Kind::Call(_, parts) | Kind::Tuple(parts) => parts
+            .iter()
+            .any(|part| matches!(part.kind, Kind::Placeholder)),
+        Kind::Placeholder => true,
+        _ => false,
+    }
+}
+
+/// The axes in which a vector is written, as far as its form tells.
+pub fn written_frame(value: &Expression) -> Option<Frame> {
+    match &value.kind {
+        Kind::Unit(operand, _) | Kind::Prefix(_, operand) => written_frame(operand),
+        Kind::Tuple(_) => Some(Frame::Body),
+        Kind::Call(name, _) if name == "body" => Some(Frame::Body),
+        Kind::Call(name, _) if name == "world" => Some(Frame::World),
+        _ => None,
+    }
+}
+
+/// The motion that a description names, if there is one of that name.
+pub fn written_motion(description: &Description) -> Option<Motion> {
+    let word = description.motion.as_ref()?.word.to_string();
+    motion(&word)
+}
+
+pub fn motion(word: &str) -> Option<Motion> {
+    let found = Motion::ALL.iter().find(|(known, _)| *known == word);
+    found.map(|(_, motion)| *motion)
+}
+
+/// What stands in front of all methods and units.
+pub fn base(expression: &Expression) -> &Expression {
+    let mut expression = expression;
+    while let Kind::Method(inner, ..) | Kind::Unit(inner, _) = &expression.kind {
+        expression = inner;
+    }
+    expression
+}
+
+/// Whether an inertia is that of a solid, turned or not.
+pub fn is_of_solid(written: &Expression) -> bool {
+    matches!(&base(written).kind, Kind::Call(word, _) if is_solid(word))
+}

@@ -1,0 +1,140 @@
+//! Inertia by its entries: `principal(..)`, `tensor { .. }` and `products { .. }`.
+
+use proc_macro2::Ident;
+
+use crate::errors::Extent;
+use crate::lower::expressions::Lowering;
+use crate::model::{Dimension, ENTRIES, Inertia};
+use crate::symbolic::Id;
+use crate::syntax::Expression;
+
+use super::draft::{Draft, Entry};
+use super::form::FORMS;
+
+impl Lowering<'_> {
+    fn refuse_in_plane(&mut self, word: &Ident) -> Option<()> {
+        if self.motion.is_planar() {
+            return self.report(
+                word.span(),
+                "in the plane an inertia is one number, about the axis through G: write \
+                 `inertia: 0.1[kg * m ^ 2]`",
+            );
+        }
+        Some(())
+    }
+
+    pub fn principal(
+        &mut self,
+        word: &Ident,
+        parts: &[Expression],
+        extent: Extent,
+    ) -> Option<Draft> {
+        self.refuse_in_plane(word)?;
+        if parts.len() != 3 {
+            return self.report(
+                word.span(),
+                format!(
+                    "`principal` takes three moments of inertia, and this has {}",
+                    parts.len()
+                ),
+            );
+        }
+        let moments: Vec<Option<Id>> = parts
+            .iter()
+            .map(|part| self.scalar(part, Dimension::INERTIA, "a moment of inertia"))
+            .collect();
+        let moments: Vec<Id> = moments.into_iter().collect::<Option<_>>()?;
+        let mut rows = [self.work.graph.zeros(); 3];
+        for (i, moment) in moments.iter().enumerate() {
+            rows[i][i] = *moment;
+        }
+        let entries = parts
+            .iter()
+            .zip(moments)
+            .enumerate()
+            .map(|(i, (part, moment))| Entry::new(i, i, part, moment))
+            .collect();
+        Some(Draft {
+            inertia: Inertia::Spatial(rows),
+            entries,
+            extent,
+        })
+    }
+
+    /// `tensor { .. }` has the entries of the tensor, `products { .. }` the products of inertia
+    /// `J_xy = +integral of x y dm`: their off-diagonals differ in sign (E3).
+    pub fn record(
+        &mut self,
+        word: &Ident,
+        fields: &[(Ident, Expression)],
+        extent: Extent,
+    ) -> Option<Draft> {
+        if word != "tensor" && word != "products" {
+            return self.report(
+                word.span(),
+                format!("`{word}` is no form of inertia: {FORMS}"),
+            );
+        }
+        self.refuse_in_plane(word)?;
+        let mut rows = [self.work.graph.zeros(); 3];
+        let mut entries = Vec::new();
+        let mut complete = true;
+        for (index, (name, value)) in fields.iter().enumerate() {
+            let known = name.to_string();
+            let Some((_, row, column)) = ENTRIES.iter().find(|(entry, ..)| *entry == known) else {
+                let reversed: String = known.chars().rev().collect();
+                let hint = if ENTRIES.iter().any(|(entry, ..)| *entry == reversed) {
+                    format!(": the matrix is symmetric, write `{reversed}`")
+                } else {
+                    String::new()
+                };
+                self.errors.push(
+                    name.span(),
+                    format!(
+                        "no entry is called `{known}`; there are `xx`, `yy`, `zz`, `xy`, `yz` and `zx`{hint}"
+                    ),
+                );
+                complete = false;
+                continue;
+            };
+            if fields[..index].iter().any(|(other, _)| other == name) {
+                self.errors
+                    .push(name.span(), format!("`{known}` is given twice"));
+                complete = false;
+            }
+            let Some(entry) = self.scalar(value, Dimension::INERTIA, "an entry of the inertia")
+            else {
+                complete = false;
+                continue;
+            };
+            let entry = if word == "products" && row != column {
+                self.work.graph.negate(entry)
+            } else {
+                entry
+            };
+            rows[*row][*column] = entry;
+            rows[*column][*row] = entry;
+            entries.push(Entry::new(*row, *column, value, entry));
+        }
+        let missing: Vec<&str> = ["xx", "yy", "zz"]
+            .into_iter()
+            .filter(|diagonal| !fields.iter().any(|(name, _)| name == diagonal))
+            .collect();
+        if complete && !missing.is_empty() {
+            let (missing, verb) = (
+                missing.join("` and `"),
+                if missing.len() == 1 { "is" } else { "are" },
+            );
+            self.errors.push(
+                word.span(),
+                format!("`{missing}` {verb} missing: all three moments of inertia are needed"),
+            );
+            complete = false;
+        }
+        complete.then_some(Draft {
+            inertia: Inertia::Spatial(rows),
+            entries,
+            extent,
+        })
+    }
+}

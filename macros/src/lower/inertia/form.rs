@@ -1,0 +1,252 @@
+//! Inertia: from what was written to the tensor about G, checked.
+
+use proc_macro2::Ident;
+
+use crate::errors::similar;
+use crate::lower::expressions::{Lowering, base, is_of_solid, lower_unit, written_motion};
+use crate::model::{Defaults, Dimension, Inertia, Mass, Motion, is_solid, words};
+use crate::symbolic::Id;
+use crate::syntax::{Description, Expression, Kind};
+
+use super::across_axis::FORMS_OF_ROD;
+use super::draft::{Draft, Entry, Given};
+
+impl Lowering<'_> {
+    /// Lowers the value of `inertia:` and checks it as far as it is known; `defaults` are the
+    /// values of parameters that a body is built from when nothing else is said.
+    pub fn inertia(
+        &mut self,
+        description: &Description,
+        mass: Mass,
+        defaults: &Defaults,
+    ) -> Option<Inertia> {
+        let name = &description.name;
+        if description.composition.is_some() {
+            return self.composed.map(|composed| {
+                if self.motion.has_attitude() {
+                    composed.inertia
+                } else {
+                    Inertia::Absent
+                }
+            });
+        }
+        let Some(written) = &description.inertia else {
+            if !self.motion.has_attitude() {
+                return Some(Inertia::Absent);
+            }
+            written_motion(description)?;
+            let form = if self.motion.has_one_moment() {
+                "0.1[kg * m ^ 2]"
+            } else {
+                "principal(1, 2, 3)[kg * m ^ 2]"
+            };
+            return self.report(
+                name.span(),
+                format!("`{name}` turns and has no inertia: write `inertia: {form}`"),
+            );
+        };
+        let value = written.value.as_ref()?;
+        // what is not needed is read all the same, so that its mistakes are found
+        let draft = self.form(value, Given { mass, defaults })?;
+        let turns = self.motion.has_attitude();
+        match &base(value).kind {
+            Kind::Call(word, _) if word == "rod" && !self.motion.has_one_moment() => {
+                if turns {
+                    let motion = self.motion.word();
+                    return self.report(
+                        word.span(),
+                        format!(
+                            "a rod has no moment of inertia about its own axis, and under \
+                             `motion: {motion}` it could turn about it: give it a radius, \
+                             `cylinder(r, l)`"
+                        ),
+                    );
+                }
+            }
+            _ => {
+                self.check_not_a_rod(draft.inertia, draft.extent)?;
+                self.check_inertia(&draft, defaults)?;
+            }
+        }
+        Some(if turns {
+            draft.inertia
+        } else {
+            Inertia::Absent
+        })
+    }
+
+    /// An inertia, constant, as the kind of motion has it.
+    pub fn form(&mut self, written: &Expression, given: Given<'_>) -> Option<Draft> {
+        let mut draft = self.draft(written, given)?;
+        if let (true, Inertia::Spatial(rows)) = (self.motion.is_planar(), draft.inertia) {
+            draft.inertia = Inertia::Scalar(rows[2][2]);
+        }
+        let entries = draft.inertia.entries();
+        self.check_early(written, &entries, CONSTANT)?;
+        if self.motion == Motion::Rod {
+            return self.across_axis(draft);
+        }
+        Some(draft)
+    }
+
+    fn draft(&mut self, written: &Expression, given: Given<'_>) -> Option<Draft> {
+        match &written.kind {
+            Kind::Unit(inner, unit) if !is_scalar(inner) => {
+                let draft = self.draft(inner, given);
+                if is_of_solid(inner) {
+                    return self.report(
+                        unit.extent,
+                        "the lengths of a solid have the units: write `sphere(0.1[m])`",
+                    );
+                }
+                let (factor, dimension) = lower_unit(unit, self.errors)?;
+                let draft = draft?;
+                if !dimension.fits(Dimension::INERTIA) {
+                    let (expected, found) = (Dimension::INERTIA, dimension.described());
+                    return self.report(
+                        unit.extent,
+                        format!("an inertia is in {expected}, and this is {found}"),
+                    );
+                }
+                let factor = self.work.graph.number(factor);
+                Some(self.scale_draft(factor, draft))
+            }
+            Kind::Method(inner, method, arguments) if method == "about" => {
+                let draft = self.draft(inner, given);
+                let [point] = arguments.as_slice() else {
+                    return self
+                        .report(method.span(), "`.about` takes one point: write `.about(P)`");
+                };
+                let point = self.point(point)?;
+                self.moved_to_center(draft?, point, given.mass, method)
+            }
+            Kind::Method(inner, method, arguments) if method == "along" => {
+                let draft = self.draft(inner, given)?;
+                self.along(draft, method, arguments)
+            }
+            Kind::Method(inner, method, arguments) if method == "turned" => {
+                let draft = self.draft(inner, given)?;
+                self.turned(draft, method, arguments)
+            }
+            Kind::Method(inner, method, _)
+                if (method == "mass" || method == "at") && !is_scalar(inner) =>
+            {
+                self.report(
+                    method.span(),
+                    format!(
+                        "`.{method}(..)` stands behind a part of `compose([..])`: this is the \
+                         whole body, about G"
+                    ),
+                )
+            }
+            Kind::Call(word, parts) if word == "principal" => {
+                self.principal(word, parts, written.extent)
+            }
+            Kind::Record(word, fields) => self.record(word, fields, written.extent),
+            Kind::Call(word, lengths) if is_solid(word) => {
+                self.solid(word, lengths, written.extent, given)
+            }
+            Kind::Call(word, _) if word == "point" => self.report(
+                word.span(),
+                "a point has no inertia about itself: points are parts of `compose([..])`",
+            ),
+            Kind::Poisoned => None,
+            Kind::Call(word, parts) if self.motion == Motion::Rod => self.no_form(word, parts),
+            _ if self.motion.has_one_moment() => {
+                let moment = self.scalar(written, Dimension::INERTIA, "the inertia about G")?;
+                Some(Draft {
+                    inertia: Inertia::Scalar(moment),
+                    entries: Vec::new(),
+                    extent: written.extent,
+                })
+            }
+            Kind::Call(word, _) if word == "tensor" || word == "products" => self.report(
+                word.span(),
+                format!("entries have names: write `{word} {{ xx: .., yy: .., zz: .. }}`"),
+            ),
+            Kind::Call(word, parts) => self.no_form(word, parts),
+            Kind::Chain(..) | Kind::Prefix(..) | Kind::Method(..) | Kind::Unit(..)
+                if has_form(written) =>
+            {
+                self.report(
+                    written.extent,
+                    "an inertia stands alone, with one unit or `.about(P)` behind it: put \
+                     factors into its numbers",
+                )
+            }
+            _ => self.report(
+                written.extent,
+                format!("in space an inertia has more than one number: {FORMS}"),
+            ),
+        }
+    }
+
+    fn no_form(&mut self, word: &Ident, parts: &[Expression]) -> Option<Draft> {
+        self.visit(parts);
+        let forms = if self.motion == Motion::Rod {
+            FORMS_OF_ROD
+        } else {
+            FORMS
+        };
+        self.report(
+            word.span(),
+            match similar(&word.to_string(), words()) {
+                Some(meant) => format!("`{word}` is no form of inertia; did you mean `{meant}`?"),
+                None => format!("`{word}` is no form of inertia: {forms}"),
+            },
+        )
+    }
+
+    fn scale_draft(&mut self, factor: Id, draft: Draft) -> Draft {
+        let graph = &mut self.work.graph;
+        let inertia = match draft.inertia {
+            Inertia::Absent => Inertia::Absent,
+            Inertia::Scalar(moment) => Inertia::Scalar(graph.multiply(factor, moment)),
+            Inertia::Spatial(rows) => {
+                Inertia::Spatial(rows.map(|row| graph.scale_vector(factor, row)))
+            }
+        };
+        let entries = draft.entries.into_iter().map(|entry| Entry {
+            value: graph.multiply(factor, entry.value),
+            ..entry
+        });
+        Draft {
+            inertia,
+            entries: entries.collect(),
+            extent: draft.extent,
+        }
+    }
+}
+
+/// Why an inertia is early.
+pub const CONSTANT: &str = "the inertia is constant in body axes";
+
+pub const FORMS: &str = "write `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }`, \
+                         `products { .. }` or a solid such as `cylinder(r, h)`; tensor and \
+                         products differ in the sign of the off-diagonals, so the word must be said";
+
+/// Whether one of the forms of inertia stands somewhere in `expression`.
+fn has_form(expression: &Expression) -> bool {
+    let mut found = false;
+    expression.visit(|part| {
+        found |= match &part.kind {
+            Kind::Call(word, _) => word == "principal" || is_solid(word),
+            Kind::Record(..) => true,
+            _ => false,
+        };
+    });
+    found
+}
+
+fn is_scalar(expression: &Expression) -> bool {
+    match &expression.kind {
+        Kind::Call(..) | Kind::Record(..) => false,
+        Kind::Method(inner, method, _) => {
+            !MOVES.contains(&&*method.to_string()) || is_scalar(inner)
+        }
+        _ => true,
+    }
+}
+
+/// Methods of an inertia.
+const MOVES: [&str; 5] = ["about", "along", "turned", "mass", "at"];

@@ -1,0 +1,242 @@
+//! Which inertias a body can have, and the decimal point that one may have lost.
+//!
+//! A tensor is possible if it is symmetric and half its trace minus itself is positive
+//! semidefinite, which is the triangle inequality in every frame (`docs/statements.md`, F08). Numbers are
+//! checked exactly; equality, a flat body, is allowed.
+
+use proc_macro2::Ident;
+
+use crate::errors::Extent;
+use crate::lower::expressions::Lowering;
+use crate::model::{
+    AXES, Defaults, Inertia, Matrix, Motion, Violation, least_moment, matrix, shown, thinnest,
+};
+use crate::symbolic::{Id, Number};
+
+use super::draft::Draft;
+
+impl Lowering<'_> {
+    /// Checks an inertia as far as it is known.
+    pub fn check_inertia(&mut self, draft: &Draft, defaults: &Defaults) -> Option<()> {
+        let entries = draft.inertia.entries();
+        let written = draft.entries.iter().map(|entry| entry.value);
+        let all: Vec<Id> = entries.iter().copied().chain(written).collect();
+        let numbers = self.all_known(&all, defaults);
+        let Some(numbers) = numbers else {
+            // it depends on what is given when a body is built, and the rest is checked there
+            return self.check_known_moments(draft);
+        };
+        match draft.inertia {
+            Inertia::Absent => Some(()),
+            Inertia::Scalar(_) if numbers[0].is_positive() => Some(()),
+            // a point swings about a pin away from it
+            Inertia::Scalar(_) if numbers[0].is_zero() && self.is_held_off_center() => Some(()),
+            Inertia::Scalar(_) => self.report(
+                draft.extent,
+                format!(
+                    "the inertia of a body that turns is positive, and J_G = {}",
+                    shown(&numbers[0])
+                ),
+            ),
+            Inertia::Spatial(_) => {
+                let matrix = matrix(&numbers);
+                match Violation::find(&matrix) {
+                    None => Some(()),
+                    Some(violation) => {
+                        self.report_violation(draft, &violation, &matrix, &numbers[9..])
+                    }
+                }
+            }
+        }
+    }
+
+    /// Refuses a body that turns freely and is so thin that its turning about its own axis has few
+    /// correct digits (H1), although a body can have this inertia; what is made from parameters is
+    /// left to `new`.
+    pub fn check_not_a_rod(&mut self, inertia: Inertia, place: Extent) -> Option<()> {
+        if !matches!(self.motion, Motion::Spatial | Motion::Rotation) {
+            return Some(());
+        }
+        let graph = &self.work.graph;
+        let entries = inertia.entries();
+        let numbers = entries.iter().map(|id| graph.as_number(*id).cloned());
+        let Some(numbers) = numbers.collect::<Option<Vec<_>>>() else {
+            return Some(());
+        };
+        let tensor = matrix(&numbers);
+        if Violation::impossible(&tensor).is_some() {
+            return Some(());
+        }
+        let least = least_moment(&tensor);
+        if least >= thinnest() {
+            return Some(());
+        }
+        let (least, motion) = (least.to_f64(), self.motion.word());
+        self.report(
+            place,
+            format!(
+                "this body is all but a rod: its least moment of inertia is {least:.0e} of the largest, \
+                 and under `motion: {motion}` it could turn about that axis, with less than 7 \
+                 correct digits; make it thicker, or write `motion: rod(axis)`"
+            ),
+        )
+    }
+
+    /// Whether a point other than G is held.
+    fn is_held_off_center(&self) -> bool {
+        let support = self.state.support;
+        support.is_some_and(|support| !self.work.graph.is_zero_vector(&support.offset))
+    }
+
+    /// Whatever the rest is: a moment that is known is positive.
+    fn check_known_moments(&mut self, draft: &Draft) -> Option<()> {
+        for entry in draft
+            .entries
+            .iter()
+            .filter(|entry| entry.row == entry.column)
+        {
+            let known = self.work.graph.as_number(entry.value);
+            let is_point = |moment: &Number| {
+                let is_held = self.motion.is_planar() && self.is_held_off_center();
+                moment.is_zero() && (is_held || self.motion == Motion::Rod)
+            };
+            let wrong = |moment: &&Number| !moment.is_positive() && !is_point(moment);
+            if let Some(moment) = known.filter(wrong) {
+                let (axis, value) = (AXES[entry.row], shown(moment));
+                return self.report(
+                    entry.extent,
+                    format!(
+                        "no body has this inertia: its moment about {axis} is {value}, and \
+                         moments of inertia are positive"
+                    ),
+                );
+            }
+        }
+        Some(())
+    }
+
+    /// Checks what parts make together. Each of them is possible, so that without holes the worst
+    /// that can be is that all mass lies on one line.
+    pub fn check_composed(
+        &mut self,
+        inertia: Inertia,
+        has_holes: bool,
+        word: &Ident,
+        defaults: &Defaults,
+    ) -> Option<()> {
+        let Some(numbers) = self.all_known(&inertia.entries(), defaults) else {
+            return Some(());
+        };
+        let violated = match (inertia, numbers.as_slice()) {
+            (Inertia::Scalar(_), [moment]) if !moment.is_positive() => {
+                let axis = if self.motion.is_planar() {
+                    "the normal of the plane"
+                } else {
+                    "every axis across the rod"
+                };
+                format!("about {axis} it is {}", shown(moment))
+            }
+            (Inertia::Spatial(_), numbers) => match Violation::find(&matrix(numbers)) {
+                Some(violation) => violation.message,
+                None => return Some(()),
+            },
+            _ => return Some(()),
+        };
+        let motion = self.motion.word();
+        self.report(
+            word.span(),
+            if has_holes {
+                format!(
+                    "no body has the inertia of these parts: {violated}; is a hole larger than \
+                     what it is in?"
+                )
+            } else if self.motion.has_one_moment() {
+                format!(
+                    "all mass of this body is at one point, and under `motion: {motion}` it could \
+                     turn about it: give a part some extent"
+                )
+            } else {
+                format!(
+                    "all mass of this body lies on one line, and under `motion: {motion}` it could \
+                     turn about it: give a part some extent"
+                )
+            },
+        )
+    }
+
+    /// `values` are those of the entries as they were written, in SI units.
+    fn report_violation(
+        &mut self,
+        draft: &Draft,
+        violation: &Violation,
+        matrix: &Matrix,
+        values: &[Number],
+    ) -> Option<()> {
+        let message = format!("no body has this inertia: {}", violation.message);
+        let literals: Vec<Literal<'_>> = draft
+            .entries
+            .iter()
+            .zip(values)
+            .filter_map(|(entry, value)| {
+                Some(Literal {
+                    row: entry.row,
+                    column: entry.column,
+                    written: entry.literal.as_ref()?,
+                    value,
+                })
+            })
+            .collect();
+        if let Some((row, column, mended)) = mend(matrix, &literals)
+            && let Some(entry) = draft.entry(row, column)
+        {
+            let digits = &entry.digits;
+            return self.report(
+                entry.extent,
+                format!(
+                    "{message}; is a decimal point out of place? `{mended}` instead of \
+                     `{digits}` would do"
+                ),
+            );
+        }
+        let blamed = violation
+            .entry
+            .and_then(|(row, column)| draft.entry(row, column));
+        self.report(blamed.map_or(draft.extent, |entry| entry.extent), message)
+    }
+}
+
+/// A literal that was written for an entry, and what it stands for in SI units.
+struct Literal<'a> {
+    row: usize,
+    column: usize,
+    written: &'a Number,
+    value: &'a Number,
+}
+
+/// The one literal, if there is only one, that a moved decimal point turns into one of a possible
+/// inertia: its row and column, and what to write.
+fn mend(matrix: &Matrix, literals: &[Literal<'_>]) -> Option<(usize, usize, String)> {
+    for shift in 1..=3 {
+        let mut found = Vec::new();
+        for literal in literals {
+            for power in [shift, -shift] {
+                let factor = Number::power_of_ten(power);
+                let added = (factor.clone() - Number::one()) * literal.value.clone();
+                let mut mended = matrix.clone();
+                let (row, column) = (literal.row, literal.column);
+                mended[row][column] = mended[row][column].clone() + added;
+                mended[column][row] = mended[row][column].clone();
+                if Violation::find(&mended).is_none() {
+                    let digits = shown(&(literal.written.clone() * factor));
+                    found.push((row, column, digits));
+                }
+            }
+        }
+        match found.len() {
+            0 => {}
+            1 => return found.pop(),
+            _ => return None,
+        }
+    }
+    None
+}

@@ -1,0 +1,133 @@
+//! Solids of uniform density, and what their moments of inertia are.
+
+use proc_macro2::Ident;
+
+use crate::errors::Extent;
+use crate::lower::expressions::Lowering;
+use crate::model::{Dimension, Inertia, Mass, Motion, SOLIDS, Solid, shown};
+use crate::symbolic::{Id, Number};
+use crate::syntax::Expression;
+
+use super::draft::{Draft, Given};
+
+impl Lowering<'_> {
+    /// `cylinder(r, h)` and the others: exactly, as everything that is built from numbers.
+    pub fn solid(
+        &mut self,
+        word: &Ident,
+        written: &[Expression],
+        extent: Extent,
+        given: Given<'_>,
+    ) -> Option<Draft> {
+        let solid = SOLIDS.iter().find(|solid| word == solid.word)?;
+        let squares = self.squared_lengths(solid, word, written, given);
+        let mass = match given.mass {
+            Mass::Known(mass) => Some(mass),
+            Mass::Reported => None,
+            Mass::Absent => self.report(
+                word.span(),
+                format!("`{word}(..)` needs the mass of the body: write `mass: ..`"),
+            ),
+        };
+        let (squares, mass) = (squares?, mass?);
+        let graph = &mut self.work.graph;
+        let moments = solid.moments.map(|factors| {
+            let terms = factors
+                .iter()
+                .zip(&squares)
+                .map(|((above, below), square)| {
+                    let factor = graph.number(Number::ratio(*above, *below));
+                    graph.multiply(factor, *square)
+                });
+            let terms: Vec<Id> = terms.collect();
+            let per_mass = graph.sum(&terms);
+            graph.multiply(mass, per_mass)
+        });
+        if self.motion == Motion::Rod && word == "rod" {
+            return Some(Draft {
+                inertia: Inertia::Scalar(moments[0]),
+                entries: Vec::new(),
+                extent,
+            });
+        }
+        let moments = if self.motion.is_planar() && word == "rod" {
+            // in the plane, a rod lies in it
+            [moments[2], moments[0], moments[1]]
+        } else {
+            moments
+        };
+        let mut rows = [self.work.graph.zeros(); 3];
+        for (i, moment) in moments.into_iter().enumerate() {
+            rows[i][i] = moment;
+        }
+        Some(Draft {
+            inertia: Inertia::Spatial(rows),
+            entries: Vec::new(),
+            extent,
+        })
+    }
+
+    fn squared_lengths(
+        &mut self,
+        solid: &Solid,
+        word: &Ident,
+        written: &[Expression],
+        given: Given<'_>,
+    ) -> Option<Vec<Id>> {
+        let (expected, found) = (solid.lengths.len(), written.len());
+        if expected != found {
+            self.visit(written);
+            let lengths = if expected == 1 { "length" } else { "lengths" };
+            let names = solid.lengths.join(", ");
+            return self.report(
+                word.span(),
+                format!(
+                    "`{word}({names})` is measured by {expected} {lengths}, and this has {found}"
+                ),
+            );
+        }
+        let lengths: Vec<Option<Id>> = written
+            .iter()
+            .map(|length| self.length(length, given))
+            .collect();
+        let lengths: Vec<Id> = lengths.into_iter().collect::<Option<_>>()?;
+        if let Some((small, large, reason)) = solid.smaller
+            && let (Some(a), Some(b)) = (
+                self.known(lengths[small], given.defaults),
+                self.known(lengths[large], given.defaults),
+            )
+            && a >= b
+        {
+            let (a, b) = (shown(&a), shown(&b));
+            return self.report(
+                written[small].extent,
+                format!(
+                    "{reason}: {} = {a} and {} = {b}",
+                    solid.lengths[small], solid.lengths[large]
+                ),
+            );
+        }
+        let graph = &mut self.work.graph;
+        Some(
+            lengths
+                .into_iter()
+                .map(|length| graph.square(length))
+                .collect(),
+        )
+    }
+
+    fn length(&mut self, written: &Expression, given: Given<'_>) -> Option<Id> {
+        let length = self.scalar(written, Dimension::LENGTH, "a length")?;
+        self.check_early(written, &[length], "a length of a rigid body is constant")?;
+        match self.known(length, given.defaults) {
+            Some(number) if !number.is_positive() => {
+                let number = shown(&number);
+                self.report(
+                    written.extent,
+                    format!("a length is positive, and this is {number}"),
+                )
+            }
+            _ => Some(length),
+        }
+    }
+}

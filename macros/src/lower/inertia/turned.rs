@@ -1,0 +1,213 @@
+//! Inertia in turned axes.
+//!
+//! A tensor is `lambda` times the unit matrix, and for each principal moment that differs from
+//! `lambda` a dyad along its axis. Turning moves the dyads alone, so that equal moments stay equal
+//! and quarter turns are exact.
+
+use proc_macro2::Ident;
+
+use crate::lower::expressions::Lowering;
+use crate::model::{Dimension, Inertia, Motion};
+use crate::symbolic::{Components, Function, Graph, Id};
+use crate::syntax::Expression;
+
+use super::draft::Draft;
+use super::form::CONSTANT;
+
+/// A symmetric matrix, by rows.
+type Matrix = [Components; 3];
+
+impl Lowering<'_> {
+    /// `.along(direction)`: the axis of symmetry, which is z before, along `direction`.
+    pub fn along(&mut self, draft: Draft, place: &Ident, written: &[Expression]) -> Option<Draft> {
+        self.refuse_of_rod(place)?;
+        let [written] = written else {
+            return self.report(
+                place.span(),
+                "`.along` takes one direction: write `.along(body(1, 0, 0))`",
+            );
+        };
+        let direction = self.body_direction(written)?;
+        if let Inertia::Scalar(_) = draft.inertia {
+            return self.report(
+                place.span(),
+                "one number has no axis: only a solid can lie along a direction",
+            );
+        }
+        let graph = &mut self.work.graph;
+        let rows = draft.inertia.rows(graph);
+        let is_symmetric = |axis: &usize| {
+            rows[(axis + 1) % 3][(axis + 1) % 3] == rows[(axis + 2) % 3][(axis + 2) % 3]
+        };
+        let axis = [2, 0, 1].into_iter().find(is_symmetric);
+        let (Some(axis), true) = (axis, is_diagonal(graph, &rows)) else {
+            return self.report(
+                place.span(),
+                "this has no axis of symmetry that could lie along a direction: write \
+                 `.turned(axis, angle)`",
+            );
+        };
+        let across = rows[(axis + 1) % 3][(axis + 1) % 3];
+        let square = graph.norm_squared(direction);
+        let one = graph.one();
+        let scale = graph.divide(one, square);
+        let dyad = outer(graph, direction).map(|row| graph.scale_vector(scale, row));
+        let turned = from_dyads(graph, across, &[(rows[axis][axis], dyad)]);
+        let inertia = draft.inertia.with_rows(turned);
+        Some(Draft { inertia, ..draft })
+    }
+
+    /// `.turned(axis, angle)`: turned about `axis`, by the right hand.
+    pub fn turned(&mut self, draft: Draft, place: &Ident, written: &[Expression]) -> Option<Draft> {
+        if self.motion.is_planar() {
+            return self.report(
+                place.span(),
+                "in the plane the inertia is the same however the body is turned: leave \
+                 `.turned(..)` out",
+            );
+        }
+        self.refuse_of_rod(place)?;
+        let [axis, angle] = written else {
+            return self.report(
+                place.span(),
+                "`.turned` takes an axis and an angle: write `.turned(body(0, 0, 1), 90[deg])`",
+            );
+        };
+        let direction = self.body_direction(axis);
+        let by = self.scalar(angle, Dimension::NONE, "an angle");
+        let (direction, by) = (direction?, by?);
+        self.check_early(angle, &[by], CONSTANT)?;
+        let graph = &mut self.work.graph;
+        let rotation = rotation(graph, direction, by);
+        let rows = draft.inertia.rows(graph);
+        let turned = rotate(graph, &rotation, &rows);
+        let inertia = draft.inertia.with_rows(turned);
+        Some(Draft { inertia, ..draft })
+    }
+
+    fn refuse_of_rod(&mut self, place: &Ident) -> Option<()> {
+        if self.motion == Motion::Rod {
+            return self.report(
+                place.span(),
+                format!("a rod lies along its axis: leave `.{place}(..)` out"),
+            );
+        }
+        Some(())
+    }
+
+    /// A constant vector in body axes that is not zero.
+    fn body_direction(&mut self, written: &Expression) -> Option<Components> {
+        let vector = self.vector(written, Dimension::ANY, "a direction")?;
+        let graph = &self.work.graph;
+        if !graph.is_zero_vector(&vector.world) {
+            return self.report(
+                written.extent,
+                "this direction is fixed in the body: write `body(..)`",
+            );
+        }
+        if graph.is_zero_vector(&vector.body) {
+            return self.report(written.extent, "the zero vector has no direction");
+        }
+        self.check_early(written, &vector.body, CONSTANT)?;
+        Some(vector.body)
+    }
+}
+
+fn is_diagonal(graph: &Graph, rows: &Matrix) -> bool {
+    [(0, 1), (1, 2), (2, 0)]
+        .into_iter()
+        .all(|(i, j)| graph.is_zero(rows[i][j]))
+}
+
+/// `a a`
+fn outer(graph: &mut Graph, a: Components) -> Matrix {
+    a.map(|component| graph.scale_vector(component, a))
+}
+
+/// `lambda 1 + sum of (J_k - lambda) n_k n_k`, for unit vectors `n_k`.
+fn from_dyads(graph: &mut Graph, lambda: Id, dyads: &[(Id, Matrix)]) -> Matrix {
+    [0, 1, 2].map(|i| {
+        [0, 1, 2].map(|j| {
+            // on the diagonal, as a mean: without a difference of moments
+            let mut rest = if i == j { graph.one() } else { graph.zero() };
+            let mut sum = graph.zero();
+            for (moment, dyad) in dyads {
+                let share = graph.multiply(*moment, dyad[i][j]);
+                sum = graph.add(sum, share);
+                rest = graph.subtract(rest, dyad[i][j]);
+            }
+            let rest = graph.multiply(lambda, rest);
+            graph.add(sum, rest)
+        })
+    })
+}
+
+/// The matrix that turns by an angle about a direction: `c 1 + s [n] + (1 - c) n n`.
+fn rotation(graph: &mut Graph, direction: Components, angle: Id) -> Matrix {
+    let (cosine, sine) = cosine_and_sine(graph, angle);
+    let square = graph.norm_squared(direction);
+    let norm = graph.apply(Function::Sqrt, &[square]);
+    let along = graph.divide(sine, norm);
+    let [x, y, z] = graph.scale_vector(along, direction);
+    let minus = [x, y, z].map(|component| graph.negate(component));
+    let zero = graph.zero();
+    let skew = [
+        [zero, minus[2], y],
+        [z, zero, minus[0]],
+        [minus[1], x, zero],
+    ];
+    let one = graph.one();
+    let versine = graph.subtract(one, cosine);
+    let scale = graph.divide(versine, square);
+    let mut rows = outer(graph, direction).map(|row| graph.scale_vector(scale, row));
+    for (i, row) in rows.iter_mut().enumerate() {
+        row[i] = graph.add(row[i], cosine);
+        *row = graph.add_vectors(*row, skew[i]);
+    }
+    rows
+}
+
+/// Where one of them is zero, the other is exactly one or minus one.
+fn cosine_and_sine(graph: &mut Graph, angle: Id) -> (Id, Id) {
+    let cosine = graph.apply(Function::Cos, &[angle]);
+    let sine = graph.apply(Function::Sin, &[angle]);
+    if graph.is_zero(cosine) {
+        (cosine, graph.apply(Function::Signum, &[sine]))
+    } else if graph.is_zero(sine) {
+        (graph.apply(Function::Signum, &[cosine]), sine)
+    } else {
+        (cosine, sine)
+    }
+}
+
+/// `R J R^T`
+fn rotate(graph: &mut Graph, rotation: &Matrix, rows: &Matrix) -> Matrix {
+    let moments = [rows[0][0], rows[1][1], rows[2][2]];
+    let is_repeated = |axis: &usize| moments[(axis + 1) % 3] == moments[(axis + 2) % 3];
+    let lambda = [2, 0, 1]
+        .into_iter()
+        .find(is_repeated)
+        .map_or(moments[2], |axis| moments[(axis + 1) % 3]);
+    let mut dyads = Vec::new();
+    for (k, moment) in moments.into_iter().enumerate() {
+        if moment != lambda {
+            let axis = rotation.map(|row| row[k]);
+            dyads.push((moment, outer(graph, axis)));
+        }
+    }
+    let mut turned = from_dyads(graph, lambda, &dyads);
+    for (k, l) in [(0, 1), (1, 2), (2, 0)] {
+        for (i, row) in turned.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                let (first, second) = (
+                    graph.multiply(rotation[i][k], rotation[j][l]),
+                    graph.multiply(rotation[i][l], rotation[j][k]),
+                );
+                let both = graph.add(first, second);
+                let added = graph.multiply(rows[k][l], both);
+                *entry = graph.add(*entry, added);
+            }
+        }
+    }
+    turned
+}

@@ -1,0 +1,189 @@
+//! Constraints: `name = expression`, kept at zero.
+
+use std::collections::{BTreeMap, HashSet};
+
+use proc_macro2::Ident;
+
+use crate::lower::expressions::{Lowering, Value};
+use crate::model::{AXES, Constraint, Declared, Frame, Level, Meaning};
+use crate::symbolic::Id;
+use crate::syntax::{Definition, Description, Expression};
+
+/// Where a definition mentions a name, itself or by a local.
+fn mention<'d>(
+    written: &'d Definition,
+    name: &str,
+    description: &'d Description,
+) -> Option<&'d Ident> {
+    let mut pending = vec![written];
+    let mut seen = HashSet::new();
+    while let Some(definition) = pending.pop() {
+        let names = definition.value.iter().flat_map(Expression::names);
+        for found in names {
+            if found == name {
+                return Some(found);
+            }
+            let is_it = |local: &&Definition| local.name == *found;
+            if let Some(local) = description.locals.iter().find(is_it)
+                && seen.insert(local.name.to_string())
+            {
+                pending.push(local);
+            }
+        }
+    }
+    None
+}
+
+impl Lowering<'_> {
+    /// The scalars of all constraints, with inputs that say how they move.
+    pub fn constraints(
+        &mut self,
+        description: &Description,
+        inputs: &[Declared],
+    ) -> Option<Vec<Constraint>> {
+        let mut all = Some(Vec::new());
+        for written in &description.constraints {
+            let found = self.constraint(written);
+            let found = found.filter(|found| {
+                self.check_inputs(written, found, description, inputs)
+                    .is_some()
+            });
+            match (&mut all, found) {
+                (Some(all), Some(found)) => all.extend(found),
+                _ => all = None,
+            }
+        }
+        all
+    }
+
+    /// The scalars of one constraint: a vector counts as its components, in world axes unless it
+    /// says otherwise.
+    fn constraint(&mut self, written: &Definition) -> Option<Vec<Constraint>> {
+        let expression = written.value.as_ref()?;
+        let name = &written.name;
+        let components = match self.value(expression)? {
+            Value::Scalar(id, _) => vec![(name.to_string(), id)],
+            Value::Components(_, components, _) => self.named_components(name, components),
+            Value::Vector(vector, _) => {
+                let components = self.work.components(vector, Frame::World);
+                self.named_components(name, components)
+            }
+            other => {
+                return self.report(
+                    expression.extent,
+                    format!(
+                        "a constraint is a scalar or a vector that is kept at zero, and this is {}",
+                        other.kind()
+                    ),
+                );
+            }
+        };
+        let mut constraints = Vec::new();
+        for (scalar, value) in components {
+            let Some(level) = self.level(value) else {
+                return self.report(
+                    name.span(),
+                    format!(
+                        "`{scalar}` does not depend on where the body is or how it moves: no load \
+                         can keep it at zero"
+                    ),
+                );
+            };
+            constraints.push(Constraint {
+                name: scalar,
+                place: name.clone(),
+                level,
+                value,
+            });
+        }
+        Some(constraints)
+    }
+
+    /// A constraint is differentiated, and so are the inputs in it.
+    fn check_inputs(
+        &mut self,
+        written: &Definition,
+        constraints: &[Constraint],
+        description: &Description,
+        inputs: &[Declared],
+    ) -> Option<()> {
+        let graph = &self.work.graph;
+        let mut lacking: BTreeMap<usize, Level> = BTreeMap::new();
+        for constraint in constraints {
+            for part in graph.reachable(&[constraint.value], |id| !graph.is_early(id)) {
+                let Some(Meaning::Input(input, _)) = self.work.meaning(part) else {
+                    continue;
+                };
+                if inputs[input].derivatives() < constraint.level.derivatives() {
+                    lacking.insert(input, constraint.level);
+                }
+            }
+        }
+        for (input, level) in &lacking {
+            let (input, name) = (&inputs[*input], &inputs[*input].name);
+            let word = name.to_string();
+            let place = mention(written, &word, description).unwrap_or(&written.name);
+            let message = if input.moves || input.order > 0 {
+                format!(
+                    "a constraint of positions is differentiated twice, and `{word}` is given with fewer \
+                     derivatives: write a constraint of velocities, or an input of its own that is `.moving`"
+                )
+            } else {
+                let needed = match level {
+                    Level::Position => "its rate and acceleration",
+                    Level::Velocity => "its rate",
+                };
+                let unit = if input.dimension.is_known() {
+                    input.dimension.unit()
+                } else {
+                    String::new()
+                };
+                let form = match input.frame {
+                    None => format!("{name}{unit}"),
+                    Some(frame) => {
+                        let open = vec!["_"; self.motion.axes()].join(", ");
+                        format!("{name} = {}({open}){unit}", frame.word())
+                    }
+                };
+                format!(
+                    "a constraint is differentiated in time, and nobody knows how the input `{word}` moves: \
+                     write `{form}.moving` in `inputs`, which is given with {needed}, or a function of `t` here"
+                )
+            };
+            self.errors.push(place.span(), message);
+        }
+        lacking.is_empty().then_some(())
+    }
+
+    fn named_components(&self, name: &Ident, components: [Id; 3]) -> Vec<(String, Id)> {
+        let axes = self.motion.axes();
+        let named = components.into_iter().zip(AXES).take(axes);
+        named
+            .map(|(id, axis)| (format!("{name}.{axis}"), id))
+            .collect()
+    }
+
+    /// `None` of what depends on no part of the state.
+    fn level(&self, value: Id) -> Option<Level> {
+        let graph = &self.work.graph;
+        let depends = |wanted: fn(Meaning) -> bool| {
+            graph.depends_on(&[value], |id| self.work.meaning(id).is_some_and(wanted))
+        };
+        let is_rate = |meaning| {
+            matches!(
+                meaning,
+                Meaning::Velocity(_) | Meaning::AngularVelocity(_) | Meaning::AxisRate(_)
+            )
+        };
+        if depends(is_rate) {
+            return Some(Level::Velocity);
+        }
+        let is_place = |meaning| {
+            matches!(
+                meaning,
+                Meaning::Position(_) | Meaning::Angle | Meaning::Quaternion(_) | Meaning::Axis(_)
+            )
+        };
+        depends(is_place).then_some(Level::Position)
+    }
+}

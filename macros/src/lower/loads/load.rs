@@ -1,0 +1,71 @@
+//! Loads, and the pole of the moment balance.
+
+use crate::families::LoadKind;
+use crate::lower::expressions::Lowering;
+use crate::model::{Dimension, Frame, Load, Point};
+use crate::syntax::{self, Written};
+
+impl Lowering<'_> {
+    pub fn load(&mut self, written: &syntax::Load) -> Option<Load> {
+        let value = written.vector.as_ref();
+        let vector = value.and_then(|value| match written.kind {
+            LoadKind::Force => self.vector(value, Dimension::FORCE, "a force"),
+            LoadKind::Moment if self.motion.is_planar() => {
+                let moment = self.scalar(value, Dimension::MOMENT, "a moment")?;
+                let zero = self.work.graph.zero();
+                Some(self.work.vector(Frame::Body, [zero, zero, moment]))
+            }
+            LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
+        });
+        let point = self.point_of_load(written);
+        let (vector, zero) = (vector?, self.work.zero_vector());
+        let (force, moment) = match written.kind {
+            LoadKind::Force => (vector, zero),
+            LoadKind::Moment => (zero, vector),
+        };
+        Some(Load {
+            name: written.name.clone(),
+            family: written.family,
+            force,
+            point: point?,
+            moment,
+            pull: None,
+            potential: None,
+            extent: written.name.span().into(),
+            mention: value.and_then(|value| self.mentioned_reaction(value)),
+        })
+    }
+
+    /// The point at which a load acts; without `.at(..)`, G.
+    pub fn point_of_load(&mut self, written: &syntax::Load) -> Option<Point> {
+        match &written.point {
+            Some(None) => None,
+            Some(Some(point)) => self.point(point).and_then(|found| match found {
+                Point::World(_) if !self.motion.knows_position() => self.report(
+                    point.extent,
+                    "where this point is relative to the body is not known under `motion: \
+                     rotation`: the motion of G is not modelled",
+                ),
+                found => Some(found),
+            }),
+            None => Some(Point::Body(self.work.graph.zeros())),
+        }
+    }
+
+    pub fn pole(&mut self, written: Option<&Written>) -> Option<Point> {
+        let Some(written) = written else {
+            return Some(Point::Body(self.work.graph.zeros()));
+        };
+        let value = written.value.as_ref()?;
+        let point = self.point(value)?;
+        let is_center = point == Point::Body(self.work.graph.zeros());
+        if !self.motion.knows_position() && !is_center {
+            return self.report(
+                value.extent,
+                "under `motion: rotation` the moment balance is written about G: the motion of G \
+                 is not modelled",
+            );
+        }
+        Some(point)
+    }
+}

@@ -1,0 +1,7 @@
+//! Loads, unknown ones, constraints and potentials.
+
+mod constraint;
+mod load;
+mod potential;
+mod reaction;
+mod uniform_field;

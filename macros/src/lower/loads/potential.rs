@@ -1,0 +1,210 @@
+//! Potentials: scalars U whose forces and moments are derived.
+//!
+//! They are read with turned vectors kept apart ([`crate::model::kinematics::turned_vector`]), and so are the locals that they
+//! are made of. Where a length is taken of a vector with parts in both axes, either of them can be
+//! turned: there are two forms then, and mechanics takes the cheaper one.
+
+use std::collections::HashSet;
+
+use crate::errors::{Errors, Extent};
+use crate::lower::definitions::{Definition, definition_order};
+use crate::lower::expressions::{Lowering, Value, is_drive, is_unknown};
+use crate::model::{Charges, Dimension, Form, Frame, Potential, Potentials, Turns};
+use crate::symbolic::{Components, Id, Node, Stage};
+use crate::syntax::{Description, Expression, Kind, Load};
+
+impl Lowering<'_> {
+    /// Reads all potentials, and the uniform fields on charges.
+    pub fn potentials(&mut self, description: &Description) -> Option<Potentials> {
+        let loads = description.loads.iter();
+        let given: Vec<&Load> = loads
+            .filter(|load| !is_unknown(load) && !is_drive(load))
+            .collect();
+        let on_charges = given
+            .iter()
+            .enumerate()
+            .filter(|(_, load)| load.charges.is_some())
+            .map(|(place, load)| (place, &load.name));
+        let scalars = description.potentials.iter().enumerate();
+        let scalars = scalars.map(|(index, scalar)| (given.len() + index, &scalar.name));
+        let mut list: Vec<Potential> = on_charges
+            .chain(scalars)
+            .map(|(place, name)| Potential {
+                name: name.clone(),
+                place,
+                charges: None,
+            })
+            .collect();
+        let mut forms = Vec::new();
+        if !list.is_empty() {
+            let (form, has_choice) = self.potential_form(description, Frame::Body)?;
+            for (potential, charges) in list.iter_mut().zip(&form.charges) {
+                potential.charges = Some(*charges);
+            }
+            forms.push(form);
+            if has_choice {
+                forms.push(self.potential_form(description, Frame::World)?.0);
+            }
+        }
+        Some(Potentials { list, forms })
+    }
+
+    /// The energies in one form, and whether there is another one.
+    fn potential_form(&mut self, description: &Description, mixed: Frame) -> Option<(Form, bool)> {
+        let (values, position) = (self.scope.values(), self.state.position);
+        self.work.turns = Some(Turns::new(self.motion.axes(), mixed));
+        let displacement = self.displacement();
+        self.locals_apart(description);
+        let on_charges = description
+            .loads
+            .iter()
+            .filter(|load| load.charges.is_some());
+        let fields: Vec<Option<(Id, Charges)>> =
+            on_charges.map(|load| self.uniform_field(load)).collect();
+        let scalars = description.potentials.iter();
+        let scalars: Vec<Option<Id>> = scalars
+            .map(|potential| self.potential(potential.value.as_ref()))
+            .collect();
+        self.scope.restore(values);
+        self.state.position = position;
+        let turns = self.work.turns.take()?;
+        let fields = fields.into_iter().collect::<Option<Vec<_>>>()?;
+        let scalars = scalars.into_iter().collect::<Option<Vec<_>>>()?;
+        let (mut energies, charges): (Vec<Id>, Vec<Charges>) = fields.into_iter().unzip();
+        energies.extend(scalars);
+        let form = Form {
+            energies,
+            charges,
+            turns: turns.list,
+            displacement,
+        };
+        Some((form, turns.met_mixed))
+    }
+
+    /// The position of G, where it is a coordinate; else a virtual displacement, which is added to it.
+    fn displacement(&mut self) -> Components {
+        if self.motion.translates() {
+            return self.state.position.world;
+        }
+        let axes = self.motion.axes();
+        let graph = &mut self.work.graph;
+        let displacement = [0, 1, 2].map(|axis| {
+            if axis < axes {
+                graph.symbol(Stage::State)
+            } else {
+                graph.zero()
+            }
+        });
+        let held = self.state.position.world;
+        self.state.position.world = graph.add_vectors(held, displacement);
+        displacement
+    }
+
+    /// Reads the locals again, with turned vectors kept apart.
+    fn locals_apart(&mut self, description: &Description) {
+        // circles are reported already
+        let mut reported = Errors::default();
+        let (order, _) = definition_order(description, &mut reported);
+        let _ = reported.finish();
+        for definition in order {
+            let (Definition::Local(_), (name, Some(written))) =
+                (definition, definition.of(description))
+            else {
+                continue;
+            };
+            if self.scope.peek(&name).is_some() {
+                let value = self.value(written).map(|value| self.named(value, &name));
+                self.scope.redefine(&name, value);
+            }
+        }
+    }
+
+    /// A potential follows from where the body is and how it is turned, from the time, parameters
+    /// and inputs.
+    fn potential(&mut self, written: Option<&Expression>) -> Option<Id> {
+        let written = written?;
+        let energy = self.scalar(written, Dimension::MOMENT, "a potential")?;
+        let rates = self.rates();
+        if !self.depends(&[energy], &rates) {
+            return Some(energy);
+        }
+        let place = self.dependent_name(
+            written,
+            &rates,
+            &["velocity", "angular_velocity", "axis_rate"],
+        );
+        self.report(
+            place,
+            "a potential depends on where the body is, and not on how it moves: what does is a \
+             force or a moment",
+        )
+    }
+
+    /// The symbols of velocity and angular velocity, or of the rate of an axis.
+    fn rates(&self) -> Vec<Id> {
+        let velocity = self.state.velocity;
+        let all = [velocity.body, velocity.world, self.state.turning()].concat();
+        self.late_symbols(&all)
+    }
+
+    pub fn late_symbols(&self, roots: &[Id]) -> Vec<Id> {
+        let graph = &self.work.graph;
+        let symbols = graph.reachable(roots, |_| true).into_iter();
+        symbols
+            .filter(|id| matches!(graph.node(*id), Node::Symbol(_)) && !graph.is_early(*id))
+            .collect()
+    }
+
+    /// Whether any of `roots` depends on one of the symbols, through turned vectors too.
+    pub fn depends(&self, roots: &[Id], symbols: &[Id]) -> bool {
+        let mut followed = HashSet::new();
+        let mut pending = roots.to_vec();
+        while !pending.is_empty() {
+            let found = self.late_symbols(&pending);
+            if found.iter().any(|symbol| symbols.contains(symbol)) {
+                return true;
+            }
+            let turns = self.work.turns.iter();
+            let through = turns.flat_map(|turns| found.iter().filter_map(|id| turns.of(*id)));
+            let new: Vec<Id> = through
+                .filter(|turn| followed.insert(turn.turned))
+                .flat_map(|turn| turn.vector)
+                .collect();
+            pending = new;
+        }
+        false
+    }
+
+    /// The first of the names and methods in `expression` that is one of `words`, or whose value
+    /// depends on the symbols.
+    pub fn dependent_name(
+        &self,
+        expression: &Expression,
+        symbols: &[Id],
+        words: &[&str],
+    ) -> Extent {
+        let mut found = None;
+        expression.visit(|part| {
+            let name = match &part.kind {
+                Kind::Name(name) => name,
+                Kind::Method(_, method, _) if words.iter().any(|word| method == word) => method,
+                _ => return,
+            };
+            let word = name.to_string();
+            let depends = words.contains(&word.as_str())
+                || self.scope.peek(&word).is_some_and(|value| {
+                    let components = match value {
+                        Value::Scalar(id, _) | Value::Condition(id) => vec![id],
+                        Value::Components(_, components, _) => components.to_vec(),
+                        Value::Vector(vector, _) => [vector.body, vector.world].concat(),
+                        Value::Point(_) | Value::Attitude => Vec::new(),
+                    };
+                    self.depends(&components, symbols)
+                });
+            if depends && found.is_none() {
+                found = Some(name.span().into());
+            }
+        });
+        found.unwrap_or(expression.extent)
+    }
+}

@@ -1,0 +1,246 @@
+//! Loads with unknown components, `body(_, _, 0).at(P)` and `moment(body(_, _, 0))`, or along a
+//! direction of their own, `_ * direction`: reactions, and drives that inverse dynamics solves for.
+
+use crate::errors::Extent;
+use crate::families::LoadKind;
+use crate::lower::expressions::{
+    Lowering, UNTURNED, Value, direction, is_unknown, lower_unit, placeholders,
+};
+use crate::model::{Dimension, Frame, Meaning, Motion, Point, Reaction};
+use crate::symbolic::{Components, Id, Stage};
+use crate::syntax::{self, Description, Expression, Kind};
+
+impl Lowering<'_> {
+    /// A reaction with unknown components; `index` is its place among them.
+    pub fn reaction(&mut self, index: usize, written: &syntax::Load) -> Option<Reaction> {
+        let value = written.vector.as_ref()?;
+        let point = self.point_of_reaction(written);
+        let along = match direction(value) {
+            Some(direction) => Some(self.vector(direction, Dimension::NONE, "a direction")?),
+            None => None,
+        };
+        let (frame, given) = match along {
+            Some(_) => (Frame::World, self.work.graph.zeros()),
+            None => self.known_part(value, written.kind)?,
+        };
+        let axes = if self.is_planar_moment(written) {
+            2..3
+        } else {
+            0..self.motion.axes()
+        };
+        let symbols = [0, 1, 2].map(|axis| {
+            if axes.contains(&axis) {
+                self.work
+                    .symbol(Stage::State, Meaning::Reaction(index, axis))
+            } else {
+                self.work.graph.zero()
+            }
+        });
+        Some(Reaction {
+            name: written.name.clone(),
+            kind: written.kind,
+            point: point?,
+            frame,
+            given,
+            unknown: self.unknown_components(written),
+            along,
+            symbols: self.work.vector(Frame::World, symbols),
+        })
+    }
+
+    /// A drive with unknown components. In the accelerations it is at rest.
+    pub fn drive(&mut self, written: &syntax::Load, is_asked_for: bool) -> Option<Reaction> {
+        let value = written.vector.as_ref()?;
+        let place = placeholders(value).next()?.1;
+        if !is_asked_for {
+            return self.report(
+                place,
+                "an unknown drive is solved for by `outputs: [inverse]`: ask for it, make this an input, \
+                 or put it among `reactions` if a support makes it",
+            );
+        }
+        let point = self.point_of_load(written);
+        let along = match direction(value) {
+            Some(direction) => Some(self.vector(direction, Dimension::NONE, "a direction")?),
+            None => None,
+        };
+        let (frame, given) = match along {
+            Some(_) => (Frame::World, self.work.graph.zeros()),
+            None => self.known_part(value, written.kind)?,
+        };
+        if !self.work.graph.is_zero_vector(&given) {
+            return self.report(
+                value.extent,
+                "what is known of a drive is a load of its own: write 0 here",
+            );
+        }
+        Some(Reaction {
+            name: written.name.clone(),
+            kind: written.kind,
+            point: point?,
+            frame,
+            given,
+            unknown: self.unknown_components(written),
+            along,
+            symbols: self.work.zero_vector(),
+        })
+    }
+
+    /// A moment in the plane has one component, about its normal.
+    fn is_planar_moment(&self, written: &syntax::Load) -> bool {
+        written.kind == LoadKind::Moment && self.motion.is_planar()
+    }
+
+    /// The axes of the components written `_`, and where they are.
+    fn unknown_components(&self, written: &syntax::Load) -> Vec<(usize, Extent)> {
+        let about_normal = self.is_planar_moment(written);
+        let written = written.vector.iter().flat_map(placeholders);
+        written
+            .map(|(axis, place)| (if about_normal { 2 } else { axis }, place))
+            .collect()
+    }
+
+    /// The point at which a reaction acts, which turns with the body if a support is solved for.
+    fn point_of_reaction(&mut self, written: &syntax::Load) -> Option<Point> {
+        let value = written.vector.as_ref()?;
+        if written.kind == LoadKind::Force && !self.motion.knows_position() {
+            let place = placeholders(value).next()?.1;
+            return self.report(
+                place,
+                "an unknown force follows from the motion of G, which is not modelled under \
+                 `motion: rotation`: hold a point by `motion: fixed_point(P)`",
+            );
+        }
+        match (self.point_of_load(written)?, &written.point) {
+            (Point::World(_), Some(Some(point))) if self.reactions.is_empty() => self.report(
+                point.extent,
+                "an unknown reaction acts at a point of the body, and this one is fixed in space",
+            ),
+            (point, _) => Some(point),
+        }
+    }
+
+    /// The components that are given, and their axes.
+    fn known_part(&mut self, value: &Expression, kind: LoadKind) -> Option<(Frame, Components)> {
+        let expected = if kind == LoadKind::Force {
+            Dimension::FORCE
+        } else {
+            Dimension::MOMENT
+        };
+        let (inner, unit) = match &value.kind {
+            Kind::Unit(inner, unit) => (&**inner, Some(unit)),
+            _ => (value, None),
+        };
+        let factor = match unit {
+            None => self.work.graph.one(),
+            Some(unit) => {
+                let (factor, found) = lower_unit(unit, self.errors)?;
+                if !found.fits(expected) {
+                    let found = found.described();
+                    return self.report(
+                        unit.extent,
+                        format!(
+                            "a reaction is {}, and this is {found}",
+                            expected.described()
+                        ),
+                    );
+                }
+                self.work.graph.number(factor)
+            }
+        };
+        let zeros = self.work.graph.zeros();
+        let Kind::Call(word, parts) = &inner.kind else {
+            // the moment of a planar body
+            let is_moment = kind == LoadKind::Moment && self.motion.is_planar();
+            return if is_moment {
+                Some((Frame::Body, zeros))
+            } else {
+                self.report(
+                    inner.extent,
+                    "in which axes is it unknown? write `body(_, _, _)` or `world(_, _, _)`",
+                )
+            };
+        };
+        let frame = if word == "body" {
+            if self.motion == Motion::Rod {
+                return self.report(
+                    word.span(),
+                    format!("{UNTURNED}: write `world(_, _, _)`, or `_ * axis` along it"),
+                );
+            }
+            Frame::Body
+        } else {
+            Frame::World
+        };
+        let axes = self.motion.axes();
+        if parts.len() != axes || (kind == LoadKind::Moment && self.motion.is_planar()) {
+            let form = if kind == LoadKind::Moment {
+                "a moment is one scalar"
+            } else {
+                "a vector has two components"
+            };
+            let form = if self.motion.is_planar() {
+                form
+            } else {
+                "a vector has three components"
+            };
+            return self.report(
+                inner.extent,
+                format!("{form} under `motion: {}`", self.motion.word()),
+            );
+        }
+        let known: Vec<Option<Id>> = parts
+            .iter()
+            .map(|part| match part.kind {
+                Kind::Placeholder => Some(zeros[0]),
+                _ => self.scalar(
+                    part,
+                    if unit.is_some() {
+                        Dimension::NONE
+                    } else {
+                        expected
+                    },
+                    "a component",
+                ),
+            })
+            .collect();
+        let mut given = zeros;
+        for (component, known) in given.iter_mut().zip(known) {
+            *component = self.work.graph.multiply(factor, known?);
+        }
+        Some((frame, given))
+    }
+
+    /// Under constraints, loads may depend on the unknown reactions, by their names: friction does.
+    pub fn name_reactions(&mut self, description: &Description, reactions: &[Option<Reaction>]) {
+        if description.constraints.is_empty() {
+            return;
+        }
+        let unknown = description.loads.iter().filter(|load| is_unknown(load));
+        for (written, reaction) in unknown.zip(reactions) {
+            let name = written.name.to_string();
+            let Some(reaction) = reaction else {
+                self.scope.define(&name, None);
+                continue;
+            };
+            let symbols = reaction.symbols;
+            let value = match reaction.kind {
+                LoadKind::Force => Value::Vector(symbols, Dimension::FORCE),
+                LoadKind::Moment if self.motion.is_planar() => {
+                    Value::Scalar(symbols.world[2], Dimension::MOMENT)
+                }
+                LoadKind::Moment => Value::Vector(symbols, Dimension::MOMENT),
+            };
+            self.scope.define(&name, Some(value));
+        }
+    }
+
+    /// Where an expression names an unknown reaction.
+    pub fn mentioned_reaction(&self, value: &Expression) -> Option<Extent> {
+        let names = value.names();
+        let found = names
+            .iter()
+            .find(|name| self.reactions.contains(&name.to_string()));
+        found.map(|name| name.span().into())
+    }
+}

@@ -1,0 +1,178 @@
+//! Uniform fields on charges: `world(..)[V / m].on([q1.at(p1), q2.at(p2)])`, (34.7) to (34.9).
+//!
+//! Its potential is `U = -E . (R sum e + p)` with `p = sum e r`: the force E sum e and the moment
+//! p x E follow from it, with both sums folded; a net charge of zero is no special case.
+
+use crate::errors::Extent;
+use crate::lower::expressions::{Lowering, Value, dimension};
+use crate::model::{Attitude, Charges, Dimension, Frame, Point, Vector};
+use crate::symbolic::{Components, Graph, Id};
+use crate::syntax::{Charge, Expression, Load};
+
+/// Names of what changes with the state.
+const STATE: [&str; 6] = [
+    "position",
+    "velocity",
+    "attitude",
+    "angular_velocity",
+    "axis",
+    "axis_rate",
+];
+
+impl Lowering<'_> {
+    /// The energy of the charges in the field, and the sums it is made of.
+    pub fn uniform_field(&mut self, written: &Load) -> Option<(Id, Charges)> {
+        let name = written.name.to_string();
+        let field = written
+            .vector
+            .as_ref()
+            .and_then(|field| self.field_strength(field));
+        let charges = written.charges.iter().flatten();
+        let charges: Vec<Option<(Id, Components)>> = charges
+            .map(|charge| self.charge(charge, field.map(|(_, dimension)| dimension)))
+            .collect();
+        let (field, _) = field?;
+        let charges = charges.into_iter().collect::<Option<Vec<_>>>()?;
+        let graph = &mut self.work.graph;
+        let net: Vec<Id> = charges.iter().map(|(charge, _)| *charge).collect();
+        let net = graph.sum(&net);
+        let dipole = moment(graph, &charges);
+        // where the motion of G is not modelled, positions count from G; where a point of the body is held, they do from there
+        let Vector { body, world } = self.state.position;
+        let from_held = charges
+            .iter()
+            .map(|(charge, offset)| (*charge, graph.add_vectors(body, *offset)));
+        let from_held: Vec<(Id, Components)> = from_held.collect();
+        let turned = moment(graph, &from_held);
+        let moved = graph.scale_vector(net, world);
+        self.work.labels.name(net, format!("{name}_charge"));
+        self.work.labels.vector(&format!("{name}_dipole"), turned);
+        let moved = self.work.vector(Frame::World, moved);
+        let turned = self.work.fixed_in_body(turned);
+        let whole = self.work.add(moved, turned);
+        let work = self.work.dot(field, whole);
+        let energy = self.work.graph.negate(work);
+        let count = charges.len();
+        Some((energy, Charges { count, net, dipole }))
+    }
+
+    /// A vector that is the same everywhere, and its dimension.
+    fn field_strength(&mut self, written: &Expression) -> Option<(Vector, Dimension)> {
+        let value = self.value(written)?;
+        let (Some(vector), Some(dimension)) = (self.as_vector(value), dimension(value)) else {
+            return self.report(
+                written.extent,
+                format!("a field is a vector, and this is {}", value.kind()),
+            );
+        };
+        if !self.work.graph.is_zero_vector(&vector.body) {
+            return self.report(
+                written.extent,
+                "a uniform field does not turn with the body: write it in world axes",
+            );
+        }
+        self.check_same_everywhere(written, &vector.world, "a uniform field")?;
+        Some((vector, dimension))
+    }
+
+    /// A charge and its offset from G.
+    fn charge(
+        &mut self,
+        written: &Charge,
+        of_field: Option<Dimension>,
+    ) -> Option<(Id, Components)> {
+        let offset = written
+            .point
+            .as_ref()
+            .and_then(|point| self.charged_point(point));
+        let charge = written.charge.as_ref().and_then(|charge| {
+            let Value::Scalar(id, found) = self.value(charge)? else {
+                return self.report(charge.extent, "a charge is a scalar");
+            };
+            let expected = Dimension::FORCE.over(of_field?)?;
+            if !found.fits(expected) {
+                let place: Extent = self.culprit(charge, expected);
+                let (found, expected) = (found.described(), expected.described());
+                return self.report(
+                    place,
+                    format!(
+                        "times this field, a charge {expected} makes a force, and this is {found}"
+                    ),
+                );
+            }
+            self.check_same_everywhere(charge, &[id], "a charge")?;
+            Some(id)
+        });
+        Some((charge?, offset?))
+    }
+
+    fn charged_point(&mut self, written: &Expression) -> Option<Components> {
+        match self.point(written)? {
+            Point::Body(offset) => Some(offset),
+            other => self.report(
+                written.extent,
+                format!(
+                    "the charges of a body are on points of it, and this one is {}",
+                    other.where_else()
+                ),
+            ),
+        }
+    }
+
+    /// It may depend on the time, on parameters and on inputs.
+    fn check_same_everywhere(
+        &mut self,
+        written: &Expression,
+        components: &[Id],
+        what: &str,
+    ) -> Option<()> {
+        let state = self.state_symbols();
+        if !self.depends(components, &state) {
+            return Some(());
+        }
+        let place = self.dependent_name(written, &state, &STATE);
+        self.report(
+            place,
+            format!(
+                "{what} is the same in every state of the body; what is not is a force, or a \
+                 potential"
+            ),
+        )
+    }
+
+    /// The symbols of the state, those of turned vectors among them.
+    fn state_symbols(&self) -> Vec<Id> {
+        let state = &self.state;
+        let mut roots = [
+            state.position.body,
+            state.position.world,
+            state.velocity.body,
+            state.velocity.world,
+            state.angular_velocity,
+        ]
+        .concat();
+        match self.work.attitude {
+            Attitude::Fixed => {}
+            Attitude::Axis { angle, .. } => roots.push(angle),
+            Attitude::Quaternion { scalar, vector } => {
+                roots.push(scalar);
+                roots.extend(vector);
+            }
+            Attitude::Line { axis, .. } => roots.extend(axis),
+        }
+        let turns = self.work.turns.iter().flat_map(|turns| &turns.list);
+        roots.extend(turns.flat_map(|turn| turn.turned));
+        self.late_symbols(&roots)
+    }
+}
+
+/// `sum e r`
+fn moment(graph: &mut Graph, charges: &[(Id, Components)]) -> Components {
+    [0, 1, 2].map(|axis| {
+        let terms: Vec<Id> = charges
+            .iter()
+            .map(|(charge, offset)| graph.multiply(*charge, offset[axis]))
+            .collect();
+        graph.sum(&terms)
+    })
+}

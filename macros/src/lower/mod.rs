@@ -1,0 +1,11 @@
+//! Lowering: from what was written to what was meant.
+
+mod definitions;
+mod description;
+mod expressions;
+mod inertia;
+mod loads;
+
+pub use definitions::{INVERSE, Offer, outline};
+pub use description::lower_description;
+pub use expressions::{is_drive, is_unknown};

@@ -1,0 +1,86 @@
+//! Axes that do not spin with a symmetric body, for its series (EQUATIONS 5(e)).
+//!
+//! If the axes of a body may be turned about e, and its spin `s = e . w` is constant, the motion in axes that turn against the body
+//! at `-sigma` about e, with the components of the whole angular velocity in them, is
+//!
+//! ```text
+//! q' = q (0, w - sigma e) / 2      w' = alpha(q, w) + sigma e x w
+//! ```
+//!
+//! Any sigma is right. In axes without spin, `sigma = s`, the angular velocity of a free body turns at `beta = s J_e / J_t`, of the
+//! moments along e and across; in those with `sigma = s - beta` it stands still, and the attitude turns faster.
+//! Halfway the steps are longest, or nearly so, for tops that are flat or slender, fast or slow:
+//!
+//! ```text
+//! sigma = s - beta / 2 = s (1 - J_e / (tr J - J_e))
+//! ```
+
+use crate::mechanics::balances::inertia_about_center;
+use crate::mechanics::structure::Structure;
+use crate::model::{Attitude, Inertia, Model, Workspace};
+use crate::symbolic::{Components, Id, Number};
+
+/// Axes in which a motion is slower than in those of the body.
+#[derive(Debug)]
+pub struct Axes {
+    /// e, a unit vector.
+    pub direction: [Number; 3],
+    /// sigma: at which the body turns against them about e.
+    pub spin: Id,
+    /// Their angular velocity: `w - sigma e`.
+    pub rate: Components,
+    e: Components,
+}
+
+pub fn derive_axes(model: &Model, work: &mut Workspace, structure: &Structure) -> Option<Axes> {
+    let direction = structure.spin_axis.clone()?;
+    let Attitude::Quaternion { .. } = work.attitude else {
+        return None;
+    };
+    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
+        return None;
+    };
+    let graph = &mut work.graph;
+    let e = direction.clone().map(|part| graph.number(part));
+    let of_e = graph.transform(&rows, e);
+    let along = graph.dot(e, of_e);
+    let trace = graph.add(rows[0][0], rows[1][1]);
+    let trace = graph.add(trace, rows[2][2]);
+    let twice_across = graph.subtract(trace, along);
+    let part = graph.divide(along, twice_across);
+    let one = graph.one();
+    let rest = graph.subtract(one, part);
+    let whole = graph.dot(e, model.state.angular_velocity);
+    let [axes_spin, spin] = [part, rest].map(|part| graph.multiply(part, whole));
+    let labels = &mut work.labels;
+    labels.name(axes_spin, "axes_spin");
+    labels.name(spin, "spin");
+    let whole = graph.scale_vector(whole, e);
+    let across = graph.subtract_vectors(model.state.angular_velocity, whole);
+    let along = graph.scale_vector(axes_spin, e);
+    let rate = graph.add_vectors(across, along);
+    Some(Axes {
+        direction,
+        spin,
+        rate,
+        e,
+    })
+}
+
+impl Axes {
+    /// The rate of w in them: `alpha + sigma e x w`, without what vanishes along e.
+    pub fn acceleration(
+        &self,
+        model: &Model,
+        work: &mut Workspace,
+        angular: &Components,
+    ) -> Components {
+        let graph = &mut work.graph;
+        let swept = graph.cross(self.e, model.state.angular_velocity);
+        let swept = graph.scale_vector(self.spin, swept);
+        let along = graph.dot(self.e, *angular);
+        let along = graph.scale_vector(along, self.e);
+        let across = graph.subtract_vectors(*angular, along);
+        graph.add_vectors(across, swept)
+    }
+}

@@ -1,0 +1,212 @@
+//! The balances as they are written, for inspection: given loads, resultants, residuals.
+
+use crate::families::{Family, LoadKind};
+use crate::mechanics::balances::{arm, moments_about, resultant};
+use crate::mechanics::unknowns::ReactionExpressions;
+use crate::model::{Frame, Inertia, Model, Point, Vector, Workspace};
+use crate::symbolic::{Components, Id};
+
+/// The expressions of `outputs: [balance]`, in world axes.
+pub struct Balance {
+    /// Given loads; moment about G.
+    pub applied: Resultant,
+    /// (1.3) and (1.4) about the pole: zero on a true motion.
+    pub residual: Resultant,
+    pub loads: Vec<LoadExpressions>,
+}
+
+/// A resultant force and moment, world axes.
+pub struct Resultant {
+    pub force: Components,
+    pub moment: Components,
+}
+
+impl Balance {
+    pub fn roots(&self) -> Vec<Id> {
+        let wrenches = [&self.applied, &self.residual].into_iter();
+        let resultants = wrenches.flat_map(|wrench| [wrench.force, wrench.moment]);
+        let loads = self.loads.iter();
+        let loads = loads.flat_map(|load| [load.force, load.point, load.moment]);
+        resultants.chain(loads).flatten().collect()
+    }
+}
+
+/// One load, world axes.
+pub struct LoadExpressions {
+    pub name: String,
+    pub family: Family,
+    pub force: Components,
+    /// Where it acts; from G where the motion of G is not modelled.
+    pub point: Components,
+    pub moment: Components,
+}
+
+/// Under constraints, loads may depend on reactions: these are what was `solved` for.
+pub fn derive_balance(
+    model: &Model,
+    work: &mut Workspace,
+    solved: &[ReactionExpressions],
+) -> Balance {
+    let force = resultant(work, &model.loads);
+    let center = Point::Body(work.graph.zeros());
+    let moments = moments_about(model, work, &model.loads, center);
+    let moment = work.sum(moments);
+    let applied = in_world(work, force, moment);
+
+    let (force, moment) = with_reactions(model, work, force, moment);
+    // (1.3): sum of F - m a = 0
+    let inertial_force = inertial_force(model, work);
+    let force = work.add(force, inertial_force);
+    // (1.4): sum of M_G + M_iG + (G - O) x (sum of F - m a) = 0
+    let inertial_moment = inertial_moment(model, work);
+    let about_center = work.add(moment, inertial_moment);
+    let from_pole = from_pole(model, work);
+    let transport = work.cross(from_pole, force);
+    let about_pole = work.add(about_center, transport);
+    let residual = in_world(work, force, about_pole);
+
+    let loads = list_loads(model, work);
+    let mut balance = Balance {
+        applied,
+        residual,
+        loads,
+    };
+    if !model.constraints.is_empty() {
+        solve_loads(model, work, &mut balance, solved);
+    }
+    balance
+}
+
+/// Puts the reactions that were solved for into the given loads that depend on them.
+fn solve_loads(
+    model: &Model,
+    work: &mut Workspace,
+    balance: &mut Balance,
+    solved: &[ReactionExpressions],
+) {
+    let symbols = model
+        .reactions
+        .iter()
+        .map(|reaction| reaction.symbols.world);
+    let values: Vec<(Id, Id)> = symbols
+        .zip(solved)
+        .flat_map(|(symbols, value)| symbols.into_iter().zip(value.vector))
+        .collect();
+    let graph = &mut work.graph;
+    let own = [&mut balance.applied.force, &mut balance.applied.moment];
+    let listed = balance.loads.iter_mut();
+    let all = own
+        .into_iter()
+        .chain(listed.flat_map(|load| [&mut load.force, &mut load.point, &mut load.moment]));
+    for components in all {
+        *components = graph.replaced(*components, &values);
+    }
+}
+
+fn in_world(work: &mut Workspace, force: Vector, moment: Vector) -> Resultant {
+    let force = work.components(force, Frame::World);
+    let moment = work.components(moment, Frame::World);
+    work.labels
+        .describe("force", "sum of the forces, world axes");
+    work.labels
+        .describe("moment", "sum of the moments, world axes");
+    let (force, moment) = (work.graph.results(force), work.graph.results(moment));
+    work.labels.vector("force", force);
+    work.labels.vector("moment", moment);
+    Resultant { force, moment }
+}
+
+/// The given loads together with the reactions, as they are handed in; moment about G.
+fn with_reactions(
+    model: &Model,
+    work: &mut Workspace,
+    force: Vector,
+    moment: Vector,
+) -> (Vector, Vector) {
+    let center = Point::Body(work.graph.zeros());
+    let reactions: Vec<(LoadKind, Point, Vector)> = model
+        .reactions
+        .iter()
+        .map(|reaction| (reaction.kind, reaction.point, reaction.symbols))
+        .collect();
+    let (mut forces, mut moments) = (vec![force], vec![moment]);
+    for (kind, point, vector) in reactions {
+        if kind == LoadKind::Force {
+            let arm = arm(model, work, point, center);
+            forces.push(vector);
+            moments.push(work.cross(arm, vector));
+        } else {
+            moments.push(vector);
+        }
+    }
+    (work.sum(forces), work.sum(moments))
+}
+
+/// `G - O`, of the pole O.
+pub fn from_pole(model: &Model, work: &mut Workspace) -> Vector {
+    let (center, pole) = (Point::Body(work.graph.zeros()), model.pole);
+    arm(model, work, center, pole)
+}
+
+/// (1.8): `F_iG = -m a`.
+fn inertial_force(model: &Model, work: &mut Workspace) -> Vector {
+    let Some(mass) = model.mass else {
+        return work.zero_vector();
+    };
+    let acceleration = model.state.acceleration;
+    let rate = work.scale(mass, acceleration);
+    work.negate(rate)
+}
+
+/// (1.9), completed: `M_i = -(J w' + w x J w)`.
+fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
+    let (w, rate) = (
+        model.state.angular_velocity,
+        model.state.angular_acceleration,
+    );
+    let graph = &mut work.graph;
+    let change = match model.inertia {
+        Inertia::Absent => graph.zeros(),
+        Inertia::Scalar(inertia) => graph.scale_vector(inertia, rate),
+        Inertia::Spatial(rows) => {
+            let momentum = graph.transform(&rows, w);
+            let momentum = graph.quantities(momentum);
+            work.labels.describe("momentum", "J w, body axes");
+            work.labels.vector("momentum", momentum);
+            let gyroscopic = graph.cross(w, momentum);
+            let driven = graph.transform(&rows, rate);
+            graph.add_vectors(driven, gyroscopic)
+        }
+    };
+    let moment = graph.negate_vector(change);
+    work.vector(Frame::Body, moment)
+}
+
+/// What is spread over the body is listed at G.
+fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
+    let center = Point::Body(work.graph.zeros());
+    let about_center = moments_about(model, work, &model.loads, center);
+    let mut list = Vec::new();
+    for (index, about_center) in about_center.into_iter().enumerate() {
+        let load = &model.loads[index];
+        let (name, family, force) = (load.name.to_string(), load.family, load.force);
+        let (point, moment) = if load.potential.is_some() {
+            (center, about_center)
+        } else {
+            (load.point, load.moment)
+        };
+        list.push(LoadExpressions {
+            name,
+            family,
+            force: work.components(force, Frame::World),
+            point: position(model, work, point),
+            moment: work.components(moment, Frame::World),
+        });
+    }
+    list
+}
+
+fn position(model: &Model, work: &mut Workspace, point: Point) -> Components {
+    let position = model.state.place(work, point);
+    work.components(position, Frame::World)
+}

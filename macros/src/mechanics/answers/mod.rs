@@ -1,0 +1,17 @@
+//! What else is asked for: energy, momentum, balances, series, and when the equations switch.
+
+mod axes;
+mod balance;
+mod energy;
+mod momentum;
+mod partial;
+mod switches;
+mod taylor;
+
+pub use axes::Axes;
+pub use balance::{Balance, LoadExpressions, Resultant, derive_balance};
+pub use energy::{Energy, derive_energy};
+pub use momentum::{Momentum, derive_momentum};
+pub use partial::{Partial, list_partial};
+pub use switches::{Switch, derive_switches};
+pub use taylor::{Taylor, derive_taylor};

@@ -1,0 +1,223 @@
+//! Taylor series of the motion: coordinates, their rates, and the recurrences that follow.
+//!
+//! ```text
+//! position' = velocity      q' = q (0, w) / 2      angle' = w      u' = rate of the axis of a rod
+//! velocity' = a             w' = alpha             inputs are held
+//! ```
+//!
+//! They are those of axes that do not spin with a symmetric body, where there are such: [`super::axes`].
+//!
+//! A series exists where the equations are smooth; what is not is reported by the load that it stands in.
+
+use crate::errors::{Errors, Extent};
+use crate::mechanics::structure::Structure;
+use crate::model::{Attitude, Meaning, Model, Workspace};
+use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
+
+use super::axes::{self, Axes};
+
+/// The recurrences of a motion, with its coordinates in the order in which the runtime lists them.
+#[derive(Debug)]
+pub struct Taylor {
+    /// The coordinates, and then time.
+    pub symbols: Vec<Id>,
+    pub recurrences: Recurrences,
+    /// The axes that they hold in, if these are not those of the body.
+    pub axes: Option<Axes>,
+}
+
+impl Taylor {
+    /// All expressions that code is generated for.
+    pub fn roots(&self) -> Vec<Id> {
+        let mut roots = self.recurrences.roots();
+        roots.extend(self.axes.as_ref().map(|axes| axes.spin));
+        roots
+    }
+}
+
+/// The recurrences, if they exist; what is in their way is reported where they are asked for.
+pub fn derive_taylor(
+    model: &Model,
+    work: &mut Workspace,
+    asked: Extent,
+    (linear, angular): (&Components, &Components),
+    structure: &Structure,
+    errors: &mut Errors,
+) -> Option<Taylor> {
+    let axes = axes::derive_axes(model, work, structure);
+    let (turning, angular) = match &axes {
+        Some(axes) => (axes.rate, axes.acceleration(model, work, angular)),
+        None => (model.state.angular_velocity, *angular),
+    };
+    let coordinates = coordinates(model, work, linear, &angular, turning);
+    let symbols: Vec<Id> = coordinates
+        .iter()
+        .map(|coordinate| coordinate.symbol)
+        .collect();
+    check_smooth(model, work, &coordinates, asked, errors)?;
+    check_held(model, work, &coordinates, asked, errors)?;
+    let recurrences = work.graph.recurrences(&coordinates);
+    Some(Taylor {
+        symbols,
+        recurrences,
+        axes,
+    })
+}
+
+/// The coordinates of the state, and time; those of a kind of motion are together. `turning` is the angular velocity of the axes.
+fn coordinates(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+    turning: Components,
+) -> Vec<Coordinate> {
+    let motion = model.motion;
+    let (axes, state) = (motion.axes(), &model.state);
+    let [position, velocity] = [state.position.world, state.velocity.world];
+    let angular_velocity = state.angular_velocity;
+    let mut list = Vec::new();
+    let mut push = |symbols: &[Id], rates: &[Id]| {
+        let pairs = symbols.iter().zip(rates);
+        list.extend(pairs.map(|(symbol, rate)| Coordinate {
+            symbol: *symbol,
+            rate: *rate,
+        }));
+    };
+    let hinged = motion.is_hinged() || motion.is_planar();
+    let one_angle = motion.has_attitude() && hinged;
+    if motion.translates() {
+        push(&position[..axes], &velocity[..axes]);
+    }
+    if let Some(axis) = model.state.axis {
+        push(&axis.unit, &axis.rate);
+    } else if let Attitude::Quaternion { scalar, vector } = work.attitude {
+        let [x, y, z] = vector;
+        let rates = quaternion_rate(work, scalar, vector, turning);
+        push(&[x, y, z, scalar], &rates);
+    } else if one_angle {
+        push(
+            &one(work, Meaning::Angle),
+            &one(work, Meaning::AngularVelocity(2)),
+        );
+    }
+    if motion.translates() {
+        push(&velocity[..axes], &linear[..axes]);
+    }
+    if let Some(axis) = model.state.axis {
+        push(&axis.rate, angular);
+    } else if one_angle {
+        push(&one(work, Meaning::AngularVelocity(2)), &angular[2..]);
+    } else if motion.has_attitude() {
+        push(&angular_velocity, angular);
+    }
+    let unit = work.graph.one();
+    push(&[model.state.time], &[unit]);
+    list
+}
+
+fn one(work: &Workspace, meaning: Meaning) -> Vec<Id> {
+    let symbol = work.meanings.symbol_of(meaning);
+    let id = symbol.map(|symbol| work.graph.symbol_id(symbol));
+    id.into_iter().collect()
+}
+
+/// `q' = q (0, w) / 2`, the scalar last.
+fn quaternion_rate(work: &mut Workspace, scalar: Id, vector: Components, w: Components) -> [Id; 4] {
+    let graph = &mut work.graph;
+    let (swept, along) = (graph.cross(vector, w), graph.scale_vector(scalar, w));
+    let [x, y, z] = graph.add_vectors(along, swept);
+    let against = graph.dot(vector, w);
+    let against = graph.negate(against);
+    let half = graph.number(Number::ratio(1, 2));
+    [x, y, z, against].map(|twice| graph.multiply(half, twice))
+}
+
+/// Over a step, series hold their inputs.
+fn check_held(
+    model: &Model,
+    work: &Workspace,
+    coordinates: &[Coordinate],
+    asked: Extent,
+    errors: &mut Errors,
+) -> Option<()> {
+    let graph = &work.graph;
+    let rates: Vec<Id> = coordinates.iter().map(|one| one.rate).collect();
+    let moves = |id: Id| match graph.node(id) {
+        Node::Symbol(symbol) => {
+            matches!(work.meanings.of(*symbol), Meaning::Input(input, _) if model.moves(input))
+        }
+        _ => false,
+    };
+    if graph.depends_on(&rates, moves) {
+        errors.push(
+            asked,
+            "series of what an input that is `.moving` drives are not there yet: leave `taylor` out, and \
+             `integrate` takes Runge-Kutta steps, or `.moving`, and the input is held",
+        );
+        return None;
+    }
+    Some(())
+}
+
+/// Reports the place where the equations are not smooth, by the loads that it stands in.
+fn check_smooth(
+    model: &Model,
+    work: &Workspace,
+    coordinates: &[Coordinate],
+    asked: Extent,
+    errors: &mut Errors,
+) -> Option<()> {
+    let graph = &work.graph;
+    let moving: Vec<Id> = coordinates
+        .iter()
+        .filter(|coordinate| !graph.is_zero(coordinate.rate))
+        .map(|coordinate| coordinate.symbol)
+        .collect();
+    let rates: Vec<Id> = coordinates
+        .iter()
+        .map(|coordinate| coordinate.rate)
+        .collect();
+    let kink = graph.first_kink(&rates, &moving);
+    let Some(kink) = kink.map(|kink| word(work, kink)) else {
+        return Some(());
+    };
+    let known = errors.count();
+    for load in &model.loads {
+        let parts = [
+            load.force.body,
+            load.force.world,
+            load.moment.body,
+            load.moment.world,
+        ];
+        if let Some(kink) = graph.first_kink(&parts.concat(), &moving) {
+            let (name, kink) = (&load.name, word(work, kink));
+            errors.push(
+                asked,
+                format!("`{name}` has no Taylor series: {}", reason(kink)),
+            );
+        }
+    }
+    if errors.count() == known {
+        errors.push(
+            asked,
+            format!("the equations have no Taylor series: {}", reason(kink)),
+        );
+    }
+    None
+}
+
+/// What a kink is called in a description.
+fn word(work: &Workspace, kink: Id) -> &'static str {
+    match work.graph.node(kink) {
+        Node::Unary(function, _) | Node::Binary(function, ..) => function.name(),
+        _ => "if",
+    }
+}
+
+fn reason(kink: &str) -> String {
+    format!(
+        "`{kink}` of what moves is not smooth; write it in smooth functions, or leave `taylor` out \
+         and `integrate` takes Runge-Kutta steps"
+    )
+}

@@ -1,0 +1,30 @@
+//! Kinetic energy.
+
+use crate::model::{Inertia, Model, Workspace};
+use crate::symbolic::Id;
+
+use super::dyadic::quadratic;
+use super::moments::inertia_about_center;
+
+/// `m v^2 + w . J w`
+pub fn twice_kinetic(model: &Model, work: &mut Workspace) -> Id {
+    let translation = match model.mass {
+        Some(mass) if model.motion.translates() => {
+            let square = work.norm_squared(model.state.velocity);
+            work.graph.multiply(mass, square)
+        }
+        _ => work.graph.zero(),
+    };
+    let inertia = inertia_about_center(model, work);
+    let w = model.state.angular_velocity;
+    let rotation = match (&inertia, model.hinge(&mut work.graph)) {
+        (Inertia::Absent, _) => work.graph.zero(),
+        (Inertia::Scalar(moment), _) => {
+            let graph = &mut work.graph;
+            let square = graph.norm_squared(model.state.turning());
+            graph.multiply(*moment, square)
+        }
+        (Inertia::Spatial(rows), _) => quadratic(&mut work.graph, rows, w),
+    };
+    work.graph.add(translation, rotation)
+}

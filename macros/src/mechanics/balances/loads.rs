@@ -1,0 +1,115 @@
+//! The given loads together: their sum, and their moments about a point.
+
+use crate::errors::Errors;
+use crate::families::{Family, LoadKind};
+use crate::model::{Load, Meaning, Model, Point, Vector, Workspace};
+use crate::symbolic::{Components, Graph, Id, Node};
+
+/// The sum of all forces.
+pub fn resultant(work: &mut Workspace, loads: &[Load]) -> Vector {
+    work.sum(loads.iter().map(|load| load.force))
+}
+
+/// The moment of each load about `pole`.
+pub fn moments_about(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    pole: Point,
+) -> Vec<Vector> {
+    let moment = |load: &Load| {
+        if work.is_zero_vector(load.force) {
+            return load.moment;
+        }
+        let arm = arm(model, work, load.point, pole);
+        let turning = work.cross(arm, load.force);
+        work.add(turning, load.moment)
+    };
+    loads.iter().map(moment).collect()
+}
+
+/// `P - O`, from the pole O to the point P.
+pub fn arm(model: &Model, work: &mut Workspace, point: Point, pole: Point) -> Vector {
+    let from_center = |work: &mut Workspace, point: Point| match point {
+        Point::Body(offset) => Some(work.fixed_in_body(offset)),
+        Point::Moving(offset) => Some(offset),
+        Point::World(_) => None,
+    };
+    if let (Some(end), Some(start)) = (from_center(work, point), from_center(work, pole)) {
+        let backwards = work.negate(start);
+        return work.add(end, backwards);
+    }
+    let end = model.state.place(work, point);
+    let start = model.state.place(work, pole);
+    let backwards = work.negate(start);
+    work.add(end, backwards)
+}
+
+/// A body that does not turn needs a moment balance of its own: nothing else could hold it.
+pub fn check_moment_free(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    errors: &mut Errors,
+) -> Option<()> {
+    let center = model.state.center(work);
+    let moments = moments_about(model, work, loads, center);
+    let total = work.sum(moments.iter().copied());
+    if work.is_zero_vector(total) {
+        return Some(());
+    }
+    let unbalanced: Vec<&Load> = loads
+        .iter()
+        .zip(&moments)
+        .filter(|(_, moment)| !work.is_zero_vector(**moment))
+        .map(|(load, _)| load)
+        .collect();
+    for load in unbalanced {
+        let motion = model.motion.word();
+        errors.push(load.extent, format!("`{}` has a moment about G that nothing balances, and under `motion: {motion}` the body does not turn: let it act at G, balance it by a reaction, or let the body turn", load.name));
+    }
+    None
+}
+
+/// What is given of each reaction: its force, and its moment about `pole`.
+pub fn given_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vector, Vector)> {
+    let written: Vec<_> = model
+        .reactions
+        .iter()
+        .map(|load| (load.kind, load.point, load.frame, load.given))
+        .collect();
+    let parts = written.into_iter().map(|(kind, point, frame, given)| {
+        let given = work.vector(frame, given);
+        match kind {
+            LoadKind::Moment => (work.zero_vector(), given),
+            LoadKind::Force => {
+                let arm = arm(model, work, point, pole);
+                (given, work.cross(arm, given))
+            }
+        }
+    });
+    parts.collect()
+}
+
+/// The point of the body at which a uniform field acts: a field force that is fixed in world axes and
+/// is the same for every position, attitude and velocity.
+pub fn uniform_field(model: &Model, work: &Workspace, load: &Load) -> Option<Components> {
+    let graph: &Graph = &work.graph;
+    let of_state = |id: Id| match graph.node(id) {
+        Node::Symbol(symbol) => !matches!(
+            work.meanings.of(*symbol),
+            Meaning::Time | Meaning::Param(..) | Meaning::Input(..)
+        ),
+        _ => false,
+    };
+    let Point::Body(offset) = load.point else {
+        return None;
+    };
+    let force = load.force;
+    let is_uniform = load.family == Family::Field
+        && load.potential.is_none()
+        && work.is_zero_vector(load.moment)
+        && (graph.is_zero_vector(&force.body) || !model.motion.has_attitude())
+        && !graph.depends_on(&[force.body, force.world].concat(), of_state);
+    is_uniform.then_some(offset)
+}

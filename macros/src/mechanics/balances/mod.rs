@@ -1,0 +1,19 @@
+//! The balances (1.3) and (1.4): loads, inertia, and the accelerations that follow.
+
+mod dyadic;
+mod euler_equations;
+mod kinetic;
+mod loads;
+mod moments;
+mod newton_euler;
+mod response;
+pub mod rod;
+
+pub use dyadic::transform;
+pub use euler_equations::is_diagonal;
+pub use kinetic::twice_kinetic;
+pub use loads::{arm, check_moment_free, given_parts, moments_about, resultant, uniform_field};
+pub use moments::inertia_about_center;
+pub use newton_euler::{derive_accelerations, solve_balances};
+pub use response::{free_moment, response};
+pub use rod::{is_along_axis, turned_by, turning};

@@ -1,0 +1,159 @@
+//! The force balance (1.3) and the moment balance (1.4), solved for the accelerations.
+//!
+//! ```text
+//! m a = sum of F                          world axes
+//! J w' = sum of M_G - w x J w             body axes
+//! ```
+
+use crate::errors::Errors;
+use crate::model::{Frame, Inertia, Load, Model, Vector, Workspace};
+use crate::symbolic::Components;
+
+use super::euler_equations::solve_euler;
+use super::loads::{check_moment_free, given_parts, moments_about, resultant};
+use super::moments::{inertia_about_center, moment_of_inertia};
+use super::rod;
+
+/// Linear acceleration of G in world axes and angular acceleration in body axes, as far as the motion
+/// has them; that of a hinge stands in the place of z, that of the axis of a rod in the place of all.
+pub fn derive_accelerations(
+    model: &Model,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<(Components, Components)> {
+    work.labels
+        .describe("linear", "(1.3), world axes: a = sum of F / m");
+    if let Some(axis) = model.state.axis {
+        rod::check_loads(model, work, &model.loads, axis, errors)?;
+        let linear = linear_acceleration(model, work, &model.loads, "linear");
+        return Some((linear, rod::axis_acceleration(model, work, axis)));
+    }
+    let center = model.state.center(work);
+    let given = if model.motion.has_attitude() {
+        given_parts(model, work, center)
+    } else {
+        // where moments are unknown, whether they can balance these is found with them
+        if model.reactions.is_empty() {
+            check_moment_free(model, work, &model.loads, errors)?;
+        }
+        Vec::new()
+    };
+    let labels = &mut work.labels;
+    if model.motion.is_planar() || model.motion.is_hinged() {
+        labels.describe("angular", "(1.4): w' = M / J");
+    }
+    labels.describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
+    let given = given.into_iter().map(|(_, moment)| moment);
+    Some(solve_balances(
+        model,
+        work,
+        &model.loads,
+        given.collect(),
+        ["linear", "angular"],
+    ))
+}
+
+/// The accelerations that loads and further moments make, under these names.
+pub fn solve_balances(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    further: Vec<Vector>,
+    names: [&str; 2],
+) -> (Components, Components) {
+    let linear = linear_acceleration(model, work, loads, names[0]);
+    let center = model.state.center(work);
+    let mut moments = moments_about(model, work, loads, center);
+    let angular = if model.motion.has_attitude() {
+        moments.extend(further);
+        angular_acceleration(model, work, moments, names[1])
+    } else {
+        work.graph.zeros()
+    };
+    (linear, angular)
+}
+
+/// (1.3): `a = F / m`. All that is fixed in the body is added before it is turned.
+fn linear_acceleration(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    name: &str,
+) -> Components {
+    let (true, Some(mass)) = (model.motion.translates(), model.mass) else {
+        return work.graph.zeros();
+    };
+    let resultant = resultant(work, loads);
+    let one = work.graph.one();
+    let inverse_mass = work.graph.divide(one, mass);
+    work.labels.name(inverse_mass, "inverse_mass");
+    let mut specific =
+        |force: Components| force.map(|component| work.graph.distribute(inverse_mass, component));
+    let specific = Vector {
+        body: specific(resultant.body),
+        world: specific(resultant.world),
+    };
+    work.labels.describe(
+        "specific_force",
+        "what is fixed in the body: sum of F / m, body axes",
+    );
+    work.labels.vector("specific_force", specific.body);
+    let acceleration = work.components(specific, Frame::World);
+    let acceleration = work.graph.results(acceleration);
+    work.labels.vector(name, acceleration);
+    acceleration
+}
+
+/// (1.4) about G, or about the point that is held, whose reaction has no moment there:
+/// `w' = J^-1 (M - w x J w)`.
+fn angular_acceleration(
+    model: &Model,
+    work: &mut Workspace,
+    moments: Vec<Vector>,
+    name: &str,
+) -> Components {
+    let moment = work.sum(moments);
+    let moment = work.components(moment, Frame::Body);
+    let angular = match (
+        inertia_about_center(model, work),
+        model.hinge(&mut work.graph),
+    ) {
+        (Inertia::Absent, _) => work.graph.zeros(),
+        (inertia, Some(axis)) => about_axis(work, &inertia, axis, moment),
+        (Inertia::Scalar(inertia), None) if model.state.axis.is_some() => {
+            let graph = &mut work.graph;
+            let one = graph.one();
+            let inverse = graph.divide(one, inertia);
+            moment.map(|part| graph.distribute(inverse, part))
+        }
+        (Inertia::Scalar(inertia), None) => {
+            let axis = [0, 0, 1].map(|component| work.graph.integer(component));
+            about_axis(work, &Inertia::Scalar(inertia), axis, moment)
+        }
+        (Inertia::Spatial(rows), None) => solve_euler(model, work, &rows, moment),
+    };
+    let angular = work.graph.results(angular);
+    let labels = &mut work.labels;
+    if model.motion.is_planar() || model.motion.is_hinged() {
+        labels.name(angular[2], name);
+    }
+    labels.vector(name, angular);
+    angular
+}
+
+/// About one axis d, `w x J w` has no part along it: `w' = d.M / d.J d`.
+fn about_axis(
+    work: &mut Workspace,
+    inertia: &Inertia,
+    d: Components,
+    moment: Components,
+) -> Components {
+    let about_axis = moment_of_inertia(work, inertia, d);
+    let graph = &mut work.graph;
+    let one = graph.one();
+    let inverse = graph.divide(one, about_axis);
+    let driving = graph.dot(d, moment);
+    work.labels.name(inverse, "inverse_inertia");
+    let zero = graph.zero();
+    [zero, zero, graph.distribute(inverse, driving)]
+}

@@ -1,0 +1,200 @@
+//! (1.4) of a rod: without inertia about its axis u, it turns as u does.
+//!
+//! ```text
+//! u'' = (K x u) / J - u'^2 u
+//! ```
+//!
+//! All vectors are in world axes, and K is perpendicular to u. Where it is `u x B`, of forces with the
+//! first moment `B = sum of s F`, of potentials and of most couples that can be written,
+//! `K x u = B - (u . B) u`: these are summed, and one projection is enough; none where B is across the
+//! axis already, as that of damping is.
+//!
+//! ```text
+//! u'' = B / J - (u . B / J + u'^2) u
+//! ```
+
+use crate::errors::{Errors, Extent};
+use crate::mechanics::proofs::{all_vanish, samples};
+use crate::model::{Attitude, Axis, Inertia, Load, Model, Point, Workspace};
+use crate::symbolic::{Components, Id};
+
+use super::loads::{arm, moments_about};
+
+/// u'' by the loads of the model, world axes.
+pub fn axis_acceleration(model: &Model, work: &mut Workspace, axis: Axis) -> Components {
+    let Inertia::Scalar(inertia) = model.inertia else {
+        return work.graph.zeros();
+    };
+    let Pulls { any, across } = pulls(model, work, axis);
+    let Axis { unit, rate } = axis;
+    let graph = &mut work.graph;
+    let one = graph.one();
+    let inverse = graph.divide(one, inertia);
+    let mut over_inertia = |vector: Components| vector.map(|part| graph.distribute(inverse, part));
+    let (driving, across) = (over_inertia(any), over_inertia(across));
+    let driving = graph.quantities(driving);
+    let along = graph.dot(unit, driving);
+    let square = graph.norm_squared(rate);
+    let holding = graph.add(along, square);
+    let holding = graph.quantity(holding);
+    let held = graph.scale_vector(holding, unit);
+    let driven = graph.add_vectors(driving, across);
+    let acceleration = graph.subtract_vectors(driven, held);
+    let acceleration = graph.results(acceleration);
+    let labels = &mut work.labels;
+    labels.name(inverse, "inverse_inertia");
+    labels.describe("driving", "B / J, world axes: of forces, B = sum of s F");
+    labels.vector("driving", driving);
+    labels.describe("holding", "u.B / J + u'^2: it keeps the length of u");
+    labels.name(holding, "holding");
+    name_acceleration(work, acceleration);
+    acceleration
+}
+
+/// What draws at the axis: sums of B, with moments `u x B`; world axes.
+struct Pulls {
+    any: Components,
+    /// Of those that are perpendicular to u.
+    across: Components,
+}
+
+fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
+    let center = Point::Body(work.graph.zeros());
+    let mut list = Vec::new();
+    for load in &model.loads {
+        let (force, moment) = (load.force, load.moment);
+        if let (Point::Body(offset), Attitude::Line { direction, .. }) = (load.point, work.attitude)
+        {
+            let along = work.graph.dot(direction, offset);
+            list.push(work.graph.scale_vector(along, force.world));
+        } else if !work.is_zero_vector(force) {
+            let arm = arm(model, work, load.point, center);
+            let moment = work.cross(arm, force);
+            list.push(pull_of(work, axis, moment.world));
+        }
+        list.push(match load.pull {
+            Some(pull) => pull,
+            None => pull_of(work, axis, moment.world),
+        });
+    }
+    let zeros = work.graph.zeros();
+    let mut pulls = Pulls {
+        any: zeros,
+        across: zeros,
+    };
+    for pull in list {
+        let is_across = is_across_axis(work, axis, pull);
+        if !is_across && is_along_axis(model, work, pull) {
+            continue;
+        }
+        let sum = if is_across {
+            &mut pulls.across
+        } else {
+            &mut pulls.any
+        };
+        *sum = work.graph.add_vectors(*sum, pull);
+    }
+    pulls
+}
+
+/// B of a moment K: of a multiple of `u x b`, that of b; else `K x u`.
+fn pull_of(work: &mut Workspace, axis: Axis, moment: Components) -> Components {
+    let opposite = work.graph.negate_vector(moment);
+    let (one, minus_one) = (work.graph.one(), work.graph.integer(-1));
+    for (sign, mut rest) in [(one, moment), (minus_one, opposite)] {
+        let mut factor = sign;
+        loop {
+            let known = work.swept.iter().find(|(swept, _)| *swept == rest);
+            if let Some((_, pull)) = known {
+                return work.graph.scale_vector(factor, *pull);
+            }
+            let Some((common, without)) = work.common_factor(rest) else {
+                break;
+            };
+            factor = work.graph.multiply(factor, common);
+            rest = without;
+        }
+    }
+    work.graph.cross(moment, axis.unit)
+}
+
+/// Whether a vector is perpendicular to the axis in all states.
+fn is_across_axis(work: &mut Workspace, axis: Axis, vector: Components) -> bool {
+    let along = work.graph.dot(axis.unit, vector);
+    all_vanish(work, &[along])
+}
+
+/// Whether a vector is along the axis in all states: a force on the axis has no moment then.
+pub fn is_along_axis(model: &Model, work: &mut Workspace, vector: Components) -> bool {
+    let Some(Axis { unit, .. }) = model.state.axis else {
+        return false;
+    };
+    let across = work.graph.cross(unit, vector);
+    all_vanish(work, &across)
+}
+
+/// `u'' = w' x u - u'^2 u`
+pub fn of_angular(work: &mut Workspace, axis: Axis, angular: Components) -> Components {
+    let change = turned_by(work, axis, angular);
+    let graph = &mut work.graph;
+    let square = graph.norm_squared(axis.rate);
+    let held = graph.scale_vector(square, axis.unit);
+    let acceleration = graph.subtract_vectors(change, held);
+    let acceleration = graph.results(acceleration);
+    name_acceleration(work, acceleration);
+    acceleration
+}
+
+/// How u changes by a turn: `phi x u`.
+pub fn turned_by(work: &mut Workspace, axis: Axis, turn: Components) -> Components {
+    work.graph.cross(turn, axis.unit)
+}
+
+fn name_acceleration(work: &mut Workspace, acceleration: Components) {
+    let labels = &mut work.labels;
+    labels.describe("axis", "(1.4), world axes: u'' = (K x u) / J - u'^2 u");
+    labels.vector("axis", acceleration);
+}
+
+/// Nothing balances a moment about the axis.
+pub fn check_loads(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    axis: Axis,
+    errors: &mut Errors,
+) -> Option<()> {
+    let center = Point::Body(work.graph.zeros());
+    let moments: Vec<(Extent, Id)> = moments_about(model, work, loads, center)
+        .into_iter()
+        .enumerate()
+        .map(|(index, moment)| {
+            let along = work.graph.dot(axis.unit, moment.world);
+            (loads[index].extent, along)
+        })
+        .collect();
+    let parts: Vec<Id> = moments.iter().map(|(_, along)| *along).collect();
+    let together = work.graph.sum(&parts);
+    if all_vanish(work, &[together]) {
+        return Some(());
+    }
+    for index in turning(work, &parts) {
+        let name = &loads[index].name;
+        errors.push(
+            moments[index].0,
+            format!(
+                "`{name}` has a moment about the axis, about which a rod has no inertia: let it act on \
+                 the axis, or take what is across it, as in `axis.cross(k).cross(axis)`"
+            ),
+        );
+    }
+    None
+}
+
+/// Which of the moments along the axis do not vanish.
+pub fn turning(work: &mut Workspace, parts: &[Id]) -> Vec<usize> {
+    let samples = samples(work, parts);
+    (0..parts.len())
+        .filter(|index| !samples[*index].is_zero())
+        .collect()
+}

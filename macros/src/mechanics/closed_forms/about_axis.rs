@@ -1,0 +1,104 @@
+//! Motions about an axis in closed form: with constant acceleration, or as a pendulum, `w' = a sin theta + b cos theta`.
+
+use crate::mechanics::proofs::all_vanish;
+use crate::model::{Model, Workspace};
+use crate::symbolic::{Function, Id};
+
+use super::forms::{Contribution, Turning, dependence};
+
+/// What a load makes of the motion about an axis.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Constant,
+    /// `a sin theta + b cos theta`
+    Swinging,
+    Other,
+}
+
+/// The motion about an axis, or what is in its way.
+pub fn about_axis(
+    model: &Model,
+    work: &mut Workspace,
+    acceleration: Id,
+    contributions: &[Contribution],
+    obstacles: &mut Vec<String>,
+) -> Option<Turning> {
+    if work.graph.is_early(acceleration) {
+        return Some(Turning::Uniform(acceleration));
+    }
+    if let Some((sine, cosine)) = swinging(work, acceleration) {
+        let graph = &mut work.graph;
+        let square = graph.apply(Function::Hypot, &[sine, cosine]);
+        let rate = graph.apply(Function::Sqrt, &[square]);
+        let opposite = graph.negate(sine);
+        let hanging = graph.apply(Function::Atan2, &[cosine, opposite]);
+        let labels = &mut work.labels;
+        labels.name(rate, "swing_rate");
+        labels.name(hanging, "hanging");
+        return Some(Turning::Pendulum { rate, hanging });
+    }
+    let axis = match model.hinge(&mut work.graph) {
+        Some(axis) => axis,
+        None => [0, 0, 1].map(|component| work.graph.integer(component)),
+    };
+    let kinds: Vec<(&Contribution, Id, Kind)> = contributions
+        .iter()
+        .filter_map(|load| {
+            let moment = work.graph.dot(axis, load.moment);
+            if work.graph.is_zero(moment) {
+                return None;
+            }
+            let kind = if work.graph.is_early(moment) {
+                Kind::Constant
+            } else if swinging(work, moment).is_some() {
+                Kind::Swinging
+            } else {
+                Kind::Other
+            };
+            Some((load, moment, kind))
+        })
+        .collect();
+    let of = |wanted: Kind| kinds.iter().filter(move |(_, _, kind)| *kind == wanted);
+    let others = of(Kind::Other).map(|(load, moment, _)| {
+        format!(
+            "the moment of `{}` depends on {}, and is neither constant nor that of forces that are constant in \
+             world axes",
+            load.name,
+            dependence(work, &[*moment])
+        )
+    });
+    let before = obstacles.len();
+    obstacles.extend(others);
+    if let (true, Some((steady, ..)), Some((weight, ..))) = (
+        obstacles.len() == before,
+        of(Kind::Constant).next(),
+        of(Kind::Swinging).next(),
+    ) {
+        obstacles.push(format!(
+            "the moment of `{}` is constant and that of `{}` makes a pendulum: either has one, both \
+             together have not",
+            steady.name, weight.name
+        ));
+    }
+    None
+}
+
+/// `(a, b)` of `a sin theta + b cos theta`.
+fn swinging(work: &mut Workspace, expression: Id) -> Option<(Id, Id)> {
+    let angle = work.angle()?;
+    let graph = &mut work.graph;
+    let of_late = |id: Id| !graph.is_early(id) && id != angle;
+    if graph.depends_on(&[expression], of_late) {
+        return None;
+    }
+    let slope = graph.derivative(&[expression], angle)[0];
+    let zero = graph.zero();
+    let at_zero = graph.substitute(&[slope, expression], |id| (id == angle).then_some(zero));
+    let (a, b) = (at_zero[0], at_zero[1]);
+    let sine = graph.apply(Function::Sin, &[angle]);
+    let cosine = graph.apply(Function::Cos, &[angle]);
+    let (first, second) = (graph.multiply(a, sine), graph.multiply(b, cosine));
+    let harmonic = graph.add(first, second);
+    let rest = graph.subtract(expression, harmonic);
+    all_vanish(work, &[rest]).then_some((a, b))
+}

@@ -1,0 +1,48 @@
+//! A constant moment N e along the axis of symmetry of a body.
+
+use crate::mechanics::proofs::all_vanish;
+use crate::model::{Model, Workspace};
+use crate::symbolic::{Components, Id};
+
+use super::axis_of_symmetry::axes_of_symmetry;
+
+/// What the motion of a body under a moment along its axis depends on.
+pub struct AxialTorque {
+    /// Across the axis and about it.
+    pub moments: [Id; 2],
+    /// Unit vector, body axes.
+    pub axis: Components,
+    /// N
+    pub torque: Id,
+}
+
+impl AxialTorque {
+    pub fn roots(&self) -> Vec<Id> {
+        [&self.moments[..], &self.axis[..], &[self.torque]].concat()
+    }
+}
+
+/// The axis and the torque along it, if the moment, body axes, is constant and is along an axis of symmetry.
+pub fn axial_torque(
+    model: &Model,
+    work: &mut Workspace,
+    moment: Components,
+) -> Option<AxialTorque> {
+    if !work.graph.are_early(&moment) {
+        return None;
+    }
+    axes_of_symmetry(model, work, &[moment])
+        .into_iter()
+        .find_map(|(moments, axis)| {
+            let graph = &mut work.graph;
+            let torque = graph.dot(moment, axis);
+            let along = graph.scale_vector(torque, axis);
+            let across = [0, 1, 2].map(|i| graph.subtract(moment[i], along[i]));
+            let is_axial = all_vanish(work, &across);
+            is_axial.then_some(AxialTorque {
+                moments,
+                axis,
+                torque,
+            })
+        })
+}

@@ -1,0 +1,211 @@
+//! Motions in closed form: which one a body has, or what is in the way of it.
+//!
+//! G moves on a parabola if nothing but constant forces, in world axes, act on the body. Apart from that
+//! it turns
+//!
+//! ```text
+//! in space        freely: no moment about G, or about the point that is held
+//!                 as Lagrange's top: a couple k x e, of a body that is symmetric about e
+//!                 spinning up: a constant moment N e, of such a body
+//! about an axis   with constant acceleration, or as a pendulum: w' = a sin theta + b cos theta
+//! as a rod        freely, along a great circle
+//! ```
+
+use crate::errors::{Errors, Extent};
+use crate::mechanics::balances::{given_parts, moments_about};
+use crate::mechanics::proofs::all_vanish;
+use crate::model::{Frame, Inertia, Model, Motion, Vector, Workspace};
+use crate::symbolic::Components;
+
+use super::about_axis::about_axis;
+use super::axial_torque::axial_torque;
+use super::axis_of_symmetry::axes_of_symmetry;
+use super::forms::{Contribution, Flow, Turning, dependence};
+use super::free_rotation::free;
+use super::lagrange_top::lagrange_top;
+
+/// The closed form. All that is in its way is reported at the place where it is asked for.
+pub fn derive_flow(
+    model: &Model,
+    work: &mut Workspace,
+    place: Extent,
+    linear: &Components,
+    angular: &Components,
+    errors: &mut Errors,
+) -> Option<Flow> {
+    if !model.constraints.is_empty() {
+        errors.push(
+            place,
+            "under constraints there is no closed form in this version: use a motion with a support, or leave out \
+             `flow`, and the motion is integrated",
+        );
+        return None;
+    }
+    let contributions = contributions(model, work);
+    let mut obstacles = Vec::new();
+    if !work.graph.are_early(linear) {
+        obstacles.extend(unsteady_forces(work, &contributions));
+    }
+    let turning = turning(model, work, angular, &contributions, &mut obstacles);
+    obstacles.dedup();
+    for obstacle in &obstacles {
+        errors.push(
+            place,
+            format!("no closed form: {obstacle}; leave out `flow`, and the motion is integrated"),
+        );
+    }
+    let turning = turning.filter(|_| obstacles.is_empty())?;
+    Some(Flow {
+        linear: *linear,
+        turning,
+    })
+}
+
+fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
+    let center = model.state.center(work);
+    let moments = moments_about(model, work, &model.loads, center);
+    let loads = model.loads.iter().zip(moments);
+    let loads: Vec<(String, Vector, Vector)> = loads
+        .map(|(load, moment)| (load.name.to_string(), load.force, moment))
+        .collect();
+    let given = if model.motion.has_attitude() {
+        given_parts(model, work, center)
+    } else {
+        Vec::new()
+    };
+    let reactions = model.reactions.iter().zip(given);
+    let reactions: Vec<(String, Vector, Vector)> = reactions
+        .map(|(reaction, (force, moment))| (reaction.name.to_string(), force, moment))
+        .collect();
+    let frame = if model.motion == Motion::Rod {
+        Frame::World
+    } else {
+        Frame::Body
+    };
+    let all = loads.into_iter().chain(reactions);
+    all.map(|(name, force, moment)| Contribution {
+        name,
+        force: work.components(force, Frame::World),
+        moment: work.components(moment, frame),
+    })
+    .collect()
+}
+
+/// The forces that are not constant in world axes.
+fn unsteady_forces(work: &Workspace, contributions: &[Contribution]) -> Vec<String> {
+    let unsteady = contributions
+        .iter()
+        .filter(|load| !work.graph.are_early(&load.force));
+    unsteady
+        .map(|load| {
+            let reason = dependence(work, &load.force);
+            format!(
+                "the force `{}` depends on {reason}, and is not constant in world axes",
+                load.name
+            )
+        })
+        .collect()
+}
+
+pub fn turning(
+    model: &Model,
+    work: &mut Workspace,
+    angular: &Components,
+    contributions: &[Contribution],
+    obstacles: &mut Vec<String>,
+) -> Option<Turning> {
+    if !model.motion.has_attitude() {
+        return Some(Turning::None);
+    }
+    if model.motion.is_planar() || model.motion.is_hinged() {
+        return about_axis(model, work, angular[2], contributions, obstacles);
+    }
+    let moments: Vec<Components> = contributions.iter().map(|load| load.moment).collect();
+    let zeros = work.graph.zeros();
+    let total = moments
+        .into_iter()
+        .fold(zeros, |sum, moment| work.graph.add_vectors(sum, moment));
+    let is_free = all_vanish(work, &total);
+    if model.motion == Motion::Rod {
+        if is_free {
+            return Some(Turning::GreatCircle);
+        }
+    } else if is_free {
+        return free(model, work).map(Turning::Free);
+    } else if let Some(turning) = symmetric(model, work, total) {
+        return Some(turning);
+    }
+    report_moments(model, work, contributions, obstacles);
+    None
+}
+
+/// How a symmetric body turns under a moment.
+fn symmetric(model: &Model, work: &mut Workspace, moment: Components) -> Option<Turning> {
+    if let Some(top) = lagrange_top(model, work, moment) {
+        return Some(Turning::Top(top));
+    }
+    axial_torque(model, work, moment).map(Turning::Axial)
+}
+
+/// What is in the way of free rotation, and does not make a top or a spin that is linear in time either.
+fn report_moments(
+    model: &Model,
+    work: &mut Workspace,
+    contributions: &[Contribution],
+    obstacles: &mut Vec<String>,
+) {
+    let center = if model.motion.is_supported() {
+        "the point that is held"
+    } else {
+        "G"
+    };
+    let is_rod = model.motion == Motion::Rod;
+    let is_symmetric = !is_rod && !axes_of_symmetry(model, work, &[]).is_empty();
+    let (mut harmless, before) = (Vec::new(), obstacles.len());
+    for load in contributions {
+        if all_vanish(work, &load.moment) {
+            continue;
+        }
+        if !is_rod && symmetric(model, work, load.moment).is_some() {
+            harmless.push(format!("`{}`", load.name));
+            continue;
+        }
+        let is_constant = work.graph.are_early(&load.moment);
+        let manner = if is_constant {
+            "is constant in the body".to_owned()
+        } else {
+            format!("depends on {}", dependence(work, &load.moment))
+        };
+        let reason = match (is_symmetric, is_constant) {
+            _ if is_rod => "and a rod has one without moments only",
+            (false, _) if is_known(model, work) => {
+                "and the body is not symmetric about an axis through it"
+            }
+            (false, _) => {
+                "and the body is not known to be symmetric: equal moments are written alike, `principal(a, a, c)`"
+            }
+            (true, true) => {
+                "but not known to be along an axis of symmetry (of a ball, an axis of the body or a direction in numbers)"
+            }
+            (true, false) => "and is not that of constant forces on the axis of symmetry",
+        };
+        let name = &load.name;
+        obstacles.push(format!(
+            "the moment of `{name}` about {center} {manner}, {reason}"
+        ));
+    }
+    if obstacles.len() == before {
+        let names = harmless.join(" and ");
+        obstacles.push(format!(
+            "of the moments of {names} each has one alone, but not together"
+        ));
+    }
+}
+
+/// Whether all moments of inertia are numbers.
+fn is_known(model: &Model, work: &Workspace) -> bool {
+    match &model.inertia {
+        Inertia::Spatial(rows) => work.graph.constant_matrix(rows).is_some(),
+        _ => true,
+    }
+}

@@ -1,0 +1,124 @@
+//! The closed forms that there are, and what a load may depend on in each.
+
+use crate::model::{Meaning, Motion, Workspace};
+use crate::symbolic::{Components, Id, Node};
+
+use super::axial_torque::AxialTorque;
+use super::free_rotation::Free;
+use super::lagrange_top::Top;
+
+/// The motion of a body in closed form.
+pub struct Flow {
+    /// Acceleration of G, constant, world axes; zero where G has no coordinates.
+    pub linear: Components,
+    pub turning: Turning,
+}
+
+impl Flow {
+    /// What the start of a path reads: all but the entries of a tensor.
+    pub fn roots(&self) -> Vec<Id> {
+        let mut roots = self.linear.to_vec();
+        roots.extend(self.turning.roots());
+        roots
+    }
+
+    /// The entries of a tensor of which the principal axes are found when the body is built.
+    pub fn tensor(&self) -> Option<[Id; 6]> {
+        match self.turning {
+            Turning::Free(Free::Tensor(entries)) => Some(entries),
+            _ => None,
+        }
+    }
+
+    /// Which motion it is, line by line.
+    pub fn describe(&self, motion: Motion) -> Vec<String> {
+        let center = motion.translates().then_some("G moves on a parabola");
+        let turning = match &self.turning {
+            Turning::None => None,
+            Turning::Free(Free::Steady) => Some("the body turns at a constant rate"),
+            Turning::Free(Free::Symmetric(..)) => Some("the body precesses steadily"),
+            Turning::Free(Free::Principal(..)) => Some("the body turns by elliptic functions"),
+            Turning::Free(Free::Along(_) | Free::Tensor(_)) => {
+                Some("the body turns freely, in a way that its moments of inertia decide")
+            }
+            Turning::Top(_) => Some("the body turns as Lagrange's top, by elliptic functions"),
+            Turning::Axial(_) => Some(
+                "the spin about the axis of symmetry is linear in time, the attitude goes by parabolic cylinder functions",
+            ),
+            Turning::GreatCircle => Some("the axis turns along a great circle"),
+            Turning::Uniform(_) => Some("the angle is quadratic in time"),
+            Turning::Pendulum { .. } => {
+                Some("the angle is that of a pendulum, by elliptic functions")
+            }
+        };
+        let lines = center.into_iter().chain(turning);
+        lines.map(str::to_owned).collect()
+    }
+}
+
+/// How a body turns.
+pub enum Turning {
+    /// Not at all.
+    None,
+    /// In space, without a moment.
+    Free(Free),
+    /// In space, under a couple.
+    Top(Top),
+    /// In space, under a constant moment along its axis of symmetry.
+    Axial(AxialTorque),
+    /// As a rod, without a moment.
+    GreatCircle,
+    /// About an axis, with a constant acceleration.
+    Uniform(Id),
+    /// About an axis: `theta'' = -rate^2 sin(theta - hanging)`
+    Pendulum { rate: Id, hanging: Id },
+}
+
+impl Turning {
+    pub fn roots(&self) -> Vec<Id> {
+        match self {
+            Self::None | Self::GreatCircle => Vec::new(),
+            Self::Free(free) => free.roots(),
+            Self::Top(top) => top.roots(),
+            Self::Axial(axial) => axial.roots(),
+            Self::Uniform(acceleration) => vec![*acceleration],
+            Self::Pendulum { rate, hanging } => vec![*rate, *hanging],
+        }
+    }
+}
+
+/// What a load does, without unknown components.
+pub struct Contribution {
+    pub name: String,
+    /// World axes.
+    pub force: Components,
+    /// About G, or the point that is held; body axes, of a rod world axes.
+    pub moment: Components,
+}
+
+/// What expressions depend on: of several things, the one that is furthest from a constant.
+pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
+    let graph = &work.graph;
+    let causes = graph
+        .reachable(roots, |_| true)
+        .into_iter()
+        .filter_map(|id| match graph.node(id) {
+            Node::Symbol(symbol) => cause(work.meanings.of(*symbol)),
+            _ => None,
+        });
+    causes.min().map_or("the state", |(_, word)| word)
+}
+
+/// A rank and a word for what changes in time.
+pub fn cause(meaning: Meaning) -> Option<(u8, &'static str)> {
+    Some(match meaning {
+        Meaning::Input(..) => (0, "an input (make it a parameter if it is held)"),
+        Meaning::Time => (1, "the time"),
+        Meaning::Velocity(_) => (2, "the velocity"),
+        Meaning::Position(_) => (3, "the position"),
+        Meaning::AngularVelocity(_) | Meaning::AxisRate(_) => (4, "the angular velocity"),
+        Meaning::Quaternion(_) | Meaning::Axis(_) => (5, "the attitude"),
+        Meaning::Angle => (6, "the angle"),
+        _ => return None,
+    })
+}

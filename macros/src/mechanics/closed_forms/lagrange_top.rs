@@ -1,0 +1,109 @@
+//! Lagrange's top: a body that is symmetric about an axis e, under a couple `k x e` with k constant in the world.
+//!
+//! The moment of forces that are constant in the world is `sum r_l x W_l`, of the world's axes `r_l` as the body sees them and vectors
+//! `W_l` of the body. The twelve rotations of a tetrahedron tell these: over them the mean of the dyad `r_l r_m` is 1/3 of unity for
+//! l = m, and zero otherwise.
+//!
+//! ```text
+//! W_l = 1/8 sum over rotations of M x r_l        k_l = W_l . e
+//! ```
+//!
+//! Whether `k x e` is the moment is tried at random states; whether it may be, before any number is
+//! computed.
+
+use crate::mechanics::proofs::{all_vanish, cancels_in_half_turns};
+use crate::model::{Attitude, Frame, Model, Vector, Workspace};
+use crate::symbolic::{Components, Id, Number};
+
+use super::axis_of_symmetry::axes_of_symmetry;
+
+/// What the motion of a top depends on.
+pub struct Top {
+    /// Across the axis and about it.
+    pub moments: [Id; 2],
+    /// Unit vector, body axes.
+    pub axis: Components,
+    /// k, world axes.
+    pub couple: Components,
+}
+
+impl Top {
+    pub fn roots(&self) -> Vec<Id> {
+        [&self.moments[..], &self.axis[..], &self.couple[..]].concat()
+    }
+}
+
+/// The top that a body is under a moment, body axes; none if it is no top.
+pub fn lagrange_top(model: &Model, work: &mut Workspace, moment: Components) -> Option<Top> {
+    let arms = arms(work, moment)?;
+    for (moments, axis) in axes_of_symmetry(model, work, &arms) {
+        let couple = work.graph.transform(&arms, axis);
+        let expected = couple_on(work, couple, axis);
+        let graph = &mut work.graph;
+        let rest = [0, 1, 2].map(|i| graph.subtract(moment[i], expected[i]));
+        if all_vanish(work, &rest) {
+            work.labels.vector("couple", couple);
+            return Some(Top {
+                moments,
+                axis,
+                couple,
+            });
+        }
+    }
+    None
+}
+
+/// `k x e` in body axes.
+fn couple_on(work: &mut Workspace, couple: Components, axis: Components) -> Components {
+    let seen = seen_from_body(work, couple);
+    work.graph.cross(seen, axis)
+}
+
+/// A vector in world axes, in those of the body.
+fn seen_from_body(work: &mut Workspace, world: Components) -> Components {
+    let body = work.graph.zeros();
+    work.components(Vector { body, world }, Frame::Body)
+}
+
+/// The vectors `W_l`, if the moment depends on nothing but the attitude.
+fn arms(work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
+    let Attitude::Quaternion { scalar, vector } = work.attitude else {
+        return None;
+    };
+    let parts = [[scalar].as_slice(), vector.as_slice()].concat();
+    let graph = &work.graph;
+    if graph.depends_on(&moment, |id| !graph.is_early(id) && !parts.contains(&id)) {
+        return None;
+    }
+    if !cancels_in_half_turns(work, &moment) {
+        return None;
+    }
+    let mut roots = moment.to_vec();
+    for axis in work.graph.unit_vectors() {
+        roots.extend(seen_from_body(work, axis));
+    }
+    let graph = &mut work.graph;
+    let mut arms = [graph.zeros(); 3];
+    for quaternion in tetrahedral() {
+        let values = quaternion.map(|part| graph.number(part));
+        let value = |id: Id| Some(values[parts.iter().position(|part| *part == id)?]);
+        let images = graph.substitute(&roots, value);
+        let (there, seen) = images.split_at(3);
+        for (arm, axis) in arms.iter_mut().zip(seen.chunks_exact(3)) {
+            let swept = graph.cross([there[0], there[1], there[2]], [axis[0], axis[1], axis[2]]);
+            *arm = graph.add_vectors(*arm, swept);
+        }
+    }
+    let share = graph.number(Number::ratio(1, 8));
+    Some(arms.map(|arm| graph.scale_vector(share, arm)))
+}
+
+/// The rotations of a tetrahedron: the unit quaternions that are whole, or halves throughout, up to their sign.
+fn tetrahedral() -> impl Iterator<Item = [Number; 4]> {
+    let whole =
+        (0..4).map(|place| [0, 1, 2, 3].map(|part| Number::integer(i64::from(part == place))));
+    let halves = (0..8).map(|signs| {
+        [0, 1, 2, 4].map(|bit| Number::ratio(if signs & bit == 0 { 1 } else { -1 }, 2))
+    });
+    whole.chain(halves)
+}

@@ -1,0 +1,7 @@
+//! What is proved to be zero, at a random state.
+
+mod random_state;
+mod zeros;
+
+pub use random_state::RandomState;
+pub use zeros::{all_vanish, cancels_in_half_turns, samples};

@@ -1,0 +1,67 @@
+//! A state of a body at random, modulo the prime of the test for zeros.
+
+use crate::model::{Meaning, Workspace};
+use crate::symbolic::{Id, Residue, free};
+
+/// A random state. What is not free of it is rational in what is: a unit quaternion and a unit vector by
+/// stereographic projection, the rate of the unit vector as a product with it.
+pub struct RandomState {
+    pub number: u64,
+    pub quaternion: [Residue; 4],
+    pub axis: [Residue; 3],
+    pub axis_rate: [Residue; 3],
+}
+
+impl RandomState {
+    pub fn draw(number: u64) -> Self {
+        let free = |index: u8| Residue::stand_in(&("state", index, number));
+        let [scalar, x, y, z] = unit_vector([0, 1, 2].map(free));
+        let axis = unit_vector([3, 4].map(free));
+        Self {
+            number,
+            quaternion: [scalar, x, y, z],
+            axis,
+            axis_rate: cross(axis, [5, 6, 7].map(free)),
+        }
+    }
+
+    /// With the attitude half a turn about an axis of the body further: its quaternion times i, j or k.
+    pub fn turned(self, about: Option<usize>) -> Self {
+        let [s, x, y, z] = self.quaternion;
+        let quaternion = match about {
+            None => [s, x, y, z],
+            Some(0) => [-x, s, z, -y],
+            Some(1) => [-y, -z, s, x],
+            Some(_) => [-z, y, -x, s],
+        };
+        Self { quaternion, ..self }
+    }
+
+    /// The value of a symbol.
+    pub fn of(&self, work: &Workspace, id: Id) -> Residue {
+        match work.meaning(id) {
+            Some(Meaning::Quaternion(part)) => self.quaternion[part],
+            Some(Meaning::Axis(part)) => self.axis[part],
+            Some(Meaning::AxisRate(part)) => self.axis_rate[part],
+            _ => free(id, self.number),
+        }
+    }
+}
+
+/// `(1 - s^2, 2 s) / (1 + s^2)` of a vector s: a unit vector of one more dimension.
+pub fn unit_vector<const N: usize, const M: usize>(s: [Residue; N]) -> [Residue; M] {
+    let square = s
+        .iter()
+        .fold(Residue::ZERO, |sum, part| sum + *part * *part);
+    let below = Residue::ONE + square;
+    // -1 is no square of a real residue, but a sum of squares may be -1
+    let scale = below.reciprocal().unwrap_or(Residue::ONE);
+    core::array::from_fn(|part| match part.checked_sub(1) {
+        None => (Residue::ONE + -square) * scale,
+        Some(part) => (s[part] + s[part]) * scale,
+    })
+}
+
+pub fn cross(a: [Residue; 3], b: [Residue; 3]) -> [Residue; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] + -(a[j] * b[i]))
+}

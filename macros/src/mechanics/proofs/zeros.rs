@@ -1,0 +1,26 @@
+//! What is proved to be zero in all states, by the values of expressions at one random state.
+
+use crate::model::Workspace;
+use crate::symbolic::{Id, Sample};
+
+use super::random_state::RandomState;
+
+/// Whether all of `roots` are proved to be zero in all states, on all branches.
+pub fn all_vanish(work: &Workspace, roots: &[Id]) -> bool {
+    samples(work, roots).iter().all(Sample::is_zero)
+}
+
+/// The values of `roots` at one random state, on each branch.
+pub fn samples(work: &Workspace, roots: &[Id]) -> Vec<Sample> {
+    let state = RandomState::draw(0);
+    work.graph.samples(roots, |id| state.of(work, id))
+}
+
+/// Whether the sums of `roots` over an attitude and its half turns about the axes of the body are proved
+/// to be zero: those of the entries of its matrix are, and of what is linear in them.
+pub fn cancels_in_half_turns(work: &Workspace, roots: &[Id]) -> bool {
+    let states = [None, Some(0), Some(1), Some(2)].map(|axis| RandomState::draw(0).turned(axis));
+    let places = states.each_ref().map(|state| |id| state.of(work, id));
+    let sums = work.graph.sums(roots, &places);
+    sums.iter().all(Sample::is_zero)
+}

@@ -1,0 +1,166 @@
+//! What the equations of a body do not contain, and why: the text of `SKIPPED`.
+
+use crate::mechanics::balances::inertia_about_center;
+use crate::mechanics::structure::{Structure, Symmetry};
+use crate::model::{AXES, Inertia, Meaning, Model, Motion, Workspace};
+use crate::symbolic::{Components, Id, Node};
+
+use super::skipped_loads::skip_loads;
+
+pub fn list_skipped(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+    structure: &Structure,
+) -> Vec<String> {
+    let mut skipped = Vec::new();
+    skip_equations(model, &mut skipped);
+    skip_gyroscopic(model, work, &mut skipped);
+    skip_spin(model, structure, &mut skipped);
+    skip_loads(model, work, linear, angular, &mut skipped);
+    skip_state(model, work, linear, angular, &mut skipped);
+    skipped
+}
+
+/// A symmetric body whose spin nothing changes.
+fn skip_spin(model: &Model, structure: &Structure, skipped: &mut Vec<String>) {
+    let Symmetry::About(axis) = structure.angular.body else {
+        return;
+    };
+    if !structure.keeps_spin || model.motion.is_planar() {
+        return;
+    }
+    let named = AXES.into_iter().zip(axis).filter(|(_, part)| *part != 0.0);
+    let name = match named.collect::<Vec<_>>()[..] {
+        [(name, _)] => name.to_owned(),
+        _ => format!("({}, {}, {})", axis[0], axis[1], axis[2]),
+    };
+    skipped.push(format!(
+        "the angular acceleration about {name}: nothing turns the body about its axis of symmetry"
+    ));
+}
+
+fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
+    let missing = match model.motion {
+        Motion::Planar => "three equations out of the plane: the motion is planar",
+        Motion::PlanarTranslation | Motion::Translation => {
+            "the moment balance: the body does not turn"
+        }
+        Motion::Rotation => "the force balance: the motion of G is not modelled",
+        Motion::Pivot => {
+            "the force balance and out of the plane: the body turns about a point of it"
+        }
+        Motion::FixedPoint => {
+            "the force balance: the reaction of the support has no moment about it"
+        }
+        Motion::FixedAxis => "all balances but one: the reactions have no moment about the axis",
+        Motion::Rod => "the moment balance about the axis: a rod has no inertia about it",
+        Motion::Spatial => return,
+    };
+    skipped.push(missing.to_owned());
+    if model.has_idle_inertia {
+        skipped.push("the inertia: the body does not turn".to_owned());
+    }
+}
+
+/// What of the tensor about G, or about the point that is held, is not in the balance.
+fn skip_gyroscopic(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
+    if model.motion.is_hinged() {
+        return;
+    }
+    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
+        return;
+    };
+    let graph = &work.graph;
+    let vanishing: Vec<&str> = [("J_xy", 0, 1), ("J_yz", 1, 2), ("J_zx", 2, 0)]
+        .into_iter()
+        .filter(|(_, i, j)| graph.is_zero(rows[*i][*j]))
+        .map(|(name, ..)| name)
+        .collect();
+    let [x, y, z] = [rows[0][0], rows[1][1], rows[2][2]];
+    if vanishing.len() < 3 {
+        skipped.extend(
+            vanishing
+                .into_iter()
+                .map(|name| format!("terms of {name}: it is zero")),
+        );
+        // by the form that was taken
+        let labels = &work.labels;
+        let forms = [
+            (
+                "principal_rate",
+                "products of inertia: in the principal axes there are none",
+            ),
+            (
+                "relative_momentum",
+                "lambda w of J w: it is along w, and not in w x J w",
+            ),
+        ];
+        let taken = forms.iter().find(|(name, _)| labels.note(name).is_some());
+        skipped.extend(taken.map(|(_, line)| (*line).to_owned()));
+    } else if x == y && y == z {
+        skipped.push("w x J w: all moments of inertia are equal".to_owned());
+    } else {
+        skipped.push("products of inertia: the axes are principal".to_owned());
+        for (axis, equal) in [("x", y == z), ("y", z == x), ("z", x == y)] {
+            if equal {
+                skipped.push(format!(
+                    "(w x J w)_{axis}: the other two moments of inertia are equal"
+                ));
+            }
+        }
+    }
+}
+
+/// A part of the state: whether the motion has it, its name, and its symbols.
+type Part = (bool, &'static str, fn(Meaning) -> bool);
+
+/// Parts of the state that the accelerations do not depend on.
+fn skip_state(
+    model: &Model,
+    work: &Workspace,
+    linear: &Components,
+    angular: &Components,
+    skipped: &mut Vec<String>,
+) {
+    let roots: Vec<Id> = linear.iter().chain(angular).copied().collect();
+    let graph = &work.graph;
+    let depends = |wanted: fn(Meaning) -> bool| {
+        graph.depends_on(&roots, |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(work.meanings.of(*symbol))))
+    };
+    let (moves, turns) = (model.motion.translates(), model.motion.has_attitude());
+    let is_rod = model.motion == Motion::Rod;
+    let parts: [Part; 6] = [
+        (moves, "position", |meaning| {
+            matches!(meaning, Meaning::Position(_))
+        }),
+        (moves, "velocity", |meaning| {
+            matches!(meaning, Meaning::Velocity(_))
+        }),
+        (is_rod, "axis", |meaning| {
+            matches!(meaning, Meaning::Axis(_))
+        }),
+        (is_rod, "axis rate", |meaning| {
+            matches!(meaning, Meaning::AxisRate(_))
+        }),
+        (turns && !is_rod, "attitude", |meaning| {
+            matches!(meaning, Meaning::Angle | Meaning::Quaternion(_))
+        }),
+        (turns && !is_rod, "angular velocity", |meaning| {
+            matches!(meaning, Meaning::AngularVelocity(_))
+        }),
+    ];
+    let unread: Vec<&str> = parts
+        .into_iter()
+        .filter(|(there, _, wanted)| *there && !depends(*wanted))
+        .map(|(_, name, _)| name)
+        .collect();
+    if !unread.is_empty() {
+        skipped.push(format!(
+            "{}: the accelerations do not depend on {}",
+            unread.join(", "),
+            if unread.len() == 1 { "it" } else { "them" }
+        ));
+    }
+}

@@ -1,0 +1,242 @@
+//! What of the loads does not appear in the equations: moments that vanish, sums that are taken
+//! before the state is known, parts of the rotation that nothing needs.
+
+use crate::mechanics::balances::{is_along_axis, is_diagonal, resultant};
+use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Motion, Point, Workspace};
+use crate::symbolic::{Components, Id, Node};
+
+pub fn skip_loads(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+    skipped: &mut Vec<String>,
+) {
+    skip_resultant(model, work, skipped);
+    skip_moments(model, work, skipped);
+    skip_potentials(model, work, skipped);
+    merge_charges(model, skipped);
+    merge_constants(model, work, skipped);
+    skip_rotation(work, &[*linear, *angular].concat(), skipped);
+    skip_mass(model, work, &[*linear, *angular].concat(), skipped);
+}
+
+/// Forces that add up to nothing leave a couple.
+fn skip_resultant(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
+    let acts = |load: &Load| !work.is_zero_vector(load.force);
+    if !model.motion.translates() || !model.loads.iter().any(acts) {
+        return;
+    }
+    let sum = resultant(work, &model.loads);
+    if model.constraints.is_empty() && work.is_zero_vector(sum) {
+        skipped.push("the acceleration of G: the sum of the forces is zero".to_owned());
+    }
+}
+
+fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
+    if !model.motion.has_attitude() {
+        return;
+    }
+    let (held, center) = match model.state.support {
+        Some(support) => (support.offset, "the point that is held"),
+        None => (work.graph.zeros(), "G"),
+    };
+    for index in 0..model.loads.len() {
+        let load = &model.loads[index];
+        let (point, force) = (load.point, load.force);
+        let Point::Body(offset) = point else {
+            continue;
+        };
+        if load.potential.is_some() || work.is_zero_vector(force) {
+            continue;
+        }
+        let graph = &mut work.graph;
+        let arm = graph.subtract_vectors(offset, held);
+        let (is_fixed, turning) = (
+            graph.is_zero_vector(&force.world),
+            graph.cross(arm, force.body),
+        );
+        let reason = if graph.is_zero_vector(&arm) {
+            format!("it acts at {center}")
+        } else if is_fixed && graph.is_zero_vector(&turning) {
+            format!("it acts along a line through {center}")
+        } else if is_along_axis(model, work, force.world) {
+            "it acts along the axis".to_owned()
+        } else {
+            continue;
+        };
+        let name = &model.loads[index].name;
+        skipped.push(format!("the moment of `{name}`: {reason}"));
+    }
+}
+
+/// What a potential does not depend on makes no force, or no moment.
+fn skip_potentials(model: &Model, work: &Workspace, skipped: &mut Vec<String>) {
+    let derived = model.loads.iter().filter(|load| load.potential.is_some());
+    for load in derived {
+        let parts = [
+            (
+                model.motion.knows_position(),
+                load.force,
+                "force",
+                "position",
+            ),
+            (
+                model.motion.has_attitude(),
+                load.moment,
+                "moment",
+                if model.motion == Motion::Rod {
+                    "axis"
+                } else {
+                    "attitude"
+                },
+            ),
+        ];
+        for (there, vector, part, place) in parts {
+            if there && work.is_zero_vector(vector) {
+                let name = &load.name;
+                skipped.push(format!(
+                    "the {part} of `{name}`: its potential does not depend on the {place}"
+                ));
+            }
+        }
+    }
+}
+
+/// A uniform field acts on the sum of the charges and on their dipole (34.9).
+fn merge_charges(model: &Model, skipped: &mut Vec<String>) {
+    for potential in &model.potentials.list {
+        if let Some(charges) = potential.charges.filter(|charges| charges.count > 1) {
+            skipped.push(format!(
+                "the {} charges of `{}` one by one: they are one charge and one dipole",
+                charges.count, potential.name
+            ));
+        }
+    }
+}
+
+/// Loads that are the same in all states are added before.
+fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
+    if model.motion == Motion::Rod {
+        return;
+    }
+    let turns = model.motion.has_attitude();
+    let count = |frame: Frame| {
+        let constant = |load: &&Load| is_constant(work, load, frame);
+        model.loads.iter().filter(constant).count()
+    };
+    let (in_body, in_world) = (count(Frame::Body), count(Frame::World));
+    for (count, axes) in [(in_body, "body"), (in_world, "world")] {
+        if count > 1 {
+            let sum = if turns && axes == "body" {
+                "one force and one moment"
+            } else {
+                "one force"
+            };
+            skipped.push(format!(
+                "{count} loads one by one: constant in {axes} axes, they are {sum}"
+            ));
+        }
+    }
+    let is_folded = match model.inertia {
+        Inertia::Absent => false,
+        Inertia::Scalar(_) => true,
+        Inertia::Spatial(rows) => model.motion.is_hinged() || is_diagonal(&work.graph, &rows),
+    };
+    let turning = |load: &Load| {
+        let (Point::Body(offset), graph) = (load.point, &work.graph) else {
+            return false;
+        };
+        is_constant(work, load, Frame::Body)
+            && !(graph.is_zero_vector(&offset) && graph.is_zero_vector(&load.moment.body))
+    };
+    if turns && is_folded && model.state.support.is_none() && model.loads.iter().any(turning) {
+        skipped.push(
+            "constant moments in the balance: over the inertia they are constants".to_owned(),
+        );
+    }
+}
+
+/// A force or a moment that is known before the state is, in these axes; in those of the world, at G.
+fn is_constant(work: &Workspace, load: &Load, frame: Frame) -> bool {
+    let graph = &work.graph;
+    let Point::Body(offset) = load.point else {
+        return false;
+    };
+    let ([force, moment], others) = match frame {
+        Frame::Body => (
+            [load.force.body, load.moment.body],
+            [load.force.world, load.moment.world].concat(),
+        ),
+        Frame::World => (
+            [load.force.world, load.moment.world],
+            [load.force.body, load.moment.body, load.moment.world, offset].concat(),
+        ),
+    };
+    let acts = !(graph.is_zero_vector(&force) && graph.is_zero_vector(&moment));
+    let is_alone = others.iter().all(|part| graph.is_zero(*part));
+    let is_early = force
+        .iter()
+        .chain(&moment)
+        .all(|part| graph.is_early(*part));
+    load.potential.is_none() && acts && is_alone && is_early
+}
+
+/// Of the rotation, one column turns what is along an axis of the body, one row what is along one of
+/// the world.
+fn skip_rotation(work: &mut Workspace, roots: &[Id], skipped: &mut Vec<String>) {
+    if !matches!(work.attitude, Attitude::Quaternion { .. }) {
+        return;
+    }
+    let turns = work.turned.clone();
+    let graph = &mut work.graph;
+    let reachable = graph.reachable(roots, |_| true);
+    let parts = [
+        (Frame::World, "columns", "body"),
+        (Frame::Body, "rows", "world"),
+    ];
+    for (to, lines, axes) in parts {
+        let mut along = [false; 3];
+        for turn in turns.iter().filter(|turn| turn.to == to) {
+            // without the factor that goes with what multiplies it
+            let late = turn.turned.map(|part| {
+                let (_, magnitude) = graph.split_sign(part);
+                graph.split_factor(magnitude).1
+            });
+            let is_used = |id: &Id| !graph.is_early(*id) && reachable.binary_search(id).is_ok();
+            if late.iter().any(is_used) {
+                for (there, part) in along.iter_mut().zip(turn.vector) {
+                    *there |= !graph.is_zero(part);
+                }
+            }
+        }
+        let along: Vec<&str> = AXES
+            .into_iter()
+            .zip(along)
+            .filter(|(_, there)| *there)
+            .map(|(axis, _)| axis)
+            .collect();
+        if let [axis] = along.as_slice() {
+            skipped.push(format!(
+                "two {lines} of the rotation: what turns is along {axis} in {axes} axes"
+            ));
+        }
+    }
+}
+
+/// A mass that is a parameter, and that no acceleration depends on.
+fn skip_mass(model: &Model, work: &Workspace, roots: &[Id], skipped: &mut Vec<String>) {
+    let graph = &work.graph;
+    let Some(mass) = model.mass else {
+        return;
+    };
+    let symbols = |roots: &[Id]| {
+        let mut symbols = graph.reachable(roots, |_| true);
+        symbols.retain(|id| matches!(graph.node(*id), Node::Symbol(_)));
+        symbols
+    };
+    let (of_mass, read) = (symbols(&[mass]), symbols(roots));
+    if !of_mass.is_empty() && of_mass.iter().all(|symbol| !read.contains(symbol)) {
+        skipped.push("the mass: it cancels in the accelerations".to_owned());
+    }
+}

@@ -1,0 +1,200 @@
+//! What the accelerations of a body depend on, and what leaves them as they are: what generic
+//! integrators branch on.
+
+use std::collections::HashMap;
+
+use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about};
+use crate::mechanics::proofs::all_vanish;
+use crate::model::{Inertia, Meaning, Model, Motion, Workspace};
+use crate::symbolic::{Components, Id, Node, Number};
+
+use super::symmetry::{Space, Symmetry, symmetries};
+
+/// What an integrator can know of a body.
+#[derive(Clone)]
+pub struct Structure {
+    pub linear: Dependence,
+    pub angular: Dependence,
+    /// G does not accelerate.
+    pub is_force_free: bool,
+    /// No moment acts about G, or about the point that is held.
+    pub is_torque_free: bool,
+    /// Nothing turns the body about the axes of its symmetry.
+    pub keeps_spin: bool,
+    /// The axis of symmetry, a unit vector in body axes, if the body may be turned about it and keeps its spin.
+    pub spin_axis: Option<[Number; 3]>,
+    /// In the plane across which of the axes a motion stays.
+    pub planes: [bool; 3],
+}
+
+/// What one of the accelerations depends on.
+#[derive(Clone)]
+pub struct Dependence {
+    /// In the order of [`QUANTITIES`].
+    pub reads: [bool; 6],
+    /// Directions about which the world may be turned.
+    pub world: Symmetry,
+    /// Directions about which the axes of the body may be turned.
+    pub body: Symmetry,
+}
+
+/// The names of what can be read.
+pub const QUANTITIES: [&str; 6] = [
+    "time",
+    "position",
+    "velocity",
+    "attitude",
+    "angular_velocity",
+    "input",
+];
+
+pub fn derive_structure(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+) -> Structure {
+    let [linear_spaces, angular_spaces] = symmetries(model, work, linear, angular);
+    let keeps_spin = keeps_spin(work, angular, &angular_spaces[1]);
+    let dependence = |roots: &Components, spaces: &[Space; 2]| Dependence {
+        reads: reads(work, roots),
+        world: spaces[0].symmetry(),
+        body: spaces[1].symmetry(),
+    };
+    let (linear_dependence, angular_dependence) = (
+        dependence(linear, &linear_spaces),
+        dependence(angular, &angular_spaces),
+    );
+    let both = [Symmetry::Every, angular_dependence.body];
+    let spins = keeps_spin && both.contains(&linear_dependence.body);
+    Structure {
+        linear: linear_dependence,
+        angular: angular_dependence,
+        is_force_free: all_vanish(work, linear),
+        is_torque_free: is_torque_free(model, work, angular),
+        keeps_spin,
+        spin_axis: angular_spaces[1].axis().filter(|_| spins),
+        planes: [0, 1, 2].map(|axis| stays_in_plane(model, work, linear, angular, axis)),
+    }
+}
+
+/// The index in [`QUANTITIES`] of what a symbol is a part of.
+fn quantity(meaning: Meaning) -> Option<usize> {
+    match meaning {
+        Meaning::Time => Some(0),
+        Meaning::Position(_) => Some(1),
+        Meaning::Velocity(_) => Some(2),
+        Meaning::Angle | Meaning::Quaternion(_) | Meaning::Axis(_) => Some(3),
+        Meaning::AngularVelocity(_) | Meaning::AxisRate(_) => Some(4),
+        Meaning::Input(..) => Some(5),
+        _ => None,
+    }
+}
+
+fn reads(work: &Workspace, roots: &[Id]) -> [bool; 6] {
+    let mut reads = [false; 6];
+    for id in work.graph.reachable(roots, |_| true) {
+        if let Some(meaning) = meaning(work, id)
+            && let Some(index) = quantity(meaning)
+        {
+            reads[index] = true;
+        }
+    }
+    reads
+}
+
+fn meaning(work: &Workspace, id: Id) -> Option<Meaning> {
+    match work.graph.node(id) {
+        Node::Symbol(symbol) => Some(work.meanings.of(*symbol)),
+        _ => None,
+    }
+}
+
+/// Whether whatever acts has no moment.
+fn is_torque_free(model: &Model, work: &mut Workspace, angular: &Components) -> bool {
+    let w = model.state.angular_velocity;
+    let moment = match (inertia_about_center(model, work), model.state.axis) {
+        // u'' + u'^2 u
+        (_, Some(axis)) => {
+            let graph = &mut work.graph;
+            let square = graph.norm_squared(axis.rate);
+            let held = graph.scale_vector(square, axis.unit);
+            graph.add_vectors(*angular, held)
+        }
+        // J w' + w x J w
+        (Inertia::Spatial(rows), None) if !model.motion.is_hinged() => {
+            let graph = &mut work.graph;
+            let momentum = graph.transform(&rows, w);
+            let (driven, gyroscopic) = (graph.transform(&rows, *angular), graph.cross(w, momentum));
+            graph.add_vectors(driven, gyroscopic)
+        }
+        _ => *angular,
+    };
+    all_vanish(work, &moment) || model.constraints.is_empty() && has_no_moment(model, work)
+}
+
+/// Whether the moments of all loads vanish, those in body axes and those in world axes: of a tensor in
+/// principal axes `J w' + w x J w` may not tell.
+fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
+    if model.motion.is_hinged() || model.state.axis.is_some() {
+        return false;
+    }
+    let center = model.state.center(work);
+    let mut moments = moments_about(model, work, &model.loads, center);
+    moments.extend(
+        given_parts(model, work, center)
+            .into_iter()
+            .map(|(_, moment)| moment),
+    );
+    let total = work.sum(moments);
+    all_vanish(work, &[total.body, total.world].concat())
+}
+
+/// Whether the angular acceleration has no component along the axes of symmetry.
+fn keeps_spin(work: &mut Workspace, angular: &Components, axes: &Space) -> bool {
+    let along: Vec<Id> = axes
+        .basis
+        .iter()
+        .map(|axis| {
+            let graph = &mut work.graph;
+            let axis = axis.clone().map(|part| graph.number(part));
+            graph.dot(axis, *angular)
+        })
+        .collect();
+    !along.is_empty() && all_vanish(work, &along)
+}
+
+/// Whether a motion that is in the plane through the world's origin across this axis, the same axis of
+/// the body along it, has no acceleration out of the plane.
+fn stays_in_plane(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+    axis: usize,
+) -> bool {
+    if model.motion.is_planar() || model.motion.is_hinged() {
+        return false;
+    }
+    let is_out_of_plane = |meaning: Meaning| match meaning {
+        Meaning::Position(i) | Meaning::Velocity(i) | Meaning::Axis(i) | Meaning::AxisRate(i) => {
+            i == axis
+        }
+        Meaning::Quaternion(i) => i != 0 && i != axis + 1,
+        Meaning::AngularVelocity(i) => i != axis,
+        _ => false,
+    };
+    let is_rod = model.motion == Motion::Rod;
+    let turning = (0..3).filter(|i| (*i == axis) == is_rod);
+    let roots: Vec<Id> = turning.map(|i| angular[i]).chain([linear[axis]]).collect();
+    let zero = work.graph.zero();
+    let mut flat = HashMap::new();
+    for id in work.graph.reachable(&roots, |_| true) {
+        if meaning(work, id).is_some_and(is_out_of_plane) {
+            flat.insert(id, zero);
+        }
+    }
+    let graph = &mut work.graph;
+    let roots = graph.substitute(&roots, |id| flat.get(&id).copied());
+    all_vanish(work, &roots)
+}

@@ -1,0 +1,356 @@
+//! Turns of the world, and of the axes of a body, that leave an acceleration as it is.
+//!
+//! Turning by a small angle about e changes a state along
+//!
+//! ```text
+//! the world    x' = e x x    v' = e x v    q' = (0, e) q / 2
+//! the body     w' = e x w    q' = -q (0, e) / 2
+//! ```
+//!
+//! and an acceleration is symmetric about e if it changes as the axes do in which it is written. That is
+//! linear in e: directions that the changes at some random states leave, and those at one more random
+//! state leave again, on every branch, are left in all states. Nothing of this is emitted but the answer.
+
+use std::collections::HashMap;
+
+use crate::mechanics::balances::inertia_about_center;
+use crate::mechanics::proofs::RandomState;
+use crate::model::{Attitude, Inertia, Model, Motion, Workspace};
+use crate::symbolic::{
+    Algebra, Components, Function, Graph, Id, Node, Number, Residue, Residues, Spectrum, Tape,
+    on_branches,
+};
+
+/// Directions about which a turn changes nothing; a group of turns has no other sets of them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Symmetry {
+    None,
+    About([f64; 3]),
+    Every,
+}
+
+/// Directions, spanned by vectors that are independent.
+pub struct Space<V = Number> {
+    pub basis: Vec<[V; 3]>,
+}
+
+impl Space<Residue> {
+    fn spanned_by(axes: &[usize]) -> Self {
+        let unit = |axis: usize| {
+            [0, 1, 2].map(|i| {
+                if i == axis {
+                    Residue::ONE
+                } else {
+                    Residue::ZERO
+                }
+            })
+        };
+        Self {
+            basis: axes.iter().map(|axis| unit(*axis)).collect(),
+        }
+    }
+
+    /// Leaves the directions that are perpendicular to `normal`.
+    fn cut(&mut self, normal: &[Residue; 3]) {
+        let dot = |vector: &[Residue; 3]| {
+            vector[0] * normal[0] + vector[1] * normal[1] + vector[2] * normal[2]
+        };
+        let mut values: Vec<Residue> = self.basis.iter().map(dot).collect();
+        let Some(pivot) = values.iter().position(|value| !value.is_zero()) else {
+            return;
+        };
+        let (removed, divisor) = (self.basis.remove(pivot), values.remove(pivot));
+        let inverse = divisor.reciprocal().unwrap_or(Residue::ZERO);
+        for (vector, value) in self.basis.iter_mut().zip(&values) {
+            let factor = *value * inverse;
+            for (part, of_removed) in vector.iter_mut().zip(removed) {
+                *part = *part + -(factor * of_removed);
+            }
+        }
+    }
+
+    /// The same directions in numbers, if these are short.
+    fn numbers(&self) -> Option<Space> {
+        let basis = self.basis.iter().map(|direction| {
+            let lead = direction
+                .iter()
+                .find(|part| !part.is_zero())?
+                .reciprocal()?;
+            let [x, y, z] = direction.map(|part| (part * lead).to_number());
+            Some([x?, y?, z?])
+        });
+        Some(Space {
+            basis: basis.collect::<Option<_>>()?,
+        })
+    }
+
+    /// A known axis, if that is the only direction.
+    fn along(&self, axis: &[Number; 3]) -> Option<Space> {
+        let [direction] = self.basis.as_slice() else {
+            return None;
+        };
+        let known = axis.each_ref().map(Number::residue);
+        let is_parallel = [(1, 2), (2, 0), (0, 1)]
+            .into_iter()
+            .all(|(i, j)| direction[i] * known[j] == direction[j] * known[i]);
+        is_parallel.then(|| Space {
+            basis: vec![axis.clone()],
+        })
+    }
+}
+
+impl Space {
+    pub fn symmetry(&self) -> Symmetry {
+        match self.basis.as_slice() {
+            [_, _, _] => Symmetry::Every,
+            _ => self.axis().map_or(Symmetry::None, |axis| {
+                Symmetry::About(axis.map(|part| part.to_f64()))
+            }),
+        }
+    }
+
+    /// The unit vector along the only direction, its first component that is not zero positive.
+    pub fn axis(&self) -> Option<[Number; 3]> {
+        match self.basis.as_slice() {
+            [direction] => unit(direction),
+            _ => None,
+        }
+    }
+}
+
+fn unit(direction: &[Number; 3]) -> Option<[Number; 3]> {
+    let square = direction.iter().fold(Number::zero(), |sum, part| {
+        sum + part.clone() * part.clone()
+    });
+    let length = Number::apply(Function::Sqrt, &[square])?;
+    let leads_with_minus = direction.iter().find(|part| !part.is_zero())?.is_negative();
+    let length = if leads_with_minus { -length } else { length };
+    let [x, y, z] = direction
+        .each_ref()
+        .map(|part| part.clone().checked_div(&length));
+    Some([x?, y?, z?])
+}
+
+/// The directions about which the world, and the axes of the body, may be turned: of the linear
+/// acceleration, and of the angular one.
+pub fn symmetries(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+) -> [[Space; 2]; 2] {
+    let is_rod = model.motion == Motion::Rod;
+    let axes: &[usize] = match model.motion {
+        Motion::Pivot | Motion::FixedAxis => &[],
+        Motion::Planar | Motion::PlanarTranslation => &[2],
+        _ => &[0, 1, 2],
+    };
+    let of_body = if is_rod { &[] } else { axes };
+    let world = [0, 1, 2].map(|axis| turn_of_world(model, work, axis));
+    let body = [0, 1, 2].map(|axis| turn_of_body(model, work, axis));
+    let known = axis_of_tensor(model, work);
+    // the linear acceleration, and that of the axis of a rod, are written in world axes
+    [(linear, true), (angular, is_rod)].map(|(vector, is_in_world)| {
+        let roots = roots(&mut work.graph, vector);
+        [(&world, is_in_world, axes), (&body, !is_in_world, of_body)].map(|(rates, turns, axes)| {
+            let case = Case {
+                work,
+                roots: &roots,
+                rates,
+                turns,
+                axes,
+                known: &known,
+            };
+            case.space()
+        })
+    })
+}
+
+/// The axis of a tensor of numbers, if two of its moments are equal.
+fn axis_of_tensor(model: &Model, work: &mut Workspace) -> Option<[Number; 3]> {
+    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
+        return None;
+    };
+    match work.graph.spectrum(&rows)? {
+        Spectrum::Symmetric(symmetry) => Some(symmetry.axis),
+        _ => None,
+    }
+}
+
+/// What decides between branches, the arguments of functions that are made of pieces, and what is divided
+/// by, of a tangent too: where these stay as they are, nothing jumps. Without them what has no slope would
+/// be taken for what does not change: `atan(tan x) - x`, `x / |x|`.
+fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
+    let mut guards = Vec::new();
+    for id in graph.reachable(roots, |_| true) {
+        match *graph.node(id) {
+            Node::Compare(_, a, b) => guards.push(graph.subtract(a, b)),
+            Node::Unary(function, a) if function.is_piecewise() => guards.push(a),
+            Node::Binary(function, a, b) if function.is_piecewise() => guards.extend([a, b]),
+            Node::Unary(Function::Tan | Function::Ln, a) => guards.push(a),
+            Node::Binary(Function::Atan2, a, b) => guards.extend([a, b]),
+            Node::Divide(_, b) | Node::Pivot(b, _) => guards.push(b),
+            _ => {}
+        }
+    }
+    guards.retain(|guard| !graph.is_early(*guard));
+    guards.sort_unstable();
+    guards.dedup();
+    guards
+}
+
+/// The components of a vector, and what decides between its branches, without them.
+fn roots(graph: &mut Graph, vector: &Components) -> Vec<Id> {
+    let guards = guards(graph, vector);
+    vector.iter().copied().chain(guards).collect()
+}
+
+/// How symbols change.
+type Rates = HashMap<Id, Id>;
+
+/// Whether turns about the three axes change a vector, and what decides between its branches.
+struct Case<'a> {
+    work: &'a Workspace,
+    /// The vector first.
+    roots: &'a [Id],
+    rates: &'a [Rates; 3],
+    /// Whether the axes are turned in which the vector is written.
+    turns: bool,
+    /// Those about which there may be turns.
+    axes: &'a [usize],
+    /// An axis that may be one of them.
+    known: &'a Option<[Number; 3]>,
+}
+
+impl Case<'_> {
+    /// What the changes at some random states leave, and those at another one leave whole: axes that do
+    /// not depend on the state. Of axes whose directions are long numbers nothing is claimed.
+    fn space(&self) -> Space {
+        let none = Space { basis: Vec::new() };
+        if self.axes.is_empty() {
+            return none;
+        }
+        let graph = &self.work.graph;
+        let rates = self.rates.iter().flat_map(|rates| rates.values().copied());
+        let all: Vec<Id> = self.roots.iter().copied().chain(rates).collect();
+        let tape = graph.tape(&all);
+        if !tape.is_told_by_residues() {
+            return none;
+        }
+        let mut space = Space::spanned_by(self.axes);
+        for number in 0.. {
+            let before = space.basis.len();
+            let state = RandomState::draw(number);
+            for changes in on_branches(|residues| self.changes(&tape, residues, &state)) {
+                for normal in changes {
+                    match normal {
+                        [Some(x), Some(y), Some(z)] => space.cut(&[x, y, z]),
+                        // what has no value is not known to be symmetric
+                        _ => return none,
+                    }
+                }
+            }
+            if space.basis.len() == before {
+                break;
+            }
+        }
+        space
+            .numbers()
+            .or_else(|| space.along(self.known.as_ref()?))
+            .unwrap_or(none)
+    }
+
+    /// What of each root changes but does not turn, for each axis.
+    fn changes(
+        &self,
+        tape: &Tape<'_>,
+        residues: &mut Residues<'_>,
+        state: &RandomState,
+    ) -> Vec<[Option<Residue>; 3]> {
+        let values = tape.values(residues, |_, id| Some(state.of(self.work, id)));
+        let turned = [0, 1, 2].map(|axis| {
+            let rate = |symbol: Id| {
+                let rate = self.rates[axis].get(&symbol)?;
+                Some(*tape.of(&values, *rate))
+            };
+            tape.changes(residues, &values, rate)
+        });
+        let change = |root: &Id| {
+            let changes = turned.each_ref().map(|changes| tape.of(changes, *root));
+            changes.map(|change| change.unwrap_or(Some(Residue::ZERO)))
+        };
+        let mut changes: Vec<[Option<Residue>; 3]> = self.roots.iter().map(change).collect();
+        if self.turns {
+            // less e x a
+            for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+                let part = |i: usize| tape.of(&values, self.roots[i]);
+                changes[j][i] = residues.add(&changes[j][i], part(k));
+                changes[k][i] = residues.subtract(&changes[k][i], part(j));
+            }
+        }
+        changes
+    }
+}
+
+/// How the state changes as the world is turned about an axis.
+fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
+    let (graph, state) = (&mut work.graph, &model.state);
+    let e = unit_vector(graph, axis);
+    let mut rates = Rates::new();
+    let vectors = if model.motion.translates() {
+        vec![state.position.world, state.velocity.world]
+    } else {
+        Vec::new()
+    };
+    let of_axis = state.axis.map(|axis| [axis.unit, axis.rate]);
+    for vector in vectors.into_iter().chain(of_axis.into_iter().flatten()) {
+        rates.extend(vector.into_iter().zip(graph.cross(e, vector)));
+    }
+    match work.attitude {
+        Attitude::Axis { angle, .. } => {
+            rates.insert(angle, e[2]);
+        }
+        Attitude::Quaternion { scalar, vector } => {
+            let half = graph.number(Number::ratio(1, 2));
+            let e = graph.scale_vector(half, e);
+            let along = graph.dot(e, vector);
+            rates.insert(scalar, graph.negate(along));
+            let (kept, swept) = (graph.scale_vector(scalar, e), graph.cross(e, vector));
+            rates.extend(vector.into_iter().zip(graph.add_vectors(kept, swept)));
+        }
+        Attitude::Fixed | Attitude::Line { .. } => {}
+    }
+    of_symbols(graph, rates)
+}
+
+/// How the state changes as the axes of the body are turned back about one of them.
+fn turn_of_body(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
+    let (graph, state) = (&mut work.graph, &model.state);
+    let e = unit_vector(graph, axis);
+    let w = state.angular_velocity;
+    let mut rates: Rates = w.into_iter().zip(graph.cross(e, w)).collect();
+    match work.attitude {
+        Attitude::Axis { angle, .. } => {
+            rates.insert(angle, graph.negate(e[2]));
+        }
+        Attitude::Quaternion { scalar, vector } => {
+            let half = graph.number(Number::ratio(1, 2));
+            let e = graph.scale_vector(half, e);
+            rates.insert(scalar, graph.dot(vector, e));
+            let (kept, swept) = (graph.scale_vector(scalar, e), graph.cross(e, vector));
+            rates.extend(vector.into_iter().zip(graph.subtract_vectors(swept, kept)));
+        }
+        Attitude::Fixed | Attitude::Line { .. } => {}
+    }
+    of_symbols(graph, rates)
+}
+
+fn unit_vector(graph: &mut Graph, axis: usize) -> Components {
+    [0, 1, 2].map(|i| graph.integer(i64::from(i == axis)))
+}
+
+/// What a motion does not have is zero and stays so.
+fn of_symbols(graph: &Graph, mut rates: Rates) -> Rates {
+    rates.retain(|id, _| matches!(graph.node(*id), Node::Symbol(_)));
+    rates
+}

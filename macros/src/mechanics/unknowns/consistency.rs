@@ -1,0 +1,176 @@
+//! How far a state is from its constraints, and how to bring it back.
+//!
+//! The projection moves the state along `M^-1 A^T`, the shortest way in the metric of the kinetic
+//! energy: `S l = g` with `S = A M^-1 A^T`, then `q - M^-1 A^T l`; and likewise the velocities.
+//!
+//! What rounding makes of a constraint is told by the same metric, as `|A q| <= sqrt(S) |q|`: a state has rounded coordinates, of the
+//! size of the radius of inertia of its mass about the origin, and velocities of the size of its kinetic energy.
+
+use crate::mechanics::balances::{response, turned_by, twice_kinetic};
+use crate::model::{Inertia, Model, Workspace};
+use crate::symbolic::{Components, Function, Graph, Id, Node};
+
+use super::constrained::Constrained;
+
+/// One constraint, as the runtime is told of it.
+#[derive(Clone)]
+pub struct Consistency {
+    pub name: String,
+    /// `g`, and the size of what it is summed from.
+    pub position: Option<(Id, Id)>,
+    /// `h`, and the size of what it is summed from.
+    pub velocity: (Id, Id),
+    /// `M^-1 A^T`: world axes, body axes; of a rod, the change of its axis.
+    pub linear: Components,
+    pub angular: Components,
+    /// The row of `S`.
+    pub coupling: Vec<Id>,
+}
+
+impl Consistency {
+    /// All expressions that it is made of.
+    pub fn roots(&self) -> Vec<Id> {
+        let (value, size) = self.velocity;
+        let position = self
+            .position
+            .into_iter()
+            .flat_map(|(value, size)| [value, size]);
+        let own = [value, size].into_iter().chain(position);
+        own.chain(self.linear)
+            .chain(self.angular)
+            .chain(self.coupling.iter().copied())
+            .collect()
+    }
+}
+
+pub fn derive_consistency(
+    model: &Model,
+    work: &mut Workspace,
+    constraints: &[Constrained],
+) -> Vec<Consistency> {
+    let directions: Vec<(Components, Components)> = constraints
+        .iter()
+        .map(|constraint| {
+            let (linear, angular) = response(
+                model,
+                work,
+                constraint.rates.linear,
+                constraint.rates.angular,
+            );
+            let graph = &mut work.graph;
+            (graph.results(linear), graph.results(angular))
+        })
+        .collect();
+    let list = constraints.iter().enumerate().map(|(row, constraint)| {
+        let graph = &mut work.graph;
+        let angular = constraint.rates.angular;
+        let coupling = directions.iter().map(|(by_linear, by_angular)| {
+            let first = graph.dot(constraint.rates.linear, *by_linear);
+            let second = graph.dot(angular, *by_angular);
+            graph.add(first, second)
+        });
+        let coupling = coupling.collect();
+        let position = constraint.position.map(|value| {
+            let size = summed_size(graph, value);
+            (value, with_angles(graph, size, angular))
+        });
+        let size = summed_size(graph, constraint.velocity);
+        let velocity = (constraint.velocity, size);
+        Consistency {
+            name: constraint.name.clone(),
+            position,
+            velocity,
+            linear: directions[row].0,
+            angular: match model.state.axis {
+                Some(axis) => turned_by(work, axis, directions[row].1),
+                None => directions[row].1,
+            },
+            coupling,
+        }
+    });
+    list.collect()
+}
+
+/// What a constraint may be at most in a state of this size, in which nothing is zero but by cancellation.
+pub struct Reach {
+    pub position: Option<Id>,
+    pub velocity: Id,
+}
+
+/// Of each constraint.
+pub fn derive_reach(
+    model: &Model,
+    work: &mut Workspace,
+    constraints: &[Consistency],
+) -> Vec<Reach> {
+    if constraints.is_empty() {
+        return Vec::new();
+    }
+    let (spread, motion) = (spread(model, work), twice_kinetic(model, work));
+    let graph = &mut work.graph;
+    let list = constraints.iter().enumerate().map(|(row, constraint)| {
+        let mut reach = |size: Id, of_state: Id| {
+            let square = graph.multiply(constraint.coupling[row], of_state);
+            let whole = graph.apply(Function::Sqrt, &[square]);
+            graph.apply(Function::Max, &[size, whole])
+        };
+        Reach {
+            position: constraint.position.map(|(_, size)| reach(size, spread)),
+            velocity: reach(constraint.velocity.1, motion),
+        }
+    });
+    list.collect()
+}
+
+/// `m r^2 + tr J`: an attitude is known to the rounding of one radian.
+fn spread(model: &Model, work: &mut Workspace) -> Id {
+    let graph = &mut work.graph;
+    let turning = match &model.inertia {
+        Inertia::Absent => graph.zero(),
+        Inertia::Scalar(moment) => *moment,
+        Inertia::Spatial(rows) => graph.sum(&[rows[0][0], rows[1][1], rows[2][2]]),
+    };
+    let Some(mass) = model.mass.filter(|_| model.motion.translates()) else {
+        return turning;
+    };
+    let square = work.norm_squared(model.state.position);
+    let graph = &mut work.graph;
+    let moving = graph.multiply(mass, square);
+    graph.add(moving, turning)
+}
+
+/// The size of the terms that a value is summed from; of a product, of those of its factors.
+fn summed_size(graph: &mut Graph, value: Id) -> Id {
+    let (mut factors, mut sums, mut rest) = (vec![value], Vec::new(), graph.one());
+    while let Some(factor) = factors.pop() {
+        match *graph.node(factor) {
+            Node::Multiply(a, b) => factors.extend([a, b]),
+            Node::Divide(a, b) => {
+                factors.push(a);
+                rest = graph.divide(rest, b);
+            }
+            Node::Negate(a) | Node::Quantity(a) => factors.push(a),
+            Node::Add(..) | Node::Subtract(..) => sums.push(factor),
+            _ => rest = graph.multiply(rest, factor),
+        }
+    }
+    if sums.is_empty() {
+        return graph.largest_term(value);
+    }
+    let rest = graph.apply(Function::Abs, &[rest]);
+    sums.into_iter().fold(rest, |size, sum| {
+        let largest = graph.largest_term(sum);
+        graph.multiply(size, largest)
+    })
+}
+
+/// An attitude is known to the rounding of one radian.
+fn with_angles(graph: &mut Graph, size: Id, angular: Components) -> Id {
+    angular.into_iter().fold(size, |size, part| {
+        if graph.is_zero(part) {
+            return size;
+        }
+        let part = graph.apply(Function::Abs, &[part]);
+        graph.apply(Function::Max, &[size, part])
+    })
+}

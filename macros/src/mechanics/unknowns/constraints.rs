@@ -1,0 +1,316 @@
+//! Constraints, and the unknown reactions that keep them.
+//!
+//! ```text
+//! g(q, t) = 0         h = g' = A v + ..      position
+//!                     h' = A q'' + b = 0     position and velocity
+//! q'' = q''_0 + sum of u_j D_j               D_j: the acceleration by one unit of the unknown j
+//! sum of (A_i . D_j) u_j = -(A_i . q''_0 + b_i)
+//! ```
+//!
+//! Where the reactions point along the gradients of their constraints, `A_i . D_j` is symmetric and
+//! positive: a sum of squares over masses.
+
+use crate::errors::Errors;
+use crate::mechanics::balances::{check_moment_free, response, rod, solve_balances};
+use crate::mechanics::proofs::samples;
+use crate::mechanics::variation::Rates;
+use crate::model::{Frame, Load, Model, Vector, Workspace};
+use crate::symbolic::{Components, Elimination, Function, Id, Residue, Row, Sample, Size};
+
+use super::active::active;
+use super::constrained::{Constrained, differentiate};
+use super::inertial::{balances_of, inertial_change};
+use super::left_over::balances_left;
+use super::pushes::{Push, given_loads, pushes};
+use super::redundancy::{check_elimination, check_independent};
+use super::rod::check_across;
+use super::unknown::ReactionExpressions;
+
+/// The motion under constraints.
+pub struct Solved {
+    pub linear: Components,
+    pub angular: Components,
+    pub constraints: Vec<Constrained>,
+    pub reactions: Vec<ReactionExpressions>,
+}
+
+/// Accelerations and reactions of a body with constraints.
+pub fn derive_constrained(
+    model: &Model,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<Solved> {
+    let constraints = differentiate(model, work);
+    check_independent(work, &constraints, errors)?;
+    let pushes = pushes(model, work, errors)?;
+    if let Some(axis) = model.state.axis {
+        let moments = pushes
+            .iter()
+            .map(|push| (push.name(model), push.place, push.moment));
+        check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
+    }
+    let loads = given_loads(model, work);
+    if let Some(axis) = model.state.axis {
+        rod::check_loads(model, work, &loads, axis, errors)?;
+    }
+    let free = solve_balances(model, work, &loads, Vec::new(), ["free", "free_angular"]);
+    let mut rows = Vec::new();
+    for constraint in &constraints {
+        rows.push(constraint_row(work, constraint, &pushes, free));
+    }
+    let left = rows_left(model, work, &pushes, &loads, free, errors)?;
+    rows.extend(left.iter().map(|(_, row)| row.clone()));
+    let rows = sampled(model, work, rows, &constraints, &pushes);
+    let elimination = work.graph.solve_guarded(rows, pushes.len());
+    let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
+    check_elimination(model, &constraints, &left, &pushes, &elimination, errors)?;
+    name_unknowns(model, work, &pushes, &elimination);
+    let linear = pushed(work, free.0, &pushes, &elimination.values, |push| {
+        push.linear
+    });
+    let angular = pushed(work, free.1, &pushes, &elimination.values, |push| {
+        push.angular
+    });
+    let angular = match model.state.axis {
+        Some(axis) => rod::of_angular(work, axis, angular),
+        None => angular,
+    };
+    name_accelerations(model, work, linear, angular);
+    let reactions = assemble(model, work, &pushes, &elimination.values);
+    Some(Solved {
+        linear,
+        angular,
+        constraints,
+        reactions,
+    })
+}
+
+/// An equation for the unknowns, not sampled yet.
+type Equation = (Vec<Id>, Id);
+
+/// `sum of (A . D_j) u_j = -(A . q''_0 + b)`
+fn constraint_row(
+    work: &mut Workspace,
+    constraint: &Constrained,
+    pushes: &[Push],
+    free: (Components, Components),
+) -> Equation {
+    let Rates {
+        rate,
+        linear,
+        angular,
+    } = constraint.rates;
+    let graph = &mut work.graph;
+    let mut along = |a: Components, b: Components| {
+        let (first, second) = (graph.dot(linear, a), graph.dot(angular, b));
+        graph.add(first, second)
+    };
+    let coefficients = pushes
+        .iter()
+        .map(|push| along(push.linear, push.angular))
+        .collect();
+    let given = along(free.0, free.1);
+    let known = graph.add(given, rate);
+    (coefficients, graph.negate(known))
+}
+
+/// The balances that the free accelerations leave over: the moments about G, of a body that does not turn;
+/// those that a support meets, if its reactions are asked for.
+fn rows_left(
+    model: &Model,
+    work: &mut Workspace,
+    pushes: &[Push],
+    loads: &[Load],
+    free: (Components, Components),
+    errors: &mut Errors,
+) -> Option<Vec<(&'static str, Equation)>> {
+    let balances = balances_left(model, work);
+    let supporting: Vec<&Push> = pushes.iter().filter(|push| push.supports).collect();
+    let is_asked = !model.motion.is_supported() || !supporting.is_empty();
+    if balances.is_empty() || !is_asked {
+        return Some(Vec::new());
+    }
+    let in_body = |push: &&Push| model.reactions[push.reaction].frame == Frame::Body;
+    let frame = if model.motion.is_supported() && supporting.iter().all(in_body) {
+        Frame::Body
+    } else {
+        Frame::World
+    };
+    let in_frame = |work: &mut Workspace, (force, moment): (Vector, Vector)| {
+        let force = work.components(force, frame);
+        (force, work.components(moment, frame))
+    };
+    let known = balances_of(model, work, loads, Vec::new(), (&free.0, &free.1));
+    let known = in_frame(work, known);
+    let mut units = Vec::new();
+    for push in pushes {
+        let (force, moment) = inertial_change(model, work, push.linear, push.angular);
+        let unit = (work.add(push.load.0, force), work.add(push.load.1, moment));
+        units.push(in_frame(work, unit));
+    }
+    let mut rows = Vec::new();
+    for row in balances {
+        let graph = &mut work.graph;
+        let mut of = |(force, moment): (Components, Components)| {
+            graph.dot(row.direction, row.of(force, moment))
+        };
+        let (coefficients, known): (Vec<Id>, Id) =
+            (units.iter().map(|unit| of(*unit)).collect(), of(known));
+        if !coefficients.iter().all(|id| graph.is_zero(*id)) {
+            rows.push((row.name, (coefficients, graph.negate(known))));
+        } else if model.motion.is_supported() {
+            if !graph.is_zero(known) {
+                rows.push((row.name, (coefficients, graph.negate(known))));
+            }
+        } else if !graph.is_zero(known) {
+            check_moment_free(model, work, &model.loads, errors)?;
+        }
+    }
+    Some(rows)
+}
+
+fn sampled(
+    model: &Model,
+    work: &mut Workspace,
+    rows: Vec<Equation>,
+    constraints: &[Constrained],
+    pushes: &[Push],
+) -> Vec<Row> {
+    let all: Vec<Id> = rows
+        .iter()
+        .flat_map(|(coefficients, _)| coefficients.clone())
+        .collect();
+    let mut values = samples(work, &all).into_iter();
+    let mut sampled = Vec::new();
+    for (index, (coefficients, right)) in rows.into_iter().enumerate() {
+        let sizes = pushes.iter().map(|push| match constraints.get(index) {
+            Some(constraint) => size(model, work, constraint, push),
+            None => Size::Terms,
+        });
+        sampled.push(Row {
+            sizes: sizes.collect(),
+            sample: values.by_ref().take(coefficients.len()).collect(),
+            active: constraints
+                .get(index)
+                .and_then(|constraint| active(work, constraint)),
+            coefficients,
+            right,
+        });
+    }
+    sampled
+}
+
+/// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. Where the
+/// load pushes along the gradient it is a sum of squares; else it is at most the product of their
+/// lengths, and vanishes where they are perpendicular.
+fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Push) -> Size {
+    let Rates {
+        linear, angular, ..
+    } = constraint.rates;
+    let gradient = [linear, angular].concat();
+    let load = [push.force, push.moment].concat();
+    let values = samples(work, &[gradient, load].concat());
+    let (a, b) = values.split_at(values.len() / 2);
+    if !push.is_followed && are_parallel(a, b) {
+        return Size::Squares;
+    }
+    let by_gradient = response(model, work, linear, angular);
+    let graph = &mut work.graph;
+    let mut product = |a: [Components; 2], b: [Components; 2]| {
+        let (first, second) = (graph.dot(a[0], b[0]), graph.dot(a[1], b[1]));
+        graph.add(first, second)
+    };
+    let of_gradient = product([linear, angular], [by_gradient.0, by_gradient.1]);
+    let of_load = product([push.force, push.moment], [push.linear, push.angular]);
+    let square = graph.multiply(of_gradient, of_load);
+    Size::Product(graph.apply(Function::Sqrt, &[square]))
+}
+
+/// Whether two vectors are proved to be parallel, on all branches on which the first is not zero.
+fn are_parallel(a: &[Sample], b: &[Sample]) -> bool {
+    let branches = a.first().map_or(0, |first| first.0.len());
+    let on_branch = |branch: usize| {
+        let values = |vector: &[Sample]| -> Option<Vec<Residue>> {
+            vector.iter().map(|entry| entry.0[branch]).collect()
+        };
+        let (a, b) = (values(a)?, values(b)?);
+        let Some(lead) = a.iter().position(|entry| !entry.is_zero()) else {
+            return Some(true);
+        };
+        let crossed = |i: usize| a[i] * b[lead] + -(a[lead] * b[i]);
+        Some(!b[lead].is_zero() && (0..a.len()).all(|i| crossed(i).is_zero()))
+    };
+    !a.iter().all(Sample::is_zero) && (0..branches).all(|branch| on_branch(branch) == Some(true))
+}
+
+/// `q''_0 + sum of u_j D_j`
+fn pushed(
+    work: &mut Workspace,
+    free: Components,
+    pushes: &[Push],
+    values: &[Id],
+    part: fn(&Push) -> Components,
+) -> Components {
+    let graph = &mut work.graph;
+    let sum = pushes.iter().zip(values).fold(free, |sum, (push, value)| {
+        let change = graph.scale_vector(*value, part(push));
+        graph.add_vectors(sum, change)
+    });
+    graph.results(sum)
+}
+
+fn name_unknowns(model: &Model, work: &mut Workspace, pushes: &[Push], elimination: &Elimination) {
+    let names: Vec<String> = pushes.iter().map(|push| push.name(model)).collect();
+    let labels = &mut work.labels;
+    for (name, value) in names.iter().zip(&elimination.values) {
+        labels.name(*value, name.replace('.', "_"));
+    }
+    for (column, reciprocal) in &elimination.pivots {
+        labels.divide_for(*reciprocal, names[*column].clone());
+    }
+}
+
+fn name_accelerations(
+    model: &Model,
+    work: &mut Workspace,
+    linear: Components,
+    angular: Components,
+) {
+    let scalar = model.motion.is_planar() || model.motion.is_hinged();
+    let labels = &mut work.labels;
+    labels.describe("linear", "(1.3) with the reactions, world axes");
+    labels.vector("linear", linear);
+    labels.describe("angular", "(1.4) with the reactions, body axes");
+    if scalar {
+        labels.name(angular[2], "angular");
+    }
+    labels.vector("angular", angular);
+}
+
+/// The reactions of a body with constraints: what is given, and the unknowns along their directions.
+fn assemble(
+    model: &Model,
+    work: &mut Workspace,
+    pushes: &[Push],
+    values: &[Id],
+) -> Vec<ReactionExpressions> {
+    let mut vectors = Vec::new();
+    for index in 0..model.reactions.len() {
+        let reaction = &model.reactions[index];
+        let (frame, given, name) = (reaction.frame, reaction.given, reaction.name.to_string());
+        let mut whole = vec![work.vector(frame, given)];
+        let own = pushes
+            .iter()
+            .zip(values)
+            .filter(|(push, _)| push.reaction == index);
+        for (push, value) in own {
+            whole.push(work.scale(*value, push.direction));
+        }
+        let whole = work.sum(whole);
+        let vector = work.components(whole, Frame::World);
+        let vector = work.graph.results(vector);
+        work.labels.vector(&name, vector);
+        vectors.push(ReactionExpressions { vector });
+    }
+    vectors
+}

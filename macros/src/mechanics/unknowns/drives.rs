@@ -1,0 +1,297 @@
+//! Drives that enter the balances with coefficients that depend on the configuration.
+//!
+//! ```text
+//! sum of u_j w_j + b = 0      w_j: force and moment of one unit of the unknown j; b: what is left without them
+//! ```
+//!
+//! As many balances as unknowns, along axes in which no other has a part in them, are solved as they
+//! are. Where there are more, the motion is taken to be one that the drives can make, and they follow from
+//! Gauss's principle, by which the acceleration they leave over is least in the metric of the kinetic energy:
+//!
+//! ```text
+//! sum of (w_i . M^-1 w_j) u_j = -w_i . M^-1 b
+//! ```
+
+use crate::errors::{Errors, Extent};
+use crate::families::LoadKind;
+use crate::mechanics::balances::{arm, free_moment, response};
+use crate::mechanics::proofs::{all_vanish, samples};
+use crate::model::{Frame, Model, Reaction, Vector, Workspace};
+use crate::symbolic::{self, Components, Elimination, Id, Size};
+
+use super::inertial::{balances_of, balances_without_unknowns};
+use super::pushes::{given_loads, pushes};
+use super::rod::check_across;
+use super::unknown::Row;
+
+/// One unit of an unknown.
+struct Column<'m> {
+    load: &'m Reaction,
+    axis: usize,
+    place: Extent,
+    /// In the axes in which it is written.
+    direction: Vector,
+    force: Vector,
+    /// About the center.
+    moment: Vector,
+}
+
+/// An equation for the unknowns: coefficients, what they are compared with, and the right side.
+struct Equation {
+    coefficients: Vec<Id>,
+    sizes: Vec<Size>,
+    right: Id,
+}
+
+/// Solves for the drives of the model, under constraints together with the reactions that keep these. `rows` are the
+/// balances along the directions in which the body moves freely, and those that hold one that does not turn.
+pub fn solve_drives(
+    model: &Model,
+    work: &mut Workspace,
+    rows: &[Row],
+    (linear, angular): (&Components, &Components),
+    errors: &mut Errors,
+) -> Option<Vec<Vector>> {
+    let columns = columns(model, work, errors)?;
+    if let Some(axis) = model.state.axis {
+        let moments = columns.iter().map(|column| column.turning(model));
+        check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
+    }
+    let rest = if model.constraints.is_empty() {
+        balances_without_unknowns(model, work, linear, angular)
+    } else {
+        let loads = given_loads(model, work);
+        balances_of(model, work, &loads, Vec::new(), (linear, angular))
+    };
+    let equations = match as_many(model, work, rows, &columns, rest) {
+        Some(equations) => equations,
+        None => {
+            let mut equations = nearest(model, work, &columns, rest);
+            // a body that does not turn is held by what is left of the balances
+            let held = rows.iter().filter(|row| is_held(model, row)).cloned();
+            let held: Vec<Row> = held.collect();
+            let frames = (Frame::World, Frame::World);
+            equations.extend(balances(work, &held, &columns, rest, frames));
+            equations
+        }
+    };
+    let elimination = eliminate(work, equations, columns.len());
+    let names: Vec<String> = columns.iter().map(|column| column.name(model)).collect();
+    for column in &elimination.undetermined {
+        let name = &names[*column];
+        let message = if columns.len() == 1 {
+            format!("nothing determines `{name}`: it has no part in how the body moves freely")
+        } else {
+            format!(
+                "more is unknown than the balances determine: what `{name}` does, the other drives do \
+                 together; write the value of one of them, 0 if it is at rest"
+            )
+        };
+        errors.push(columns[*column].place, message);
+    }
+    if !elimination.undetermined.is_empty() {
+        return None;
+    }
+    let labels = &mut work.labels;
+    for (name, value) in names.iter().zip(&elimination.values) {
+        labels.name(*value, name.replace('.', "_"));
+    }
+    for (column, reciprocal) in &elimination.pivots {
+        labels.divide_for(*reciprocal, names[*column].clone());
+    }
+    let mut vectors = Vec::new();
+    for drive in &model.drives {
+        let mut whole = work.zero_vector();
+        let own = columns.iter().zip(&elimination.values);
+        for (column, value) in own.filter(|(column, _)| column.load.name == drive.name) {
+            let part = work.scale(*value, column.direction);
+            whole = work.add(whole, part);
+        }
+        vectors.push(whole);
+    }
+    Some(vectors)
+}
+
+impl Column<'_> {
+    fn name(&self, model: &Model) -> String {
+        self.load.component_name(model.motion, self.axis)
+    }
+
+    /// Of a rod.
+    fn turning(&self, model: &Model) -> (String, Extent, Components) {
+        (self.name(model), self.place, self.moment.world)
+    }
+}
+
+fn columns<'m>(
+    model: &'m Model,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<Vec<Column<'m>>> {
+    let center = model.state.center(work);
+    let mut columns = Vec::new();
+    if !model.constraints.is_empty() {
+        // what a support carries follows from the motion, and drives nothing
+        let pushes = pushes(model, work, errors)?.into_iter();
+        columns.extend(pushes.filter(|push| !push.supports).map(|push| Column {
+            load: &model.reactions[push.reaction],
+            axis: push.axis,
+            place: push.place,
+            direction: push.direction,
+            force: push.load.0,
+            moment: push.load.1,
+        }));
+    }
+    for drive in &model.drives {
+        for (axis, place) in &drive.unknown {
+            let direction = drive.direction(work, *axis);
+            let (force, moment) = match drive.kind {
+                LoadKind::Moment => (work.zero_vector(), direction),
+                LoadKind::Force => {
+                    let arm = arm(model, work, drive.point, center);
+                    (direction, work.cross(arm, direction))
+                }
+            };
+            columns.push(Column {
+                load: drive,
+                axis: *axis,
+                place: *place,
+                direction,
+                force,
+                moment,
+            });
+        }
+    }
+    Some(columns)
+}
+
+/// Whether a balance is one of moments of a body that does not turn.
+fn is_held(model: &Model, row: &Row) -> bool {
+    row.kind == LoadKind::Moment && !model.motion.has_attitude()
+}
+
+/// The balances in which unknowns have a part, if there are as many along some axes.
+fn as_many(
+    model: &Model,
+    work: &mut Workspace,
+    rows: &[Row],
+    columns: &[Column<'_>],
+    rest: (Vector, Vector),
+) -> Option<Vec<Equation>> {
+    use Frame::{Body, World};
+    // the moments about an axis that is fixed in the body
+    let is_hinged = model.motion.is_hinged();
+    for frames in [(World, Body), (Body, Body), (World, World), (Body, World)] {
+        if is_hinged && frames.1 == World {
+            continue;
+        }
+        let equations = balances(work, rows, columns, rest, frames);
+        if equations.len() <= columns.len() {
+            return Some(equations);
+        }
+    }
+    None
+}
+
+/// The balances in which unknowns have a part, of forces and of moments in these axes.
+fn balances(
+    work: &mut Workspace,
+    rows: &[Row],
+    columns: &[Column<'_>],
+    rest: (Vector, Vector),
+    (of_forces, of_moments): (Frame, Frame),
+) -> Vec<Equation> {
+    let along = |work: &mut Workspace, row: &Row, force: Vector, moment: Vector| {
+        let (vector, frame) = match row.kind {
+            LoadKind::Force => (force, of_forces),
+            LoadKind::Moment => (moment, of_moments),
+        };
+        let components = work.components(vector, frame);
+        work.graph.dot(row.direction, components)
+    };
+    let mut equations = Vec::new();
+    for row in rows {
+        let each = columns.iter();
+        let coefficients: Vec<Id> = each
+            .map(|column| along(work, row, column.force, column.moment))
+            .collect();
+        if all_vanish(work, &coefficients) {
+            continue;
+        }
+        let rest = along(work, row, rest.0, rest.1);
+        equations.push(Equation {
+            sizes: vec![Size::Terms; coefficients.len()],
+            coefficients,
+            right: work.graph.negate(rest),
+        });
+    }
+    equations
+}
+
+/// Gauss's principle.
+fn nearest(
+    model: &Model,
+    work: &mut Workspace,
+    columns: &[Column<'_>],
+    rest: (Vector, Vector),
+) -> Vec<Equation> {
+    let graph = &work.graph;
+    let is_in_body = |column: &Column<'_>| graph.is_zero_vector(&column.force.world);
+    // a mass is the same in all axes
+    let of_forces = if model.motion.has_attitude() && columns.iter().all(is_in_body) {
+        Frame::Body
+    } else {
+        Frame::World
+    };
+    let in_axes = |work: &mut Workspace, force: Vector, moment: Vector| {
+        let force = work.components(force, of_forces);
+        let moment = work.components(moment, Frame::Body);
+        (force, free_moment(model, work, moment))
+    };
+    let loads: Vec<(Components, Components)> = columns
+        .iter()
+        .map(|column| in_axes(work, column.force, column.moment))
+        .collect();
+    let rest = in_axes(work, rest.0, rest.1);
+    let mut equations = Vec::new();
+    for (row, (force, moment)) in loads.iter().enumerate() {
+        let (linear, angular) = response(model, work, *force, *moment);
+        let graph = &mut work.graph;
+        let mut power = |(force, moment): (Components, Components)| {
+            let (first, second) = (graph.dot(linear, force), graph.dot(angular, moment));
+            graph.add(first, second)
+        };
+        let coefficients: Vec<Id> = loads.iter().map(|load| power(*load)).collect();
+        let rest = power(rest);
+        let size = |column: usize| {
+            if column == row {
+                Size::Squares
+            } else {
+                Size::Terms
+            }
+        };
+        equations.push(Equation {
+            sizes: (0..coefficients.len()).map(size).collect(),
+            coefficients,
+            right: work.graph.negate(rest),
+        });
+    }
+    equations
+}
+
+fn eliminate(work: &mut Workspace, equations: Vec<Equation>, unknowns: usize) -> Elimination {
+    let all: Vec<Id> = equations
+        .iter()
+        .flat_map(|equation| equation.coefficients.clone())
+        .collect();
+    let mut values = samples(work, &all).into_iter();
+    let rows = equations.into_iter().map(|equation| symbolic::Row {
+        sample: values.by_ref().take(unknowns).collect(),
+        coefficients: equation.coefficients,
+        active: None,
+        sizes: equation.sizes,
+        right: equation.right,
+    });
+    let rows = rows.collect();
+    work.graph.solve_guarded(rows, unknowns)
+}

@@ -1,0 +1,158 @@
+//! What the given loads and the inertia leave of the balances.
+
+use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about, resultant};
+use crate::model::{Frame, Inertia, Load, Meaning, Model, Vector, Workspace};
+use crate::symbolic::{Components, Id, Node};
+
+/// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
+pub fn inertial(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+) -> (Vector, Vector) {
+    let hinge = model.hinge(&mut work.graph);
+    let graph = &mut work.graph;
+    let rate = match hinge {
+        Some(d) => graph.scale_vector(angular[2], d),
+        None => *angular,
+    };
+    let symbols: Vec<(Id, Id)> = accelerations(model, work, linear, &rate, angular);
+    let acceleration = model.state.acceleration;
+    let graph = &mut work.graph;
+    let acceleration = Vector {
+        body: graph.replaced(acceleration.body, &symbols),
+        world: graph.replaced(acceleration.world, &symbols),
+    };
+    let zero = work.zero_vector();
+    let force = match model.mass {
+        Some(mass) => {
+            let rate = work.scale(mass, acceleration);
+            work.negate(rate)
+        }
+        None => zero,
+    };
+    let w = model.state.angular_velocity;
+    let inertia = inertia_about_center(model, work);
+    let graph = &mut work.graph;
+    let change = match inertia {
+        Inertia::Absent => graph.zeros(),
+        Inertia::Scalar(moment) => graph.scale_vector(moment, rate),
+        Inertia::Spatial(rows) => {
+            let momentum = graph.transform(&rows, w);
+            let gyroscopic = graph.cross(w, momentum);
+            let driven = graph.transform(&rows, rate);
+            graph.add_vectors(driven, gyroscopic)
+        }
+    };
+    let change = graph.negate_vector(change);
+    let moment = work.vector(Frame::Body, change);
+    (force, moment)
+}
+
+/// The symbols of the accelerations and the expressions they are.
+pub fn accelerations(
+    model: &Model,
+    work: &Workspace,
+    linear: &Components,
+    rate: &Components,
+    angular: &Components,
+) -> Vec<(Id, Id)> {
+    let graph = &work.graph;
+    let state = &model.state;
+    let symbols: Vec<Id> = graph.reachable(
+        &[
+            state.acceleration.body,
+            state.acceleration.world,
+            state.angular_acceleration,
+        ]
+        .concat(),
+        |_| true,
+    );
+    let value = |id: Id| {
+        let Node::Symbol(symbol) = graph.node(id) else {
+            return None;
+        };
+        match work.meanings.of(*symbol) {
+            Meaning::LinearAcceleration(axis) => Some((id, linear[axis])),
+            Meaning::AngularAcceleration(axis) if model.motion.is_hinged() => {
+                Some((id, angular[axis]))
+            }
+            Meaning::AngularAcceleration(axis) => Some((id, rate[axis])),
+            _ => None,
+        }
+    };
+    symbols.into_iter().filter_map(value).collect()
+}
+
+/// What one unit of an unknown changes of these by the acceleration that it makes.
+pub fn inertial_change(
+    model: &Model,
+    work: &mut Workspace,
+    linear: Components,
+    angular: Components,
+) -> (Vector, Vector) {
+    let hinge = model.hinge(&mut work.graph);
+    let inertia = inertia_about_center(model, work);
+    let graph = &mut work.graph;
+    let rate = match hinge {
+        Some(d) => graph.scale_vector(angular[2], d),
+        None => angular,
+    };
+    let swept = match model.state.support {
+        Some(support) => graph.cross(support.offset, rate),
+        None => graph.zeros(),
+    };
+    let change = match inertia {
+        Inertia::Absent => graph.zeros(),
+        Inertia::Scalar(moment) => graph.scale_vector(moment, rate),
+        Inertia::Spatial(rows) => graph.transform(&rows, rate),
+    };
+    let change = graph.negate_vector(change);
+    let acceleration = Vector {
+        body: swept,
+        world: linear,
+    };
+    let force = match model.mass {
+        Some(mass) => {
+            let rate = work.scale(mass, acceleration);
+            work.negate(rate)
+        }
+        None => work.zero_vector(),
+    };
+    (force, work.vector(Frame::Body, change))
+}
+
+/// Sum of the given forces and their moment about the center, less the inertial ones.
+pub fn balances_without_unknowns(
+    model: &Model,
+    work: &mut Workspace,
+    linear: &Components,
+    angular: &Components,
+) -> (Vector, Vector) {
+    let center = model.state.center(work);
+    let given = given_parts(model, work, center);
+    balances_of(model, work, &model.loads, given, (linear, angular))
+}
+
+/// The same of other loads, and of forces with their moments.
+pub fn balances_of(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Load],
+    further: Vec<(Vector, Vector)>,
+    (linear, angular): (&Components, &Components),
+) -> (Vector, Vector) {
+    let center = model.state.center(work);
+    let mut force = resultant(work, loads);
+    let moments = moments_about(model, work, loads, center);
+    let mut moment = work.sum(moments);
+    for (given_force, given_moment) in further {
+        force = work.add(force, given_force);
+        moment = work.add(moment, given_moment);
+    }
+    let (inertial_force, inertial_moment) = inertial(model, work, linear, angular);
+    let force = work.add(force, inertial_force);
+    let moment = work.add(moment, inertial_moment);
+    (force, moment)
+}

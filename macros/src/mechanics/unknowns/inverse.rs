@@ -1,0 +1,120 @@
+//! Inverse dynamics: the drives that go with a given motion.
+//!
+//! The same balances as in [`super::reactions`], with the accelerations given and the drives unknown
+//! beside the reactions. A motion is taken to be one that the drives can make: a balance in which no
+//! unknown has a part is not looked at. Where coefficients depend on the configuration, or drives are
+//! fewer than the balances they have a part in, [`super::drives`] solves for them.
+
+use crate::errors::Errors;
+use crate::families::LoadKind;
+use crate::model::{Meaning, Model, Reaction, Vector, Workspace};
+use crate::symbolic::{Components, Id, Node};
+
+use super::drives::solve_drives;
+use super::left_over::balances_left;
+use super::reactions::assemble;
+use super::reactions::solve_unknowns;
+use super::solvability::check_determined;
+use super::unknown::{ReactionExpressions, Row, Unmoved};
+
+/// Solves for the drives, each in the axes in which it is written.
+pub fn derive_inverse(
+    model: &Model,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<Vec<ReactionExpressions>> {
+    let mut rows = free_balances(model, work);
+    if !model.reactions.is_empty() {
+        rows.extend(balances_left(model, work));
+    }
+    let (linear, angular) = given_accelerations(model, work);
+    let motion = (&linear, &angular);
+    let solved = if model.constraints.is_empty() && model.state.axis.is_none() {
+        solve(model, work, rows, motion, errors)?
+    } else {
+        let mut rows = free_balances(model, work);
+        if !model.motion.has_attitude() {
+            rows.extend(balances_left(model, work));
+        }
+        solve_drives(model, work, &rows, motion, errors)?
+    };
+    let drives = model.drives.iter().zip(solved).map(|(drive, vector)| {
+        let components = work.components(vector, drive.frame);
+        let vector = work.graph.results(components);
+        work.labels.vector(&drive.name.to_string(), vector);
+        ReactionExpressions { vector }
+    });
+    Some(drives.collect())
+}
+
+/// The drives: with constant coefficients where there are axes in which they are, and there are as
+/// many as they have balances.
+fn solve(
+    model: &Model,
+    work: &mut Workspace,
+    rows: Vec<Row>,
+    motion: (&Components, &Components),
+    errors: &mut Errors,
+) -> Option<Vec<Vector>> {
+    let free = free_balances(model, work);
+    let unknown: Vec<&Reaction> = model.reactions.iter().chain(&model.drives).collect();
+    let solved = solve_unknowns(model, work, &unknown, rows, motion, Unmoved::Ignored);
+    match solved {
+        Ok(solved) if solved.is_constant && !solved.solution.undetermined.is_empty() => {
+            check_determined(model, work, &solved, errors)?;
+            None
+        }
+        Ok(solved) if solved.is_constant && solved.solution.unbalanced.is_empty() => {
+            let drives = model.drives.iter();
+            Some(drives.map(|drive| assemble(work, &solved, drive)).collect())
+        }
+        _ => solve_drives(model, work, &free, motion, errors),
+    }
+}
+
+/// The balances along the directions in which the body moves freely.
+fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
+    let graph = &mut work.graph;
+    let (zero, one) = (graph.zero(), graph.one());
+    let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
+    let along = |kind: LoadKind, direction: Components| Row::new("the balances", kind, direction);
+    let mut rows = Vec::new();
+    if model.motion.translates() {
+        rows.extend((0..model.motion.axes()).map(|axis| along(LoadKind::Force, unit(axis))));
+    }
+    if let Some(d) = model.hinge(&mut work.graph) {
+        rows.push(along(LoadKind::Moment, d));
+    } else if model.motion.has_attitude() {
+        let axes = if model.motion.is_planar() { 2..3 } else { 0..3 };
+        rows.extend(axes.map(|axis| along(LoadKind::Moment, unit(axis))));
+    }
+    rows
+}
+
+/// The symbols of the accelerations; that of a hinge stands in the place of z, and of a rod there is `u x u''`.
+fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Components) {
+    let state = &model.state;
+    let roots = [
+        state.acceleration.body,
+        state.acceleration.world,
+        state.angular_acceleration,
+    ]
+    .concat();
+    let zeros = work.graph.zeros();
+    let (mut linear, mut angular) = (zeros, zeros);
+    let graph = &work.graph;
+    for id in graph.reachable(&roots, |_: Id| true) {
+        let Node::Symbol(symbol) = graph.node(id) else {
+            continue;
+        };
+        match work.meanings.of(*symbol) {
+            Meaning::LinearAcceleration(axis) => linear[axis] = id,
+            Meaning::AngularAcceleration(axis) => angular[axis] = id,
+            _ => {}
+        }
+    }
+    if model.state.axis.is_some() {
+        angular = state.angular_acceleration;
+    }
+    (linear, angular)
+}

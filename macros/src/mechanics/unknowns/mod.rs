@@ -1,0 +1,22 @@
+//! Unknown loads: reactions, drives, and the constraints that they keep.
+
+mod active;
+mod consistency;
+mod constrained;
+mod constraints;
+mod drives;
+mod inertial;
+mod inverse;
+mod left_over;
+mod pushes;
+mod reactions;
+mod redundancy;
+mod rod;
+mod solvability;
+mod unknown;
+
+pub use consistency::{Consistency, Reach, derive_consistency, derive_reach};
+pub use constraints::derive_constrained;
+pub use inverse::derive_inverse;
+pub use reactions::derive_reactions;
+pub use unknown::ReactionExpressions;

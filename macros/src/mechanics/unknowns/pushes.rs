@@ -1,0 +1,260 @@
+//! What one unit of each unknown does: its load, the loads that follow it, and the acceleration.
+//!
+//! A load may name an unknown reaction R, as friction does with `-mu R`. It is linear in R, or an
+//! error: `F(R) = F(given) + sum of u_j dF/dR . e_j`.
+
+use crate::errors::{Errors, Extent};
+use crate::families::{Family, LoadKind};
+use crate::mechanics::balances::{arm, free_moment, response};
+use crate::mechanics::proofs::all_vanish;
+use crate::model::{Frame, Load, Meaning, Model, Point, Reaction, Vector, Workspace};
+use crate::symbolic::{Components, Graph, Id, Node};
+
+/// One unit of an unknown.
+pub struct Push {
+    pub reaction: usize,
+    pub axis: usize,
+    pub place: Extent,
+    /// Its own direction.
+    pub direction: Vector,
+    /// Another load depends on it.
+    pub is_followed: bool,
+    /// Its force, and its moment about the center; with what follows it.
+    pub load: (Vector, Vector),
+    /// The same along which the body moves freely: the force in world axes, and the moment.
+    pub force: Components,
+    pub moment: Components,
+    /// It acts where the body is held, and makes no acceleration.
+    pub supports: bool,
+    /// The acceleration that it makes: of G, world axes; angular, body axes.
+    pub linear: Components,
+    pub angular: Components,
+}
+
+impl Push {
+    pub fn name(&self, model: &Model) -> String {
+        model.reactions[self.reaction].component_name(model.motion, self.axis)
+    }
+}
+
+/// The loads without the unknowns: what is given, and what would be if the unknowns were zero.
+pub fn given_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
+    let mut values = Vec::new();
+    let mut loads = Vec::new();
+    for index in 0..model.reactions.len() {
+        let (frame, given) = (model.reactions[index].frame, model.reactions[index].given);
+        let given = work.vector(frame, given);
+        let in_world = work.components(given, Frame::World);
+        values.extend(symbols(model, index).into_iter().zip(in_world));
+        let zero = work.zero_vector();
+        let reaction = &model.reactions[index];
+        let (force, moment) = match reaction.kind {
+            LoadKind::Force => (given, zero),
+            LoadKind::Moment => (zero, given),
+        };
+        loads.push(Load {
+            name: reaction.name.clone(),
+            family: Family::Reaction,
+            force,
+            point: reaction.point,
+            moment,
+            pull: None,
+            potential: None,
+            extent: reaction.name.span().into(),
+            mention: None,
+        });
+    }
+    for load in &model.loads {
+        let graph = &mut work.graph;
+        loads.push(Load {
+            name: load.name.clone(),
+            force: without(graph, load.force, &values),
+            moment: without(graph, load.moment, &values),
+            ..*load
+        });
+    }
+    loads
+}
+
+fn without(graph: &mut Graph, vector: Vector, values: &[(Id, Id)]) -> Vector {
+    Vector {
+        body: graph.replaced(vector.body, values),
+        world: graph.replaced(vector.world, values),
+    }
+}
+
+/// The symbols of a reaction, by axis; zero where it has none.
+fn symbols(model: &Model, reaction: usize) -> Components {
+    model.reactions[reaction].symbols.world
+}
+
+/// What each unknown does; a load that depends on one in another way than linearly is an error.
+pub fn pushes(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<Vec<Push>> {
+    check_linear(model, work, errors)?;
+    let mut pushes = Vec::new();
+    for reaction in 0..model.reactions.len() {
+        let unknown = model.reactions[reaction].unknown.clone();
+        for (axis, place) in unknown {
+            pushes.push(push(model, work, reaction, axis, place));
+        }
+    }
+    Some(pushes)
+}
+
+fn push(model: &Model, work: &mut Workspace, reaction: usize, axis: usize, place: Extent) -> Push {
+    let Reaction { kind, point, .. } = model.reactions[reaction];
+    let direction = model.reactions[reaction].direction(work, axis);
+    let zero = work.zero_vector();
+    let own = match kind {
+        LoadKind::Force => (direction, point, zero),
+        LoadKind::Moment => (zero, point, direction),
+    };
+    let followers = followers(model, work, reaction, direction);
+    let is_followed = !followers.is_empty();
+
+    let center = model.state.center(work);
+    let (mut forces, mut moments) = (Vec::new(), Vec::new());
+    for (force, point, moment) in core::iter::once(own).chain(followers) {
+        moments.push(moment);
+        if !work.is_zero_vector(force) {
+            let arm = arm(model, work, point, center);
+            moments.push(work.cross(arm, force));
+            forces.push(force);
+        }
+    }
+    let (force, moment) = (work.sum(forces), work.sum(moments));
+    let load = (force, moment);
+    let force = work.components(force, Frame::World);
+    let moment = if model.motion.has_attitude() {
+        let moment = work.components(moment, Frame::Body);
+        free_moment(model, work, moment)
+    } else {
+        work.graph.zeros()
+    };
+    let (linear, angular) = response(model, work, force, moment);
+    let moves = [linear, angular].concat();
+    Push {
+        reaction,
+        axis,
+        place,
+        direction,
+        is_followed,
+        supports: model.motion.is_supported() && all_vanish(work, &moves),
+        load,
+        force,
+        moment,
+        linear,
+        angular,
+    }
+}
+
+/// The loads that depend on a reaction, for one unit of it along `direction`: their forces, where they
+/// act, and their moments.
+fn followers(
+    model: &Model,
+    work: &mut Workspace,
+    reaction: usize,
+    direction: Vector,
+) -> Vec<(Vector, Point, Vector)> {
+    let unit = work.components(direction, Frame::World);
+    let symbols = symbols(model, reaction);
+    let mut followers = Vec::new();
+    for load in model.loads.iter().filter(|load| load.mention.is_some()) {
+        let graph = &mut work.graph;
+        let roots = parts(load);
+        let mut changes = vec![graph.zero(); roots.len()];
+        for (symbol, part) in symbols.into_iter().zip(unit) {
+            if matches!(graph.node(symbol), Node::Symbol(_)) && !graph.is_zero(part) {
+                let slopes = graph.derivative(&roots, symbol);
+                for (change, slope) in changes.iter_mut().zip(slopes) {
+                    let term = graph.multiply(slope, part);
+                    *change = graph.add(*change, term);
+                }
+            }
+        }
+        if changes.iter().any(|change| !graph.is_zero(*change)) {
+            let vector = |first: usize| Vector {
+                body: [changes[first], changes[first + 1], changes[first + 2]],
+                world: [changes[first + 3], changes[first + 4], changes[first + 5]],
+            };
+            followers.push((vector(0), load.point, vector(6)));
+        }
+    }
+    followers
+}
+
+/// All components of a load.
+fn parts(load: &Load) -> Vec<Id> {
+    let (force, moment) = (load.force, load.moment);
+    [force.body, force.world, moment.body, moment.world].concat()
+}
+
+/// Loads are linear in the reactions they name: each is what it is without them and what its slopes make
+/// of them, proved in all states.
+fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
+    let mut linear = true;
+    for index in 0..model.loads.len() {
+        let load = &model.loads[index];
+        let place = load.mention.unwrap_or(load.extent);
+        let name = load.name.to_string();
+        let roots = parts(load);
+        let place_of_load = match load.point {
+            Point::Body(offset) | Point::World(offset) => offset.to_vec(),
+            Point::Moving(offset) => [offset.body, offset.world].concat(),
+        };
+        if !reactions_in(work, &place_of_load).is_empty() {
+            errors.push(
+                place,
+                format!("where `{name}` acts cannot depend on an unknown reaction"),
+            );
+            linear = false;
+        } else if model.loads[index].mention.is_some() && !is_linear(work, &roots) {
+            errors.push(
+                place,
+                format!(
+                    "`{name}` is not linear in this unknown reaction: write a multiple of its \
+                     components, such as `-mu * N.in_world().y`"
+                ),
+            );
+            linear = false;
+        }
+    }
+    linear.then_some(())
+}
+
+/// The symbols of unknown reactions that expressions contain.
+fn reactions_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
+    let graph = &work.graph;
+    let is_reaction = |id: &Id| match graph.node(*id) {
+        Node::Symbol(symbol) => matches!(work.meanings.of(*symbol), Meaning::Reaction(..)),
+        _ => false,
+    };
+    let mut symbols = graph.reachable(roots, |_| true);
+    symbols.retain(is_reaction);
+    symbols
+}
+
+fn is_linear(work: &mut Workspace, roots: &[Id]) -> bool {
+    let symbols = reactions_in(work, roots);
+    let zero = work.graph.zero();
+    let graph = &mut work.graph;
+    let is_known = |id: Id| symbols.contains(&id).then_some(zero);
+    let without = graph.substitute(roots, is_known);
+    let mut rest: Vec<Id> = roots
+        .iter()
+        .zip(without)
+        .map(|(root, without)| graph.subtract(*root, without))
+        .collect();
+    for symbol in &symbols {
+        let slopes = work.graph.derivative(roots, *symbol);
+        if !reactions_in(work, &slopes).is_empty() {
+            return false;
+        }
+        let graph = &mut work.graph;
+        for (rest, slope) in rest.iter_mut().zip(slopes) {
+            let part = graph.multiply(slope, *symbol);
+            *rest = graph.subtract(*rest, part);
+        }
+    }
+    all_vanish(work, &rest)
+}

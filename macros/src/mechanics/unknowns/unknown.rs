@@ -1,0 +1,66 @@
+//! Unknown components of loads, and the balances that they are solved from.
+
+use crate::errors::Extent;
+use crate::families::LoadKind;
+use crate::model::{Frame, Reaction};
+use crate::symbolic::{Components, Solution};
+
+/// One reaction, as a whole.
+#[derive(Clone)]
+pub struct ReactionExpressions {
+    /// World axes.
+    pub vector: Components,
+}
+
+/// An unknown component: its load, its axis in the frame of the equations, and its place.
+pub struct Unknown<'m> {
+    pub load: &'m Reaction,
+    pub axis: usize,
+    pub place: Extent,
+}
+
+/// A row of the balances that is left over.
+#[derive(Clone)]
+pub struct Row {
+    pub name: &'static str,
+    /// Of a force or of a moment, from the components of the resultants.
+    pub kind: LoadKind,
+    pub direction: Components,
+}
+
+impl Row {
+    pub fn new(name: &'static str, kind: LoadKind, direction: Components) -> Self {
+        Self {
+            name,
+            kind,
+            direction,
+        }
+    }
+
+    /// Of the components of a force and of a moment, those that it is about.
+    pub fn of(&self, force: Components, moment: Components) -> Components {
+        match self.kind {
+            LoadKind::Force => force,
+            LoadKind::Moment => moment,
+        }
+    }
+}
+
+/// What is done with balances in which no unknown has a part.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Unmoved {
+    /// They have to hold by themselves.
+    Checked,
+    /// The motion is taken to meet them.
+    Ignored,
+}
+
+/// What the balances say of the unknowns.
+pub struct Solved<'m> {
+    pub frame: Frame,
+    pub unknowns: Vec<Unknown<'m>>,
+    pub rows: Vec<Row>,
+    pub solution: Solution,
+    /// Whether the coefficients are known before the state is.
+    pub is_constant: bool,
+}

@@ -1,0 +1,296 @@
+//! Potentials as loads: `F = -dU/dR` and `K = -dU/dphi` (34.2), (34.6).
+//!
+//! The derivative along a rotation is not taken through the rotation. As the body turns by phi,
+//! given in body axes, a vector fixed in the body changes in the world, and one fixed in the world
+//! changes in the body, by
+//!
+//! ```text
+//! d(R v) = R (phi x v)        d(R^T v) = -phi x (R^T v)
+//! ```
+//!
+//! so with the slope g of U along the turned vector r, K is `(R^T g) x v` or `r x g`; and along v
+//! itself the slope is g, turned back.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::families::Family;
+use crate::model::{Attitude, Form, Frame, Load, Model, Turn, Vector, Workspace};
+use crate::symbolic::{Components, Id, Number};
+
+use super::spring_arm;
+
+/// What a potential amounts to.
+struct Derived {
+    energy: Id,
+    force: Vector,
+    /// About G, or about the point that is held; body axes.
+    moment: Components,
+    /// At the axis of a rod, `-dU/du`; world axes.
+    pull: Components,
+}
+
+/// Slopes of an energy, by symbol.
+type Slopes = HashMap<Id, Id>;
+
+/// The potentials become loads, in the form that makes the fewest operations.
+pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
+    let mut best: Option<(u32, Vec<Derived>)> = None;
+    for form in &model.potentials.forms {
+        let derived: Vec<Derived> = form
+            .energies
+            .iter()
+            .map(|energy| derive(work, form, *energy))
+            .collect();
+        let derived = expand(&model, work, form, &derived);
+        let cost = cost(&model, work, &derived);
+        if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+            best = Some((cost, derived));
+        }
+    }
+    let derived = best.map_or_else(Vec::new, |(_, derived)| derived);
+    for (index, derived) in derived.into_iter().enumerate() {
+        let load = load(&model, work, index, &derived);
+        let place = model.potentials.list[index].place;
+        model.loads.insert(place.min(model.loads.len()), load);
+    }
+    model
+}
+
+fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) -> Load {
+    let name = model.potentials.list[index].name.clone();
+    let labels = &mut work.labels;
+    labels.vector(&format!("{name}_force"), derived.force.world);
+    let moment = format!("{name}_moment");
+    if model.motion.is_planar() {
+        labels.name(derived.moment[2], moment);
+    } else {
+        labels.vector(&moment, derived.moment);
+    }
+    let center = model.state.center(work);
+    Load {
+        extent: name.span().into(),
+        name,
+        family: Family::Field,
+        force: derived.force,
+        point: center,
+        moment: work.vector(Frame::Body, derived.moment),
+        pull: model.state.axis.map(|_| derived.pull),
+        potential: Some(derived.energy),
+        mention: None,
+    }
+}
+
+/// Late operations of what enters the accelerations.
+fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
+    let mut roots = Vec::new();
+    if model.motion.translates() {
+        let force = work.sum(derived.iter().map(|one| one.force));
+        roots.extend(work.turn(force.body, Frame::World));
+        roots.extend(force.world);
+    }
+    if model.motion.has_attitude() {
+        roots.extend(derived.iter().flat_map(|one| one.moment));
+    }
+    work.graph.late_cost(&roots).total()
+}
+
+/// Force and moment, made of turned vectors that are still kept apart.
+fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
+    let place = symbols_of_place(work, form);
+    let one = work.graph.one();
+    let mut slopes = Slopes::new();
+    descend(work, &place, &[(energy, one)], &mut slopes);
+    let mut moment = work.graph.zeros();
+    let mut in_body = work.graph.zeros();
+    // each vector is made of those that were turned before it
+    for turn in form.turns.iter().rev() {
+        let slope = along(work, &slopes, turn.turned);
+        if work.graph.is_zero_vector(&slope) {
+            continue;
+        }
+        let turning = turning(work, turn, slope);
+        moment = work.graph.add_vectors(moment, turning);
+        if let Some(slope) = carried(work, form, turn, &place, slope) {
+            in_body = work.graph.add_vectors(in_body, slope);
+        } else if depends_on_place(work, turn, &place) {
+            let back = work.turn(slope, turn.to.other());
+            let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();
+            descend(work, &place, &weighted, &mut slopes);
+        }
+    }
+    let direct = attitude_moment(work, &slopes);
+    let pull = pull(work, &slopes);
+    let force = along(work, &slopes, form.displacement);
+    let slope = Vector {
+        body: in_body,
+        world: force,
+    };
+    Derived {
+        energy,
+        force: work.negate(slope),
+        moment: work.graph.add_vectors(moment, direct),
+        pull,
+    }
+}
+
+fn depends_on_place(work: &Workspace, turn: &Turn, place: &HashSet<Id>) -> bool {
+    let graph = &work.graph;
+    graph.depends_on(&turn.vector, |id| place.contains(&id))
+}
+
+/// The slope along the position, in body axes, where what was turned into them is the position, or
+/// a distance from it: forces of one body are added before they are turned.
+fn carried(
+    work: &mut Workspace,
+    form: &Form,
+    turn: &Turn,
+    place: &HashSet<Id>,
+    slope: Components,
+) -> Option<Components> {
+    if turn.to == Frame::World {
+        return None;
+    }
+    let graph = &mut work.graph;
+    let factor = spring_arm::common_rate(graph, turn.vector, form.displacement, place)?;
+    Some(graph.scale_vector(factor, slope))
+}
+
+/// The moment that a slope along a turned vector amounts to.
+fn turning(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
+    match turn.to {
+        Frame::World => {
+            let back = work.turn(slope, Frame::Body);
+            work.graph.cross(back, turn.vector)
+        }
+        Frame::Body => {
+            let (factor, moment) = spring_arm::moment(work, turn.turned, slope);
+            work.graph.scale_vector(factor, moment)
+        }
+    }
+}
+
+/// The symbols that say where the body is: of the displacement, the attitude and turned vectors.
+fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
+    let mut symbols: HashSet<Id> = form.displacement.into_iter().collect();
+    symbols.extend(form.turns.iter().flat_map(|turn| turn.turned));
+    match work.attitude {
+        Attitude::Fixed => {}
+        Attitude::Axis { angle, .. } => symbols.extend([angle]),
+        Attitude::Quaternion { scalar, vector } => {
+            symbols.extend([scalar]);
+            symbols.extend(vector);
+        }
+        Attitude::Line { axis, .. } => symbols.extend(axis),
+    }
+    symbols
+}
+
+/// Adds the slopes of the weighted sum.
+fn descend(work: &mut Workspace, place: &HashSet<Id>, weighted: &[(Id, Id)], slopes: &mut Slopes) {
+    let graph = &mut work.graph;
+    for (symbol, slope) in graph.gradient(weighted, |id| place.contains(&id)) {
+        let sum = match slopes.get(&symbol) {
+            Some(known) => graph.add(*known, slope),
+            None => slope,
+        };
+        slopes.insert(symbol, sum);
+    }
+}
+
+/// The slopes along the components of a vector.
+fn along(work: &mut Workspace, slopes: &Slopes, symbols: Components) -> Components {
+    let zero = work.graph.zero();
+    symbols.map(|symbol| slopes.get(&symbol).copied().unwrap_or(zero))
+}
+
+/// The moment of an energy that was written in terms of the attitude itself: `-dU/dangle` about the
+/// axis, or `K_i = -1/2 dU/dq . (q e_i)`, body axes; of a rod `-u x dU/du`.
+fn attitude_moment(work: &mut Workspace, slopes: &Slopes) -> Components {
+    let pull = pull(work, slopes);
+    let graph = &mut work.graph;
+    let zero = graph.zero();
+    let slope = |symbol: Id| slopes.get(&symbol).copied().unwrap_or(zero);
+    match work.attitude {
+        Attitude::Fixed => graph.zeros(),
+        Attitude::Line { axis, .. } => graph.cross(axis, pull),
+        Attitude::Axis { angle, direction } => {
+            let moment = graph.negate(slope(angle));
+            graph.scale_vector(moment, direction)
+        }
+        Attitude::Quaternion { scalar, vector } => {
+            // q e = (-v . e, w e + v x e), so the sum over e is w g - v g_0 + g x v
+            let (along_scalar, along_vector) = (slope(scalar), vector.map(slope));
+            let scaled = graph.scale_vector(scalar, along_vector);
+            let spread = graph.scale_vector(along_scalar, vector);
+            let swept = graph.cross(along_vector, vector);
+            let sum = graph.subtract_vectors(scaled, spread);
+            let sum = graph.add_vectors(sum, swept);
+            let half = graph.number(Number::ratio(-1, 2));
+            graph.scale_vector(half, sum)
+        }
+    }
+}
+
+/// `-dU/du` of the axis of a rod.
+fn pull(work: &mut Workspace, slopes: &Slopes) -> Components {
+    let Attitude::Line { axis, .. } = work.attitude else {
+        return work.graph.zeros();
+    };
+    let slope = along(work, slopes, axis);
+    work.graph.negate_vector(slope)
+}
+
+/// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where the
+/// position is no coordinate. Names go with what they name.
+fn expand(model: &Model, work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
+    let mut values: HashMap<Id, Id> = HashMap::new();
+    let zero = work.graph.zero();
+    if !model.motion.translates() {
+        values.extend(form.displacement.map(|symbol| (symbol, zero)));
+    }
+    for turn in &form.turns {
+        let vector = replace(work, &turn.vector, &values);
+        let turned = work.turn([vector[0], vector[1], vector[2]], turn.to);
+        values.extend(turn.turned.into_iter().zip(turned));
+    }
+    let roots: Vec<Id> = derived
+        .iter()
+        .flat_map(|one| {
+            let Vector { body, world } = one.force;
+            [one.energy]
+                .into_iter()
+                .chain([body, world, one.moment, one.pull].concat())
+        })
+        .collect();
+    let images = replace(work, &roots, &values);
+    let vector = |parts: &[Id]| [parts[0], parts[1], parts[2]];
+    images
+        .chunks(13)
+        .map(|parts| Derived {
+            energy: parts[0],
+            force: Vector {
+                body: vector(&parts[1..4]),
+                world: vector(&parts[4..7]),
+            },
+            moment: vector(&parts[7..10]),
+            pull: vector(&parts[10..13]),
+        })
+        .collect()
+}
+
+fn replace(work: &mut Workspace, roots: &[Id], values: &HashMap<Id, Id>) -> Vec<Id> {
+    let labels = &work.labels;
+    let graph = &mut work.graph;
+    let named = graph.reachable(roots, |_| true).into_iter();
+    let named: Vec<Id> = named.filter(|id| labels.get(*id).is_some()).collect();
+    let all: Vec<Id> = roots.iter().copied().chain(named.iter().copied()).collect();
+    let mut images = graph.substitute(&all, |id| values.get(&id).copied());
+    let named_images = images.split_off(roots.len());
+    let labels = &mut work.labels;
+    for (id, image) in named.into_iter().zip(named_images) {
+        if let Some(name) = labels.get(id).map(str::to_owned) {
+            labels.name(image, name);
+        }
+    }
+    images
+}

@@ -1,0 +1,29 @@
+//! Given loads.
+
+use proc_macro2::Ident;
+
+use crate::errors::Extent;
+use crate::families::Family;
+use crate::model::kinematics::{Point, Vector};
+use crate::symbolic::{Components, Id};
+
+/// A given load: a force at a point, a moment, or both.
+pub struct Load {
+    pub name: Ident,
+    pub family: Family,
+    pub force: Vector,
+    /// Where the force acts.
+    pub point: Point,
+    /// Without that of the force.
+    pub moment: Vector,
+    /// Of a potential of a rod: what draws at its axis u, `-dU/du` in world axes; the moment is `u x`
+    /// this.
+    pub pull: Option<Components>,
+    /// The potential that it follows from, if it does: it acts all over the body, and `point` was
+    /// chosen.
+    pub potential: Option<Id>,
+    /// What to underline if the load is at fault.
+    pub extent: Extent,
+    /// Where it mentions an unknown reaction.
+    pub mention: Option<Extent>,
+}

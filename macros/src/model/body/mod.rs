@@ -1,0 +1,25 @@
+//! What a body is and what acts on it: mass, inertia, loads, constraints; and what it is called.
+
+mod composed;
+mod constraint;
+mod defaults;
+mod inertia;
+mod load;
+mod mass;
+mod outline;
+mod possible;
+mod potential;
+mod reaction;
+mod solids;
+
+pub use composed::Composed;
+pub use constraint::{Constraint, Level};
+pub use defaults::Defaults;
+pub use inertia::{ENTRIES, Inertia, entries};
+pub use load::Load;
+pub use mass::Mass;
+pub use outline::{Asked, Declared, Outline};
+pub use possible::{Matrix, Violation, is_flat, is_possible, least_moment, matrix, thinnest};
+pub use potential::{Charges, Form, Potential, Potentials};
+pub use reaction::Reaction;
+pub use solids::{SOLIDS, Solid, is_solid, words};

@@ -1,0 +1,83 @@
+//! What is known of a description whatever is wrong with it: its names, types and signatures.
+
+use proc_macro2::{Ident, TokenStream};
+
+use crate::errors::Extent;
+use crate::families::LoadKind;
+use crate::model::kinematics::{Frame, Motion};
+use crate::model::words::Dimension;
+use crate::symbolic::Number;
+
+/// An output that is asked for, and where.
+pub struct Asked {
+    pub word: &'static str,
+    pub place: Extent,
+}
+
+/// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it has.
+pub struct Outline {
+    pub name: Ident,
+    /// The scalar that the body is generic over; none of a body of `f64`.
+    pub scalar: Option<Ident>,
+    /// The path of the runtime crate.
+    pub runtime: TokenStream,
+    pub doc: Vec<String>,
+    pub motion: Motion,
+    pub params: Vec<Declared>,
+    pub inputs: Vec<Declared>,
+    pub outputs: Vec<Asked>,
+    /// Loads with unknown components, by name.
+    pub reactions: Vec<(Ident, LoadKind)>,
+    /// Drives with unknown components, by name.
+    pub drives: Vec<(Ident, LoadKind)>,
+    /// One of them has a direction that turns against the body, as far as its words say.
+    pub has_turning_drive: bool,
+    /// Whether the motion is under constraints.
+    pub is_constrained: bool,
+    /// Number of given loads.
+    pub loads: usize,
+    pub keys: Vec<Ident>,
+    /// Names that nothing in the description refers to.
+    pub unused: Vec<Ident>,
+}
+
+impl Outline {
+    /// The place of an output among those that are asked for.
+    pub fn rank(&self, word: &str) -> Option<usize> {
+        self.outputs.iter().position(|asked| asked.word == word)
+    }
+
+    /// Where an output is asked for.
+    pub fn place(&self, word: &str) -> Option<Extent> {
+        Some(self.outputs[self.rank(word)?].place)
+    }
+
+    /// Whether the body can be built from the defaults alone.
+    pub fn has_default(&self) -> bool {
+        self.params.iter().all(|param| param.default.is_some())
+    }
+}
+
+/// A parameter or an input.
+pub struct Declared {
+    pub name: Ident,
+    /// Whether it is a vector, and in which axes its components are written.
+    pub frame: Option<Frame>,
+    pub dimension: Dimension,
+    /// Of an input: whether it is given with its rate and acceleration, and which derivative it is itself.
+    pub moves: bool,
+    pub order: usize,
+    /// Default of a parameter, one number for each component.
+    pub default: Option<Vec<Number>>,
+}
+
+impl Declared {
+    /// How many derivatives of it are given.
+    pub fn derivatives(&self) -> usize {
+        if self.moves {
+            2
+        } else {
+            2 * usize::from(self.order > 0) - self.order
+        }
+    }
+}

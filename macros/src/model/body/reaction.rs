@@ -1,0 +1,50 @@
+//! A load of which some components are not known.
+
+use proc_macro2::Ident;
+
+use crate::errors::Extent;
+use crate::families::LoadKind;
+use crate::model::kinematics::{Frame, Motion, Point, Vector, Workspace};
+use crate::model::words::AXES;
+use crate::symbolic::Components;
+
+/// A load of which some components are not known.
+pub struct Reaction {
+    pub name: Ident,
+    pub kind: LoadKind,
+    pub point: Point,
+    /// The axes in which its components are written.
+    pub frame: Frame,
+    /// What is given; zero where it is unknown.
+    pub given: Components,
+    /// The unknown components: their axes, and their places.
+    pub unknown: Vec<(usize, Extent)>,
+    /// The direction of `_ * direction`: one unknown, whatever the axes.
+    pub along: Option<Vector>,
+    /// The whole of it, given from outside, world axes.
+    pub symbols: Vector,
+}
+
+impl Reaction {
+    /// Whether all its components are unknown.
+    pub fn is_whole(&self, motion: Motion) -> bool {
+        let is_scalar = self.kind == LoadKind::Moment && motion.is_planar();
+        is_scalar || self.unknown.len() == motion.axes()
+    }
+
+    /// One unit of an unknown component.
+    pub fn direction(&self, work: &mut Workspace, axis: usize) -> Vector {
+        let unit = [0, 1, 2].map(|other| work.graph.integer(i64::from(other == axis)));
+        self.along.unwrap_or_else(|| work.vector(self.frame, unit))
+    }
+
+    /// What a component is called: `normal` of one unknown, `pin.x` of one of several.
+    pub fn component_name(&self, motion: Motion, axis: usize) -> String {
+        let is_moment = self.kind == LoadKind::Moment;
+        if self.along.is_some() || (is_moment && motion.is_planar()) {
+            self.name.to_string()
+        } else {
+            format!("{}.{}", self.name, AXES[axis])
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! The state of a body, in symbols, and what holds it.
+
+use crate::model::words::{Meaning, Meanings};
+use crate::symbolic::{Components, Graph, Id, Stage};
+
+use super::frame::{Attitude, Frame, Vector};
+use super::motion::Motion;
+use super::point::Point;
+use super::workspace::Workspace;
+
+/// The state of a body, in symbols. What a motion does not have is zero.
+pub struct State {
+    pub time: Id,
+    /// Position, velocity and acceleration of G.
+    pub position: Vector,
+    pub velocity: Vector,
+    pub acceleration: Vector,
+    /// Body axes; of a rod, `u x u'` and `u x u''` in world axes.
+    pub angular_velocity: Components,
+    pub angular_acceleration: Components,
+    /// What a rod has instead of an attitude.
+    pub axis: Option<Axis>,
+    /// What holds the body, once it is read.
+    pub support: Option<Support>,
+}
+
+impl State {
+    /// Where a point is. The difference of two points of the body does not depend on where the
+    /// body is, however far that is (`docs/trust.md`, H9).
+    pub fn place(&self, work: &mut Workspace, point: Point) -> Vector {
+        match point {
+            Point::World(position) => work.vector(Frame::World, position),
+            Point::Body(offset) => {
+                let offset = work.fixed_in_body(offset);
+                work.add(self.position, offset)
+            }
+            Point::Moving(offset) => work.add(self.position, offset),
+        }
+    }
+
+    /// The velocity of a point of the body at this offset, less that of G.
+    pub fn swept(&self, work: &mut Workspace, offset: Components) -> Vector {
+        if let (Attitude::Line { direction, .. }, Some(axis)) = (work.attitude, self.axis) {
+            let along = work.graph.dot(direction, offset);
+            let swept = work.graph.scale_vector(along, axis.rate);
+            return work.vector(Frame::World, swept);
+        }
+        let swept = work.graph.cross(self.angular_velocity, offset);
+        work.vector(Frame::Body, swept)
+    }
+
+    /// The angular velocity; of a rod u', which is as long.
+    pub fn turning(&self) -> Components {
+        self.axis.map_or(self.angular_velocity, |axis| axis.rate)
+    }
+
+    /// The point about which the moments are balanced: that which is held, or G.
+    pub fn center(&self, work: &mut Workspace) -> Point {
+        let offset = self.support.map(|support| support.offset);
+        Point::Body(offset.unwrap_or_else(|| work.graph.zeros()))
+    }
+
+    /// Holds a point of the body: G moves as the body turns about it.
+    pub fn hold(&mut self, work: &mut Workspace, support: Support) {
+        if let (Some(direction), Attitude::Axis { angle, .. }) = (support.direction, work.attitude)
+        {
+            work.attitude = Attitude::Axis { angle, direction };
+            let along = |rate: Components| rate[2];
+            let rates = [
+                along(self.angular_velocity),
+                along(self.angular_acceleration),
+            ];
+            let [velocity, acceleration] =
+                rates.map(|rate| work.graph.scale_vector(rate, direction));
+            self.angular_velocity = velocity;
+            self.angular_acceleration = acceleration;
+        }
+        let graph = &mut work.graph;
+        let (w, rate) = (self.angular_velocity, self.angular_acceleration);
+        // c = G - P: v = w x c, a = w' x c + w x (w x c)
+        let center = graph.negate_vector(support.offset);
+        let velocity = graph.cross(w, center);
+        let (driven, centripetal) = (graph.cross(rate, center), graph.cross(w, velocity));
+        let acceleration = graph.add_vectors(driven, centripetal);
+        let held = work.vector(Frame::World, support.anchor);
+        let from_held = work.vector(Frame::Body, center);
+        self.position = work.add(held, from_held);
+        self.velocity = work.vector(Frame::Body, velocity);
+        self.acceleration = work.vector(Frame::Body, acceleration);
+        self.support = Some(support);
+    }
+}
+
+/// The axis of a rod, world axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Axis {
+    /// The unit vector u.
+    pub unit: Components,
+    /// u', perpendicular to u.
+    pub rate: Components,
+}
+
+/// A point of the body that is held in space.
+#[derive(Clone, Copy, Debug)]
+pub struct Support {
+    /// Its offset from G, body axes.
+    pub offset: Components,
+    /// Where it is held, world axes.
+    pub anchor: Components,
+    /// The axis about which the body turns, a unit vector, the same in both axes; none about a point.
+    pub direction: Option<Components>,
+}
+
+/// The symbols of a motion's state and the attitude that they make. What a support adds comes with
+/// [`State::hold`]: until then the axis of a hinge is z. That of a rod comes with its direction.
+pub fn state_symbols(
+    motion: Motion,
+    graph: &mut Graph,
+    meanings: &mut Meanings,
+) -> (State, Attitude) {
+    let linear = if motion.translates() {
+        0..motion.axes()
+    } else {
+        0..0
+    };
+    let angular = match motion {
+        Motion::Planar | Motion::Pivot | Motion::FixedAxis => 2..3,
+        Motion::Spatial | Motion::Rotation | Motion::FixedPoint => 0..3,
+        Motion::PlanarTranslation | Motion::Translation | Motion::Rod => 0..0,
+    };
+    let time = meanings.symbol(graph, Stage::State, Meaning::Time);
+    let attitude = match motion {
+        Motion::Planar | Motion::Pivot | Motion::FixedAxis => Attitude::Axis {
+            angle: meanings.symbol(graph, Stage::State, Meaning::Angle),
+            direction: [graph.zero(), graph.zero(), graph.one()],
+        },
+        Motion::Spatial | Motion::Rotation | Motion::FixedPoint => {
+            let scalar = meanings.symbol(graph, Stage::State, Meaning::Quaternion(0));
+            let vector =
+                [1, 2, 3].map(|i| meanings.symbol(graph, Stage::State, Meaning::Quaternion(i)));
+            Attitude::Quaternion { scalar, vector }
+        }
+        // that of a rod comes with its direction in the body
+        Motion::PlanarTranslation | Motion::Translation | Motion::Rod => Attitude::Fixed,
+    };
+    let zeros = graph.zeros();
+    let in_world = |world: Components| Vector { body: zeros, world };
+    let mut state = State {
+        time,
+        position: in_world(meanings.vector(graph, linear.clone(), Meaning::Position)),
+        velocity: in_world(meanings.vector(graph, linear.clone(), Meaning::Velocity)),
+        angular_velocity: meanings.vector(graph, angular.clone(), Meaning::AngularVelocity),
+        acceleration: in_world(meanings.vector(graph, linear, Meaning::LinearAcceleration)),
+        angular_acceleration: meanings.vector(graph, angular, Meaning::AngularAcceleration),
+        axis: None,
+        support: None,
+    };
+    if motion == Motion::Rod {
+        let [unit, rate, acceleration] =
+            [Meaning::Axis, Meaning::AxisRate, Meaning::AxisAcceleration]
+                .map(|meaning| meanings.vector(graph, 0..3, meaning));
+        state.axis = Some(Axis { unit, rate });
+        state.angular_velocity = graph.cross(unit, rate);
+        state.angular_acceleration = graph.cross(unit, acceleration);
+    }
+    (state, attitude)
+}

@@ -1,0 +1,165 @@
+//! Physical dimensions: what can be added to what.
+
+use core::fmt;
+
+use crate::fraction::Fraction;
+use crate::symbolic::Number;
+
+/// Base units, in the order of the exponents.
+const BASE: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
+
+/// Products with a name of their own in messages and documentation.
+const NAMED: [(&str, [i16; 7]); 10] = [
+    ("N", [1, 1, -2, 0, 0, 0, 0]),
+    ("N * m", [1, 2, -2, 0, 0, 0, 0]),
+    ("W", [1, 2, -3, 0, 0, 0, 0]),
+    ("Pa", [1, -1, -2, 0, 0, 0, 0]),
+    ("N / m", [1, 0, -2, 0, 0, 0, 0]),
+    ("N * s / m", [1, 0, -1, 0, 0, 0, 0]),
+    ("N * m * s", [1, 2, -1, 0, 0, 0, 0]),
+    ("C", [0, 0, 1, 1, 0, 0, 0]),
+    ("V", [1, 2, -3, -1, 0, 0, 0]),
+    ("T", [1, 0, -2, -1, 0, 0, 0]),
+];
+
+/// Powers of the base units, or [`Dimension::ANY`] for what was written without a unit.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Dimension(Option<[Fraction; 7]>);
+
+impl Dimension {
+    /// Fits everything: no unit was written.
+    pub const ANY: Self = Self(None);
+    /// A pure number, an angle.
+    pub const NONE: Self = Self::base([0; 7]);
+    pub const MASS: Self = Self::base([1, 0, 0, 0, 0, 0, 0]);
+    pub const LENGTH: Self = Self::base([0, 1, 0, 0, 0, 0, 0]);
+    pub const TIME: Self = Self::base([0, 0, 1, 0, 0, 0, 0]);
+    pub const VELOCITY: Self = Self::base([0, 1, -1, 0, 0, 0, 0]);
+    pub const FREQUENCY: Self = Self::base([0, 0, -1, 0, 0, 0, 0]);
+    pub const FORCE: Self = Self::base([1, 1, -2, 0, 0, 0, 0]);
+    pub const MOMENT: Self = Self::base([1, 2, -2, 0, 0, 0, 0]);
+    pub const INERTIA: Self = Self::base([1, 2, 0, 0, 0, 0, 0]);
+
+    /// From whole powers of kg, m, s, A, K, mol, cd.
+    pub const fn base(exponents: [i16; 7]) -> Self {
+        let mut fractions = [Fraction::ZERO; 7];
+        let mut i = 0;
+        while i < 7 {
+            fractions[i] = Fraction::whole(exponents[i] as i32);
+            i += 1;
+        }
+        Self(Some(fractions))
+    }
+
+    /// `None`, here and in what follows, where an exponent becomes too large.
+    pub fn times(self, other: Self) -> Option<Self> {
+        self.combine(other, Fraction::plus)
+    }
+
+    pub fn over(self, other: Self) -> Option<Self> {
+        self.combine(other, |a, b| a.plus(b.negative()))
+    }
+
+    pub fn power(self, exponent: Fraction) -> Option<Self> {
+        self.combine(self, |own, _| own.times(exponent))
+    }
+
+    /// To the power of a number; that of a pure number is one.
+    pub fn power_of_number(self, exponent: &Number) -> Option<Self> {
+        let Some(exponents) = self.0 else {
+            return Some(Self::ANY);
+        };
+        if exponents == [Fraction::ZERO; 7] {
+            return Some(self);
+        }
+        let (numerator, denominator) = exponent.to_fraction()?;
+        self.power(Fraction::new(numerator, denominator)?)
+    }
+
+    /// The dimension of both, if they can be the same.
+    pub fn unify(self, other: Self) -> Option<Self> {
+        match (self.0, other.0) {
+            (Some(a), Some(b)) => (a == b).then_some(self),
+            (Some(_), None) => Some(self),
+            _ => Some(other),
+        }
+    }
+
+    pub fn fits(self, other: Self) -> bool {
+        self.unify(other).is_some()
+    }
+
+    /// What a quantity of this dimension is said to be: `in N`, `a pure number`.
+    pub fn described(self) -> String {
+        match self.0 {
+            Some(exponents) if exponents != [Fraction::ZERO; 7] => format!("in {self}"),
+            Some(_) => "a pure number".to_owned(),
+            None => "without a unit".to_owned(),
+        }
+    }
+
+    /// The SI unit to write in brackets.
+    pub fn unit(self) -> String {
+        if self == Self::NONE {
+            "[rad]".to_owned()
+        } else {
+            format!("[{self}]")
+        }
+    }
+
+    pub fn is_known(self) -> bool {
+        self.0.is_some()
+    }
+
+    fn combine(
+        self,
+        other: Self,
+        operation: impl Fn(Fraction, Fraction) -> Option<Fraction>,
+    ) -> Option<Self> {
+        let (Some(a), Some(b)) = (self.0, other.0) else {
+            return Some(Self::ANY);
+        };
+        let mut combined = a;
+        for (exponent, other) in combined.iter_mut().zip(b) {
+            *exponent = operation(*exponent, other)?;
+        }
+        Some(Self(Some(combined)))
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(exponents) = self.0 else {
+            return f.write_str("no unit");
+        };
+        if *self == Self::NONE {
+            return f.write_str("a pure number");
+        }
+        if let Some((name, _)) = NAMED.iter().find(|(_, named)| Self::base(*named) == *self) {
+            return f.write_str(name);
+        }
+        let part = |positive: bool| {
+            let factors = BASE
+                .iter()
+                .zip(exponents)
+                .filter(|(_, exponent)| exponent.is_positive() == positive)
+                .filter(|(_, exponent)| *exponent != Fraction::ZERO);
+            let words = factors.map(|(unit, exponent)| match exponent.abs() {
+                Fraction::ONE => (*unit).to_owned(),
+                power => format!("{unit} ^ {power}"),
+            });
+            words.collect::<Vec<_>>()
+        };
+        let (above, below) = (part(true), part(false));
+        let numerator = if above.is_empty() {
+            "1".to_owned()
+        } else {
+            above.join(" * ")
+        };
+        match below.len() {
+            0 => f.write_str(&numerator),
+            1 => write!(f, "{numerator} / {}", below[0]),
+            _ => write!(f, "{numerator} / ({})", below.join(" * ")),
+        }
+    }
+}

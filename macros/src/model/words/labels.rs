@@ -1,0 +1,79 @@
+//! Words: what the symbols of the graph stand for, and what its expressions are called.
+
+use std::collections::HashMap;
+
+use crate::symbolic::{Components, Id};
+
+/// Axes, as they are appended to names.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Names of expressions, for statements and documentation. An expression keeps its first name.
+#[derive(Default)]
+pub struct Labels {
+    names: HashMap<Id, String>,
+    notes: HashMap<&'static str, &'static str>,
+    /// The unknowns that guarded reciprocals give.
+    unknowns: HashMap<Id, String>,
+}
+
+impl Labels {
+    pub fn name(&mut self, id: Id, name: impl Into<String>) {
+        self.names.entry(id).or_insert_with(|| name.into());
+    }
+
+    /// Names the components `name_x`, `name_y`, `name_z`.
+    pub fn vector(&mut self, name: &str, components: Components) {
+        for (id, axis) in components.into_iter().zip(AXES) {
+            self.name(id, format!("{name}_{axis}"));
+        }
+    }
+
+    /// Names the entries `name_xx`, `name_xy`, ...
+    pub fn matrix(&mut self, name: &str, rows: &[Components; 3]) {
+        for (row, first) in rows.iter().zip(AXES) {
+            for (id, second) in row.iter().zip(AXES) {
+                self.name(*id, format!("{name}_{first}{second}"));
+            }
+        }
+    }
+
+    /// Says what the expressions called `name`, `name_x`, ... are.
+    pub fn describe(&mut self, name: &'static str, note: &'static str) {
+        self.notes.entry(name).or_insert(note);
+    }
+
+    /// Takes over the names and descriptions of a part.
+    pub fn adopt(&mut self, part: Self) {
+        for (id, name) in part.names {
+            self.name(id, name);
+        }
+        for (name, note) in part.notes {
+            self.describe(name, note);
+        }
+    }
+
+    /// The group that a name belongs to, and what it is.
+    pub fn note(&self, name: &str) -> Option<(&'static str, &'static str)> {
+        let group = AXES
+            .iter()
+            .find_map(|axis| name.strip_suffix(axis)?.strip_suffix('_'))
+            .unwrap_or(name);
+        self.notes
+            .get_key_value(group)
+            .map(|(group, note)| (*group, *note))
+    }
+
+    /// Says which unknown is found by dividing.
+    pub fn divide_for(&mut self, reciprocal: Id, unknown: String) {
+        self.unknowns.entry(reciprocal).or_insert(unknown);
+    }
+
+    /// The unknown that a guarded reciprocal gives.
+    pub fn unknown(&self, reciprocal: Id) -> &str {
+        self.unknowns.get(&reciprocal).map_or("", String::as_str)
+    }
+
+    pub fn get(&self, id: Id) -> Option<&str> {
+        self.names.get(&id).map(String::as_str)
+    }
+}

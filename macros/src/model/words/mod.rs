@@ -1,0 +1,13 @@
+//! What symbols stand for, what expressions are called, and in which units.
+
+mod dimension;
+mod doubtful;
+mod labels;
+mod meanings;
+pub mod shown;
+
+pub use dimension::Dimension;
+pub use doubtful::{Doubtful, why_not};
+pub use labels::{AXES, Labels};
+pub use meanings::{Meaning, Meanings};
+pub use shown::shown;

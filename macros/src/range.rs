@@ -1,0 +1,130 @@
+//! Constants of the equations that no double can hold.
+
+use crate::model::{Model, Outline, Workspace, is_possible, why_not};
+use crate::symbolic::{Id, Number, Stage};
+
+use super::errors::Errors;
+
+/// Reports constants of the equations that no double can hold, with the defaults where parameters
+/// have them.
+pub fn check_range(
+    model: &Model,
+    work: &mut Workspace,
+    outline: &Outline,
+    roots: &[Id],
+    errors: &mut Errors,
+) {
+    let graph = &mut work.graph;
+    let early: Vec<Id> = graph
+        .reachable(roots, |id| !graph.is_early(id))
+        .into_iter()
+        .filter(|id| graph.is_early(*id))
+        .collect();
+    let values = graph.substitute(&early, |id| model.defaults.get(&id).copied());
+    let has_no_value = values.iter().any(|id| graph.is_undefined(*id));
+    if has_no_value && report_without_value(model, work, errors) {
+        return;
+    }
+    let graph = &work.graph;
+    let is_undecided = |id: &Id| graph.as_number(*id).is_some_and(Number::is_undecided);
+    if values.iter().any(is_undecided) {
+        errors.push(
+            outline.name.span(),
+            format!(
+                "a constant in the equations of `{}` is zero to thousands of bits, and not proved to be \
+                 zero: write it as a number, or leave it out",
+                outline.name
+            ),
+        );
+        return;
+    }
+    let out_of_range = |id: &Id| {
+        let number = graph.as_number(*id);
+        graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())
+    };
+    if values.iter().any(out_of_range) || outline.has_default() && overflows(model, work, &early) {
+        let with = if outline.params.is_empty() {
+            ""
+        } else {
+            " with the defaults of its parameters"
+        };
+        errors.push(
+            outline.name.span(),
+            format!(
+                "a constant in the equations of `{}` is out of the range of `f64`{with}: choose \
+                 units nearer to one",
+                outline.name
+            ),
+        );
+        return;
+    }
+    check_rounded_inertia(model, work, outline, errors);
+}
+
+/// Reports an inertia that is possible as it is written, and that the constructor, which computes
+/// in doubles, does not find so with the defaults of all parameters.
+fn check_rounded_inertia(model: &Model, work: &Workspace, outline: &Outline, errors: &mut Errors) {
+    let graph = &work.graph;
+    let entries = model.inertia_entries();
+    let is_open = entries
+        .iter()
+        .any(|id| graph.stage(*id) == Stage::Parameter);
+    if !is_open || !outline.has_default() {
+        return;
+    }
+    let default = |symbol: Id| graph.as_number(*model.defaults.get(&symbol)?);
+    let rounded = graph.evaluate(&entries, |symbol| {
+        default(symbol).map_or(f64::NAN, Number::to_f64)
+    });
+    if !is_possible(&rounded) {
+        errors.push(
+            outline.name.span(),
+            format!(
+                "with the defaults of its parameters the inertia of `{}` about G is lost in \
+                 rounding: write it about a point nearer to G",
+                outline.name
+            ),
+        );
+    }
+}
+
+/// Whether the constructor, which computes in doubles step by step, leaves their range with the
+/// defaults of all parameters, on its way to one of the `early` values or to mass and inertia.
+fn overflows(model: &Model, work: &Workspace, early: &[Id]) -> bool {
+    let graph = &work.graph;
+    let wanted = early.iter().copied().chain(model.inertia_entries());
+    let wanted: Vec<Id> = wanted.chain(model.mass).collect();
+    let default = |symbol: Id| graph.as_number(*model.defaults.get(&symbol)?);
+    let values = graph.evaluate(&wanted, |symbol| {
+        default(symbol).map_or(f64::NAN, Number::to_f64)
+    });
+    values.iter().any(|value| !value.is_finite())
+}
+
+/// Reports the first part of the description that has no value with the defaults of the parameters.
+pub fn report_without_value(model: &Model, work: &mut Workspace, errors: &mut Errors) -> bool {
+    let graph = &mut work.graph;
+    for doubtful in &work.doubtful {
+        let all: Vec<Id> = doubtful
+            .operands
+            .iter()
+            .copied()
+            .chain([doubtful.value])
+            .collect();
+        let mut values = graph.substitute(&all, |id| model.defaults.get(&id).copied());
+        let has_value = values.pop().is_some_and(|value| !graph.is_undefined(value));
+        let numbers = values.iter().map(|id| graph.as_number(*id).cloned());
+        if has_value {
+            continue;
+        }
+        if let Some(numbers) = numbers.collect::<Option<Vec<_>>>() {
+            let why = why_not(&doubtful.word, &numbers);
+            errors.push(
+                doubtful.place,
+                format!("with the defaults of the parameters, {why}"),
+            );
+            return true;
+        }
+    }
+    false
+}

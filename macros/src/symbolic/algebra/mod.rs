@@ -1,0 +1,12 @@
+//! What is computed of nodes, in numbers of any kind: values, changes, substitution.
+
+pub mod chain_rule;
+mod evaluate;
+mod operations;
+mod slopes;
+mod substitute;
+mod tape;
+
+pub use operations::Algebra;
+pub use slopes::{slope, slopes, takes_first};
+pub use tape::Tape;

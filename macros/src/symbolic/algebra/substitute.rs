@@ -1,0 +1,123 @@
+//! The replacement of symbols: by numbers, it is exact evaluation.
+
+use crate::symbolic::graph::{Comparison, Components, Graph, Id, Node};
+use crate::symbolic::number::{Function, Number};
+
+use super::operations::{self, Algebra};
+
+impl Graph {
+    /// `roots` with symbols replaced: `replacement` answers for those that change.
+    pub fn substitute(&mut self, roots: &[Id], replacement: impl Fn(Id) -> Option<Id>) -> Vec<Id> {
+        self.rebuild(roots, |graph, id, image| match graph.node(id) {
+            Node::Symbol(_) => replacement(id).unwrap_or(id),
+            _ => graph.remake(id, image),
+        })
+    }
+
+    /// `roots` made again from below: `make` makes a node of the images of its operands.
+    pub(in crate::symbolic) fn rebuild(
+        &mut self,
+        roots: &[Id],
+        make: impl Fn(&mut Self, Id, &dyn Fn(Id) -> Id) -> Id,
+    ) -> Vec<Id> {
+        let order = self.reachable(roots, |_| true);
+        let mut images: Vec<Id> = Vec::new();
+        images.resize(order.last().map_or(0, |last| last.index() + 1), self.zero());
+        for id in order {
+            images[id.index()] = make(self, id, &|operand| images[operand.index()]);
+        }
+        roots.iter().map(|root| images[root.index()]).collect()
+    }
+
+    /// The same operation on the images of the operands.
+    pub(in crate::symbolic) fn remake(&mut self, id: Id, image: &dyn Fn(Id) -> Id) -> Id {
+        match self.node(id) {
+            Node::Symbol(_) | Node::Number(_) | Node::Truth(_) | Node::Undefined => id,
+            operation => {
+                let operation = operation.clone();
+                operations::value(self, &operation, image)
+            }
+        }
+    }
+}
+
+/// Expressions of expressions.
+impl Graph {
+    /// A vector with values in the place of symbols.
+    pub fn replaced(&mut self, components: Components, values: &[(Id, Id)]) -> Components {
+        let value = |id: Id| {
+            let known = values.iter().find(|(symbol, _)| *symbol == id);
+            known.map(|(_, value)| *value)
+        };
+        let images = self.substitute(&components, value);
+        [images[0], images[1], images[2]]
+    }
+}
+
+impl Algebra for Graph {
+    type Value = Id;
+
+    fn number(&mut self, number: &Number) -> Id {
+        self.number(number.clone())
+    }
+
+    fn undefined(&mut self) -> Id {
+        self.undefined()
+    }
+
+    fn negate(&mut self, a: &Id) -> Id {
+        self.negate(*a)
+    }
+
+    fn add(&mut self, a: &Id, b: &Id) -> Id {
+        self.add(*a, *b)
+    }
+
+    fn multiply(&mut self, a: &Id, b: &Id) -> Id {
+        self.multiply(*a, *b)
+    }
+
+    fn divide(&mut self, a: &Id, b: &Id) -> Id {
+        self.divide(*a, *b)
+    }
+
+    fn apply(&mut self, function: Function, arguments: &[Id]) -> Id {
+        self.apply(function, arguments)
+    }
+
+    fn is_zero(&self, a: &Id) -> bool {
+        self.is_zero(*a)
+    }
+
+    fn compare(&mut self, comparison: Comparison, a: &Id, b: &Id) -> Id {
+        self.compare(comparison, *a, *b)
+    }
+
+    fn select(&mut self, condition: &Id, first: &Id, second: &Id) -> Id {
+        self.select(*condition, *first, *second)
+    }
+
+    fn and(&mut self, a: &Id, b: &Id) -> Id {
+        self.and(*a, *b)
+    }
+
+    fn or(&mut self, a: &Id, b: &Id) -> Id {
+        self.or(*a, *b)
+    }
+
+    fn not(&mut self, a: &Id) -> Id {
+        self.not(*a)
+    }
+
+    fn truth(&mut self, holds: bool) -> Id {
+        self.truth(holds)
+    }
+
+    fn quantity(&mut self, a: &Id) -> Id {
+        self.quantity(*a)
+    }
+
+    fn pivot(&mut self, divisor: &Id, scale: &Id) -> Id {
+        self.pivot(*divisor, *scale)
+    }
+}

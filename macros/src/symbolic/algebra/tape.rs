@@ -1,0 +1,76 @@
+//! Expressions in the order in which they are computed, for one state after the other.
+
+use crate::symbolic::graph::{Graph, Id, Node};
+
+use super::chain_rule;
+use super::operations::{self, Algebra};
+
+/// All that some roots are made of, children first.
+pub struct Tape<'a> {
+    graph: &'a Graph,
+    order: Vec<Id>,
+    /// Where in the order an expression is.
+    place: Vec<u32>,
+}
+
+impl Graph {
+    pub fn tape(&self, roots: &[Id]) -> Tape<'_> {
+        let order = self.reachable(roots, |_| true);
+        let mut place = vec![0; order.last().map_or(0, |last| last.index() + 1)];
+        for (index, id) in order.iter().enumerate() {
+            place[id.index()] = u32::try_from(index).unwrap_or(u32::MAX);
+        }
+        Tape {
+            graph: self,
+            order,
+            place,
+        }
+    }
+}
+
+impl Tape<'_> {
+    /// The values of all expressions; `symbol` answers for the symbols.
+    pub fn values<A: Algebra>(
+        &self,
+        algebra: &mut A,
+        mut symbol: impl FnMut(&mut A, Id) -> A::Value,
+    ) -> Vec<A::Value> {
+        let mut values: Vec<A::Value> = Vec::with_capacity(self.order.len());
+        for &id in &self.order {
+            let value = match self.graph.node(id) {
+                Node::Symbol(_) => symbol(algebra, id),
+                node => {
+                    operations::value(algebra, node, |operand| self.of(&values, operand).clone())
+                }
+            };
+            values.push(value);
+        }
+        values
+    }
+
+    /// How all of them change where symbols do as `rate` says; `None` is not at all.
+    pub fn changes<A: Algebra>(
+        &self,
+        algebra: &mut A,
+        values: &[A::Value],
+        rate: impl Fn(Id) -> Option<A::Value>,
+    ) -> Vec<Option<A::Value>> {
+        let mut changes: Vec<Option<A::Value>> = Vec::with_capacity(self.order.len());
+        for (&id, value) in self.order.iter().zip(values) {
+            let known = |operand: Id| self.of(values, operand).clone();
+            let change = match self.graph.node(id) {
+                Node::Symbol(_) => rate(id),
+                node => chain_rule::change(algebra, node, value, known, |operand| {
+                    self.of(&changes, operand).clone()
+                }),
+            };
+            changes.push(change.filter(|change| !algebra.is_zero(change)));
+        }
+        changes
+    }
+
+    /// That of an expression, among those of all.
+    pub fn of<'v, V>(&self, all: &'v [V], id: Id) -> &'v V {
+        &all[self.place[id.index()] as usize]
+    }
+}

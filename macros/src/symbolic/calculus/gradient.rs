@@ -1,0 +1,259 @@
+//! Gradients: the slopes of one expression along all of its symbols, in one sweep backwards.
+//!
+//! From a root to its operands, each node hands down how the root changes with it. Powers are taken
+//! as a whole, roots among them, so that no square root is divided away that was never needed; what
+//! is divided by is inverted once. A branch is differentiated where it is taken: its slopes carry
+//! their condition, and meet those of the other branch only at the symbols.
+
+use std::collections::HashMap;
+
+use crate::symbolic::algebra::takes_first;
+use crate::symbolic::graph::{Graph, Id, Node};
+use crate::symbolic::number::{Function, Number};
+
+/// A power of a base, its exponent in halves: `s`, its root and the square of that share one base.
+type Power = (Id, i32);
+
+/// The condition under which a slope counts; the first is always met.
+type Guard = usize;
+
+/// Slopes that were handed down, by node and by guard.
+struct Sweep {
+    powers: Vec<Power>,
+    /// Whether a symbol of interest is in the node.
+    matters: Vec<bool>,
+    slopes: Vec<Vec<(Guard, Id)>>,
+    /// Of guards `2 n + 1` and `2 n + 2`: the guard around them, and the condition that the first
+    /// of them needs and the second excludes.
+    branches: Vec<(Guard, Id)>,
+}
+
+impl Graph {
+    /// How `sum of weight * root` changes with each of the `symbols` that it depends on, in the
+    /// order of the symbols.
+    pub fn gradient(
+        &mut self,
+        weighted: &[(Id, Id)],
+        is_of_interest: impl Fn(Id) -> bool,
+    ) -> Vec<(Id, Id)> {
+        let roots: Vec<Id> = weighted.iter().map(|(root, _)| *root).collect();
+        let roots = self.invert_divisors(&roots);
+        let order = self.reachable(&roots, |_| true);
+        let size = order.last().map_or(0, |last| last.index() + 1);
+        let mut sweep = Sweep {
+            powers: vec![(self.zero(), 0); size],
+            matters: vec![false; size],
+            slopes: vec![Vec::new(); size],
+            branches: Vec::new(),
+        };
+        for &id in &order {
+            let mut operands = self.node(id).operands();
+            let is_symbol = matches!(self.node(id), Node::Symbol(_));
+            sweep.matters[id.index()] = operands.any(|operand| sweep.matters[operand.index()])
+                || is_symbol && is_of_interest(id);
+            sweep.powers[id.index()] = self.power(id, |operand| sweep.powers[operand.index()]);
+        }
+        for (root, (_, weight)) in roots.into_iter().zip(weighted) {
+            self.hand_down(&mut sweep, root, 0, *weight);
+        }
+        let mut found = Vec::new();
+        for id in order.into_iter().rev() {
+            let slopes = core::mem::take(&mut sweep.slopes[id.index()]);
+            if matches!(self.node(id), Node::Symbol(_)) {
+                let slope = self.gather(&sweep.branches, slopes);
+                if !self.is_zero(slope) {
+                    found.push((id, slope));
+                }
+            } else {
+                for (guard, slope) in slopes {
+                    self.pass(&mut sweep, id, guard, slope);
+                }
+            }
+        }
+        found.reverse();
+        found
+    }
+
+    /// What a product of equal factors, or a root, is a power of.
+    fn power(&self, id: Id, known: impl Fn(Id) -> Power) -> Power {
+        let whole = (id, 2);
+        match *self.node(id) {
+            Node::Quantity(a) => match known(a) {
+                (base, _) if base == a => whole,
+                power => power,
+            },
+            Node::Unary(Function::Sqrt, a) if !self.is_early(a) => (a, 1),
+            Node::Divide(a, b) if self.is_one(a) => {
+                let (base, halves) = known(b);
+                (base, -halves)
+            }
+            Node::Multiply(a, b) => match (known(a), known(b)) {
+                ((base, m), (other, n)) if base == other => (base, m + n),
+                _ => whole,
+            },
+            _ => whole,
+        }
+    }
+
+    /// `base ^ (halves / 2)`, by the inverse of the root where that is computed anyhow.
+    fn half_power(&mut self, base: Id, halves: i32) -> Id {
+        let root = Node::Unary(Function::Sqrt, base);
+        let inverse_root = self.find(&root).and_then(|root| self.find_inverse(root));
+        match inverse_root {
+            Some(inverse) if halves < 0 => self.powi(inverse, -halves),
+            _ if halves % 2 == 0 => self.signed_power(base, halves / 2),
+            _ => {
+                let root = self.apply(Function::Sqrt, &[base]);
+                self.signed_power(root, halves)
+            }
+        }
+    }
+
+    fn signed_power(&mut self, base: Id, exponent: i32) -> Id {
+        if exponent >= 0 {
+            return self.powi(base, exponent);
+        }
+        let one = self.one();
+        let inverse = self.divide(one, base);
+        let inverse = self.quantity(inverse);
+        self.powi(inverse, -exponent)
+    }
+
+    /// The statement `1 / a`, if there is one.
+    fn find_inverse(&self, a: Id) -> Option<Id> {
+        let one = self.find(&Node::Number(Number::one()))?;
+        self.find(&Node::Quantity(self.find(&Node::Divide(one, a))?))
+    }
+
+    /// `a / b` as `a` times an inverse power, the inverse being a statement.
+    fn invert_divisors(&mut self, roots: &[Id]) -> Vec<Id> {
+        self.rebuild(roots, |graph, id, image| match *graph.node(id) {
+            Node::Divide(a, b) if !graph.is_early(b) => {
+                let (a, b) = (image(a), image(b));
+                let (base, halves) = graph.whole_power(b);
+                let inverse = graph.half_power(base, -halves);
+                graph.multiply(a, inverse)
+            }
+            _ => graph.remake(id, image),
+        })
+    }
+
+    /// What a divisor is a power of.
+    fn whole_power(&self, id: Id) -> Power {
+        let is_factor = |id: Id| {
+            matches!(
+                self.node(id),
+                Node::Quantity(_) | Node::Multiply(..) | Node::Divide(..)
+            )
+        };
+        let order = self.reachable(&[id], is_factor);
+        let mut powers: HashMap<Id, Power> = HashMap::new();
+        for id in order {
+            let power = self.power(id, |operand| powers[&operand]);
+            powers.insert(id, power);
+        }
+        powers[&id]
+    }
+
+    /// A slope that all terms of a sum of squares will take up, as a statement: half of it, since
+    /// each square brings a factor of two.
+    fn shared(&mut self, base: Id, slope: Id) -> Id {
+        if self.is_early(slope) || !self.is_sum_of_squares(base) {
+            return slope;
+        }
+        let two = self.integer(2);
+        let double = self.multiply(two, slope);
+        let double = self.quantity(double);
+        let half = self.number(Number::ratio(1, 2));
+        self.multiply(half, double)
+    }
+
+    fn is_sum_of_squares(&self, id: Id) -> bool {
+        let mut pending = vec![id];
+        let mut terms = 0;
+        while let Some(id) = pending.pop() {
+            match *self.node(id) {
+                Node::Quantity(a) => pending.push(a),
+                Node::Add(a, b) | Node::Subtract(a, b) => pending.extend([a, b]),
+                Node::Multiply(a, b) if self.is_early(a) => pending.push(b),
+                Node::Multiply(a, b) if a == b => terms += 1,
+                _ => {}
+            }
+        }
+        terms > 1
+    }
+
+    /// Adds to the slope of a node.
+    fn hand_down(&mut self, sweep: &mut Sweep, to: Id, guard: Guard, slope: Id) {
+        if !sweep.matters[to.index()] || self.is_zero(slope) {
+            return;
+        }
+        let slopes = &mut sweep.slopes[to.index()];
+        match slopes.iter_mut().find(|(known, _)| *known == guard) {
+            Some((_, sum)) => *sum = self.add(*sum, slope),
+            None => slopes.push((guard, slope)),
+        }
+    }
+
+    /// The chain rule: from a node with this slope to its operands.
+    fn pass(&mut self, sweep: &mut Sweep, id: Id, guard: Guard, slope: Id) {
+        let (base, halves) = sweep.powers[id.index()];
+        if base != id {
+            let rest = self.half_power(base, halves - 2);
+            let exponent = self.number(Number::ratio(i64::from(halves), 2));
+            let slope = self.multiply(exponent, slope);
+            let slope = self.multiply(slope, rest);
+            let slope = self.shared(base, slope);
+            self.hand_down(sweep, base, guard, slope);
+            return;
+        }
+        match *self.node(id) {
+            Node::Binary(function @ (Function::Min | Function::Max), a, b) => {
+                let condition = takes_first(self, function, &a, &b);
+                self.branch(sweep, (condition, a, b), guard, slope);
+            }
+            Node::Select(condition, a, b) => {
+                self.branch(sweep, (condition, a, b), guard, slope);
+            }
+            _ => {
+                for (operand, part) in self.pull_back(id, slope) {
+                    self.hand_down(sweep, operand, guard, part);
+                }
+            }
+        }
+    }
+
+    fn branch(
+        &mut self,
+        sweep: &mut Sweep,
+        (condition, first, second): (Id, Id, Id),
+        guard: Guard,
+        slope: Id,
+    ) {
+        let known = sweep
+            .branches
+            .iter()
+            .position(|branch| *branch == (guard, condition));
+        let branch = known.unwrap_or(sweep.branches.len());
+        if known.is_none() {
+            sweep.branches.push((guard, condition));
+        }
+        self.hand_down(sweep, first, 2 * branch + 1, slope);
+        self.hand_down(sweep, second, 2 * branch + 2, slope);
+    }
+
+    /// One slope, chosen by the conditions.
+    fn gather(&mut self, branches: &[(Guard, Id)], slopes: Vec<(Guard, Id)>) -> Id {
+        let mut by_guard = vec![self.zero(); 2 * branches.len() + 1];
+        for (guard, slope) in slopes {
+            by_guard[guard] = slope;
+        }
+        // inner branches come after those around them
+        for (branch, (around, condition)) in branches.iter().enumerate().rev() {
+            let (first, second) = (by_guard[2 * branch + 1], by_guard[2 * branch + 2]);
+            let chosen = self.select(*condition, first, second);
+            by_guard[*around] = self.add(by_guard[*around], chosen);
+        }
+        by_guard[0]
+    }
+}

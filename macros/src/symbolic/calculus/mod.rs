@@ -1,0 +1,4 @@
+//! Derivatives and gradients, as expressions.
+
+mod derivative;
+mod gradient;

@@ -1,0 +1,246 @@
+//! Simplifying constructors: the only way to make a node.
+//!
+//! What is known early is gathered: a product is written `early * late`, so that numbers fold and
+//! parameters are multiplied once, in the constructor of the body. Signs move outwards until a sum
+//! absorbs them. No sum is multiplied out and no order of summation is changed beyond that: the form of
+//! the equations is the business of those who write them.
+//!
+//! The rules are those of real numbers and hold wherever an expression has a value: `0 * x`, `x - x` and
+//! `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, `x` being zero or not a number,
+//! it may be given one.
+
+use crate::symbolic::number::{Function, Number};
+
+use super::nodes::{Comparison, Graph, Id, Node, ONE, Stage, ZERO};
+
+impl Graph {
+    pub fn number(&mut self, number: Number) -> Id {
+        if number.is_carried() {
+            self.intern(Node::Number(number))
+        } else {
+            self.undefined()
+        }
+    }
+
+    pub fn integer(&mut self, value: i64) -> Id {
+        self.number(Number::integer(value))
+    }
+
+    #[expect(clippy::unused_self, reason = "made as all other numbers are")]
+    pub fn zero(&self) -> Id {
+        ZERO
+    }
+
+    #[expect(clippy::unused_self, reason = "made as all other numbers are")]
+    pub fn one(&self) -> Id {
+        ONE
+    }
+
+    pub fn truth(&mut self, value: bool) -> Id {
+        self.intern(Node::Truth(value))
+    }
+
+    pub(in crate::symbolic) fn undefined(&mut self) -> Id {
+        self.intern(Node::Undefined)
+    }
+
+    /// Makes `a` a statement of its own: what is built from it is built from its name. Symbols and
+    /// constants stay as they are, and a sign stays outside.
+    pub fn quantity(&mut self, a: Id) -> Id {
+        match *self.node(a) {
+            Node::Undefined | Node::Symbol(_) | Node::Quantity(_) => a,
+            _ if self.stage(a) == Stage::Constant => a,
+            Node::Negate(inner) => {
+                let inner = self.quantity(inner);
+                self.negate(inner)
+            }
+            _ => self.intern(Node::Quantity(a)),
+        }
+    }
+
+    pub fn negate(&mut self, a: Id) -> Id {
+        match *self.node(a) {
+            Node::Undefined => a,
+            Node::Number(ref number) => {
+                let negated = -number.clone();
+                self.number(negated)
+            }
+            Node::Negate(inner) => inner,
+            Node::Multiply(factor, rest) if self.as_number(factor).is_some() => {
+                let negated = self.negate(factor);
+                self.multiply(negated, rest)
+            }
+            _ => self.intern(Node::Negate(a)),
+        }
+    }
+
+    /// Makes `a`, sign and all, a statement of its own: a result that nothing is built from.
+    pub fn result(&mut self, a: Id) -> Id {
+        match *self.node(a) {
+            Node::Negate(_) if self.stage(a) != Stage::Constant => self.intern(Node::Quantity(a)),
+            _ => self.quantity(a),
+        }
+    }
+
+    /// `1 / divisor`, guarded against a divisor that is nothing but rounding of terms of the size
+    /// `scale`; what is known early is checked where it is computed.
+    pub fn pivot(&mut self, divisor: Id, scale: Id) -> Id {
+        if self.is_early(divisor) {
+            let one = self.one();
+            return self.divide(one, divisor);
+        }
+        self.intern(Node::Pivot(divisor, scale))
+    }
+
+    /// The negative of `a`, if anybody made it.
+    pub fn negation_of(&self, a: Id) -> Option<Id> {
+        self.find(&Node::Negate(a))
+    }
+
+    /// Whether `a` is written with a leading minus, and what follows it.
+    pub fn split_sign(&mut self, a: Id) -> (bool, Id) {
+        let negative = match self.node(a) {
+            Node::Negate(_) => true,
+            Node::Number(number) => number.is_negative(),
+            Node::Multiply(factor, _) => self.as_number(*factor).is_some_and(Number::is_negative),
+            _ => false,
+        };
+        (negative, if negative { self.negate(a) } else { a })
+    }
+
+    pub fn square(&mut self, a: Id) -> Id {
+        self.multiply(a, a)
+    }
+
+    /// An integer power by repeated squaring; `0` to a negative power is undefined.
+    pub fn powi(&mut self, base: Id, exponent: i32) -> Id {
+        let mut result = self.one();
+        let mut power = base;
+        let mut remaining = exponent.unsigned_abs();
+        while remaining > 0 {
+            if remaining & 1 == 1 {
+                result = self.multiply(result, power);
+            }
+            remaining >>= 1;
+            if remaining > 0 {
+                power = self.square(power);
+            }
+        }
+        let one = self.one();
+        if exponent < 0 {
+            self.divide(one, result)
+        } else {
+            result
+        }
+    }
+
+    /// A function of one argument, or of two.
+    pub fn apply(&mut self, function: Function, arguments: &[Id]) -> Id {
+        if arguments
+            .iter()
+            .any(|argument| self.is_undefined(*argument))
+        {
+            return self.undefined();
+        }
+        let numbers: Vec<Number> = arguments
+            .iter()
+            .filter_map(|id| self.as_number(*id).cloned())
+            .collect();
+        if numbers.len() == arguments.len() {
+            return match Number::apply(function, &numbers) {
+                Some(value) => self.number(value),
+                None => self.undefined(),
+            };
+        }
+        match (function, arguments) {
+            (Function::Powf, &[base, exponent]) => self.powf(base, exponent),
+            (Function::Min | Function::Max, &[a, b]) if a == b => a,
+            (Function::Min | Function::Max | Function::Hypot, &[a, b]) => {
+                self.intern(Node::Binary(function, a.min(b), a.max(b)))
+            }
+            (_, &[a, b]) => self.intern(Node::Binary(function, a, b)),
+            (_, &[a]) => self.apply_unary(function, a),
+            _ => self.undefined(),
+        }
+    }
+
+    fn apply_unary(&mut self, function: Function, a: Id) -> Id {
+        let (negative, magnitude) = self.split_sign(a);
+        let (even, odd) = match function {
+            Function::Cos | Function::Cosh | Function::Abs => (true, false),
+            Function::Sin
+            | Function::Tan
+            | Function::Sinh
+            | Function::Tanh
+            | Function::Asin
+            | Function::Atan => (false, true),
+            _ => (false, false),
+        };
+        if negative && (even || odd) {
+            let value = self.intern(Node::Unary(function, magnitude));
+            return if odd { self.negate(value) } else { value };
+        }
+        self.intern(Node::Unary(function, a))
+    }
+
+    fn powf(&mut self, base: Id, exponent: Id) -> Id {
+        match self
+            .as_number(exponent)
+            .and_then(Number::to_integer)
+            .map(i32::try_from)
+        {
+            Some(Ok(exponent)) if exponent.abs() <= 64 => self.powi(base, exponent),
+            _ => self.intern(Node::Binary(Function::Powf, base, exponent)),
+        }
+    }
+
+    /// Constants that thousands of bits do not tell apart are taken for equal.
+    pub fn compare(&mut self, comparison: Comparison, a: Id, b: Id) -> Id {
+        let known = match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) if (x.clone() - y.clone()).is_undecided() => {
+                Some(core::cmp::Ordering::Equal)
+            }
+            (Some(x), Some(y)) => Some(x.cmp(y)),
+            _ if a == b => Some(core::cmp::Ordering::Equal),
+            _ => None,
+        };
+        match known {
+            Some(order) => self.truth(comparison.holds(order)),
+            None => self.intern(Node::Compare(comparison, a, b)),
+        }
+    }
+
+    pub fn and(&mut self, a: Id, b: Id) -> Id {
+        match (self.node(a), self.node(b)) {
+            (Node::Truth(true), _) | (_, Node::Truth(false)) => b,
+            (_, Node::Truth(true)) | (Node::Truth(false), _) => a,
+            _ => self.intern(Node::And(a, b)),
+        }
+    }
+
+    pub fn or(&mut self, a: Id, b: Id) -> Id {
+        match (self.node(a), self.node(b)) {
+            (Node::Truth(false), _) | (_, Node::Truth(true)) => b,
+            (_, Node::Truth(false)) | (Node::Truth(true), _) => a,
+            _ => self.intern(Node::Or(a, b)),
+        }
+    }
+
+    pub fn not(&mut self, a: Id) -> Id {
+        match *self.node(a) {
+            Node::Truth(value) => self.truth(!value),
+            Node::Not(inner) => inner,
+            _ => self.intern(Node::Not(a)),
+        }
+    }
+
+    pub fn select(&mut self, condition: Id, first: Id, second: Id) -> Id {
+        match *self.node(condition) {
+            _ if first == second => first,
+            Node::Truth(true) => first,
+            Node::Truth(false) => second,
+            Node::Not(inner) => self.select(inner, second, first),
+            _ => self.intern(Node::Select(condition, first, second)),
+        }
+    }
+}

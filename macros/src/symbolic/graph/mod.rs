@@ -1,0 +1,16 @@
+//! The graph: nodes, and the constructors that simplify them; vectors, costs, and the order of a program.
+
+mod build;
+mod cost;
+mod difference;
+mod hash;
+mod nodes;
+mod product;
+mod program;
+mod spectra;
+mod sum;
+mod vector;
+
+pub use cost::Cost;
+pub use nodes::{Comparison, Components, Graph, Id, Node, Stage, Symbol};
+pub use program::Program;

@@ -1,0 +1,122 @@
+//! From a graph to straight-line code: which expressions become statements, and in which order.
+
+use crate::symbolic::number::Function;
+
+use super::nodes::{Graph, Id, Node, Stage};
+
+/// Operations that one statement may hold before it is split.
+const STATEMENT: u32 = 14;
+
+/// Straight-line code that computes `outputs`.
+pub struct Program {
+    /// The expressions that get a name, in order: an operand comes before its use.
+    pub statements: Vec<Id>,
+    /// What is computed.
+    pub outputs: Vec<Id>,
+    /// Expressions of an earlier stage that the code reads; symbols and numbers are not among them.
+    pub hoisted: Vec<Id>,
+    /// Symbols that the code reads.
+    pub symbols: Vec<Id>,
+    /// All nodes that are computed by this program, children first.
+    pub nodes: Vec<Id>,
+}
+
+impl Graph {
+    /// Schedules `outputs` for evaluation at `stage`. An expression becomes a statement if it is
+    /// a quantity, if it is used more than once, or if the statement it stands in would grow too long.
+    /// A condition is no number, so that none is kept from an earlier stage.
+    pub fn schedule(&self, outputs: &[Id], stage: Stage) -> Program {
+        self.schedule_where(outputs, |id| self.stage(id) == stage)
+    }
+
+    /// The same of all that `is_due`.
+    pub fn schedule_where(&self, outputs: &[Id], is_due: impl Fn(Id) -> bool) -> Program {
+        let is_leaf = |id: Id| {
+            matches!(
+                self.node(id),
+                Node::Number(_) | Node::Truth(_) | Node::Undefined | Node::Symbol(_)
+            )
+        };
+        let is_condition = |id: Id| {
+            matches!(
+                self.node(id),
+                Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_)
+            )
+        };
+        let computed = |id: Id| !is_leaf(id) && (is_due(id) || is_condition(id));
+        let reached = self.reachable(outputs, computed);
+        let (nodes, rest): (Vec<Id>, Vec<Id>) = reached.into_iter().partition(|id| computed(*id));
+        let (symbols, rest): (Vec<Id>, Vec<Id>) = rest
+            .into_iter()
+            .partition(|id| matches!(self.node(*id), Node::Symbol(_)));
+        let hoisted = rest.into_iter().filter(|id| !is_leaf(*id)).collect();
+
+        let mut uses = vec![0_u32; nodes.last().map_or(0, |last| last.index() + 1)];
+        let mut weights = vec![0_u32; uses.len()];
+        for id in nodes
+            .iter()
+            .flat_map(|id| self.node(*id).operands())
+            .filter(|id| computed(*id))
+        {
+            uses[id.index()] += 1;
+        }
+        for id in outputs.iter().filter(|id| computed(**id)) {
+            uses[id.index()] += 1;
+        }
+        let mut statements = Vec::new();
+        for &id in &nodes {
+            let inlined: u32 = self
+                .node(id)
+                .operands()
+                .filter(|id| computed(*id))
+                .map(|id| weights[id.index()])
+                .sum();
+            let (is_quantity, negates) = (
+                matches!(self.node(id), Node::Quantity(_)),
+                matches!(self.node(id), Node::Negate(_)),
+            );
+            weights[id.index()] = inlined + u32::from(!negates && !is_quantity);
+            let shared = uses[id.index()] > 1 && !negates;
+            if is_quantity
+                && self
+                    .node(id)
+                    .operands()
+                    .any(|inner| statements.binary_search(&inner).is_ok())
+            {
+                // another name for what is a statement already
+                weights[id.index()] = 0;
+                continue;
+            }
+            if is_quantity
+                || shared
+                || self.is_half_of_a_pair(id, &nodes)
+                || weights[id.index()] > STATEMENT
+            {
+                weights[id.index()] = 0;
+                statements.push(id);
+            }
+        }
+        Program {
+            statements,
+            outputs: outputs.to_vec(),
+            hoisted,
+            symbols,
+            nodes,
+        }
+    }
+
+    /// The cosine of what `id` is the sine of, or the other way round, if it was made.
+    pub fn other_half(&self, id: Id) -> Option<Id> {
+        match *self.node(id) {
+            Node::Unary(Function::Sin, angle) => self.find(&Node::Unary(Function::Cos, angle)),
+            Node::Unary(Function::Cos, angle) => self.find(&Node::Unary(Function::Sin, angle)),
+            _ => None,
+        }
+    }
+
+    /// A sine and a cosine of the same angle are computed together.
+    fn is_half_of_a_pair(&self, id: Id, nodes: &[Id]) -> bool {
+        self.other_half(id)
+            .is_some_and(|other| nodes.binary_search(&other).is_ok())
+    }
+}

@@ -1,0 +1,366 @@
+//! Numbers as they stand in a description: exact rationals, from the token to the one rounding.
+//!
+//! Sums, products and quotients of literals are exact. What is not rational carries its value, how
+//! far it may be off, and by which identities it is known ([`super::irrational`]): it is zero, or
+//! another rational, only by proof, never because it is small.
+
+use core::cell::RefCell;
+use core::cmp::Ordering;
+use core::hash::{Hash, Hasher};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use std::rc::Rc;
+
+use dashu_int::ops::{BitTest, UnsignedAbs};
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
+
+use super::ball::Ball;
+use super::float::{Float, PRECISION};
+use super::function::Function;
+use super::residue::Residue;
+
+/// Decimal exponents beyond which a literal is refused before any number is built.
+const DECIMAL_EXPONENTS: i64 = 5000;
+/// Bits of numerator and denominator beyond which an exact number is rounded to [`PRECISION`].
+const EXACT: usize = 1 << 13;
+/// The same of a number that is rounded already, and what is kept of it then.
+const ROUNDED: usize = 1 << 11;
+const KEPT: usize = 1 << 9;
+/// Bits beyond which a number is not carried at all.
+const SIZE: usize = 1 << 16;
+
+/// A rational number, or a rational near to a number that is not.
+#[derive(Clone, Debug)]
+pub struct Number {
+    pub(in crate::symbolic) value: RBig,
+    pub(in crate::symbolic) kind: Kind,
+}
+
+/// What the value of a number is.
+#[derive(Clone, Debug)]
+pub(in crate::symbolic) enum Kind {
+    /// The number itself.
+    Rational,
+    /// Near to a number that is known by other means.
+    Irrational(Rc<Irrational>),
+}
+
+/// What is known of a number beside its value.
+#[derive(Debug)]
+pub(in crate::symbolic) struct Irrational {
+    pub residue: Residue,
+    /// Its value is off by less than 2 to this.
+    pub error: isize,
+    pub term: Term,
+    /// How many operations it takes to compute it again.
+    pub cost: usize,
+    /// What it was, each time it was: with so many bits.
+    pub again: RefCell<Vec<(usize, Option<Ball>)>>,
+}
+
+/// How a number is computed with more bits.
+#[derive(Clone, Debug)]
+pub enum Term {
+    Pi,
+    Sum(Number, Number),
+    Product(Number, Number),
+    Quotient(Number, Number),
+    Value(Function, Number),
+    /// Not at all: it is as near as it will be.
+    Kept,
+}
+
+impl Number {
+    pub fn zero() -> Self {
+        Self::from(RBig::ZERO)
+    }
+
+    pub fn one() -> Self {
+        Self::from(RBig::ONE)
+    }
+
+    pub fn integer(value: i64) -> Self {
+        Self::from(RBig::from(value))
+    }
+
+    /// `numerator / denominator`; the denominator is not zero.
+    pub fn ratio(numerator: i64, denominator: u64) -> Self {
+        Self::from(RBig::from_parts(
+            IBig::from(numerator),
+            UBig::from(denominator),
+        ))
+    }
+
+    /// 10 to a small power.
+    pub fn power_of_ten(exponent: i64) -> Self {
+        let power =
+            RBig::from(IBig::from(10).pow(usize::try_from(exponent.unsigned_abs()).unwrap_or(0)));
+        Self::from(if exponent < 0 {
+            RBig::ONE / power
+        } else {
+            power
+        })
+    }
+
+    /// 2 to a small power.
+    pub fn power_of_two(exponent: isize) -> Self {
+        let power = RBig::from(UBig::ONE << exponent.unsigned_abs());
+        Self::from(if exponent < 0 {
+            RBig::ONE / power
+        } else {
+            power
+        })
+    }
+
+    /// Reads the digits of a Rust literal: `1_000`, `1.5e-3`, `0x1F`, `0b10`, `0o17`.
+    pub fn parse(digits: &str) -> Option<Self> {
+        let digits = digits.replace('_', "");
+        for (prefix, radix) in [("0x", 16), ("0o", 8), ("0b", 2)] {
+            if let Some(rest) = digits.strip_prefix(prefix) {
+                return IBig::from_str_radix(rest, radix)
+                    .ok()
+                    .map(|value| Self::from(RBig::from(value)));
+            }
+        }
+        let (mantissa, exponent) = match digits.split_once(['e', 'E']) {
+            Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),
+            None => (digits.as_str(), 0),
+        };
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let scale = exponent - i64::try_from(fraction.len()).ok()?;
+        if scale.abs() > DECIMAL_EXPONENTS {
+            return None;
+        }
+        let integer = IBig::from_str_radix(&format!("{whole}{fraction}"), 10).ok()?;
+        Some(Self::from(RBig::from(integer)) * Self::power_of_ten(scale))
+    }
+
+    /// The value of a double, exactly; of one that is not finite, zero.
+    pub fn from_f64(value: f64) -> Self {
+        Self::from(RBig::try_from(value).unwrap_or(RBig::ZERO))
+    }
+
+    pub fn is_zero(&self) -> bool {
+        self.value.is_zero()
+    }
+
+    pub fn is_one(&self) -> bool {
+        self.value.is_one()
+    }
+
+    pub fn is_negative(&self) -> bool {
+        self.value < RBig::ZERO
+    }
+
+    pub fn is_positive(&self) -> bool {
+        self.value > RBig::ZERO
+    }
+
+    /// The integer that this number is, if it is a small one.
+    pub fn to_integer(&self) -> Option<i64> {
+        (self.value.is_int())
+            .then(|| i64::try_from(self.value.numerator().clone()).ok())
+            .flatten()
+    }
+
+    /// Numerator and denominator, if it is a ratio of small numbers.
+    pub fn to_fraction(&self) -> Option<(i64, i64)> {
+        let above = i64::try_from(self.value.numerator().clone()).ok()?;
+        let below = i64::try_from(self.value.denominator().clone()).ok()?;
+        (!self.is_rounded()).then_some((above, below))
+    }
+
+    /// Whether its value is only near to it.
+    pub fn is_rounded(&self) -> bool {
+        !matches!(self.kind, Kind::Rational)
+    }
+
+    /// Numerator and denominator modulo a prime.
+    pub fn modulo(&self, prime: u128) -> [u128; 2] {
+        let above = self.value.numerator();
+        let rest = above.clone().unsigned_abs() % prime;
+        let is_negative = rest != 0 && self.is_negative();
+        [
+            if is_negative { prime - rest } else { rest },
+            self.value.denominator() % prime,
+        ]
+    }
+
+    /// The nearest double: the one rounding of a constant. Infinite beyond the range of doubles.
+    pub fn to_f64(&self) -> f64 {
+        self.value.to_f64().value()
+    }
+
+    /// The nearest number of single precision; infinite beyond their range.
+    pub fn to_f32(&self) -> f32 {
+        self.value.to_f32().value()
+    }
+
+    /// Whether the nearest double is finite, and zero only if the number is.
+    pub fn fits_f64(&self) -> bool {
+        let nearest = self.to_f64();
+        nearest.is_finite() && (nearest != 0.0 || self.is_zero())
+    }
+
+    pub fn abs(&self) -> Self {
+        if self.is_negative() {
+            -self.clone()
+        } else {
+            self.clone()
+        }
+    }
+
+    /// `None` for a division by zero, or by what cannot be told from it.
+    pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
+        (!divisor.is_zero() && !divisor.is_undecided()).then(|| self.clone() / divisor.clone())
+    }
+
+    /// The root, if it is a ratio of whole numbers.
+    pub(in crate::symbolic) fn exact_root(&self, degree: usize) -> Option<Self> {
+        let (numerator, denominator) = (self.value.numerator().clone(), self.value.denominator());
+        let numerator = UBig::try_from(numerator).ok()?;
+        let roots = (numerator.nth_root(degree), denominator.nth_root(degree));
+        let is_exact = roots.0.pow(degree) == numerator && &roots.1.pow(degree) == denominator;
+        (is_exact && !self.is_rounded())
+            .then(|| Self::from(RBig::from_parts(roots.0.into(), roots.1)))
+    }
+
+    /// A whole power.
+    pub(in crate::symbolic) fn power(&self, exponent: i64) -> Option<Self> {
+        let (mut power, mut square) = (Self::one(), self.clone());
+        for bit in 0..i64::BITS - exponent.unsigned_abs().leading_zeros() {
+            if exponent.unsigned_abs() >> bit & 1 == 1 {
+                power = power * square.clone();
+            }
+            square = square.clone() * square;
+            if !power.is_carried() || !square.is_carried() {
+                return None;
+            }
+        }
+        if exponent < 0 {
+            Self::one().checked_div(&power)
+        } else {
+            Some(power)
+        }
+    }
+
+    pub(in crate::symbolic) fn to_float(&self, bits: usize) -> Float {
+        self.value.to_float(bits).value()
+    }
+
+    /// Whether the number is still small enough to be carried along.
+    pub fn is_carried(&self) -> bool {
+        self.bits() < SIZE
+    }
+
+    fn bits(&self) -> usize {
+        self.value.numerator().bit_len() + self.value.denominator().bit_len()
+    }
+
+    /// Gives up digits where there are out of all proportion.
+    pub(in crate::symbolic) fn condensed(self) -> Self {
+        let (most, kept) = if self.is_rounded() {
+            (ROUNDED, KEPT)
+        } else {
+            (EXACT, PRECISION)
+        };
+        if self.bits() < most || !self.is_carried() {
+            return self;
+        }
+        self.near(kept)
+    }
+}
+
+impl From<RBig> for Number {
+    fn from(value: RBig) -> Self {
+        Self {
+            value,
+            kind: Kind::Rational,
+        }
+    }
+}
+
+impl Add for Number {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        match (&self.kind, &other.kind) {
+            (Kind::Rational, Kind::Rational) => Self::from(self.value + other.value).condensed(),
+            _ => Self::sum(self, other),
+        }
+    }
+}
+
+impl Sub for Number {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Number {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        match (&self.kind, &other.kind) {
+            (Kind::Rational, Kind::Rational) => Self::from(self.value * other.value).condensed(),
+            _ => Self::product(self, other),
+        }
+    }
+}
+
+impl Div for Number {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        match (&self.kind, &other.kind) {
+            (Kind::Rational, Kind::Rational) => Self::from(self.value / other.value).condensed(),
+            _ => Self::quotient(self, other),
+        }
+    }
+}
+
+impl Neg for Number {
+    type Output = Self;
+    fn neg(self) -> Self {
+        match self.kind {
+            Kind::Irrational(_) => Self::product(Self::integer(-1), self),
+            Kind::Rational => Self::from(-self.value),
+        }
+    }
+}
+
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        match (&self.kind, &other.kind) {
+            (Kind::Irrational(_), Kind::Irrational(_)) => self.is_same(other),
+            (Kind::Irrational(_), _) | (_, Kind::Irrational(_)) => false,
+            _ => self.value == other.value,
+        }
+    }
+}
+
+impl Eq for Number {}
+
+impl Hash for Number {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match &self.kind {
+            Kind::Irrational(known) => known.residue.hash(state),
+            Kind::Rational => self.value.hash(state),
+        }
+    }
+}
+
+impl PartialOrd for Number {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Number {
+    /// Of irrational numbers, by the sign of their difference.
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.kind, &other.kind) {
+            (Kind::Rational, Kind::Rational) => self.value.cmp(&other.value),
+            _ if self == other => Ordering::Equal,
+            _ => self.cmp_irrational(other),
+        }
+    }
+}

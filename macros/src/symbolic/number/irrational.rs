@@ -1,0 +1,337 @@
+//! Numbers that are not rational: a value, how far it may be off, and a residue that knows identities.
+//!
+//! The residue is computed along with the value, modulo a prime: pi, and what a function makes of an
+//! argument, are random residues there, up to `sin^2 + cos^2 = 1`; the root of a rational number is
+//! the product of the roots of its primes, whose signs no identity tells apart. So a residue of zero
+//! is a proof that a number is zero, by an identity in all of these, but for one of 2^100 by chance;
+//! and then only where its value may be zero too. A value that has cancelled down to its error, and
+//! is not zero by proof, is computed again with more bits.
+
+use core::cell::RefCell;
+use core::cmp::Ordering;
+use std::rc::Rc;
+
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
+
+use super::ball::{Ball, NONE};
+use super::exact::{Irrational, Kind, Number, Term};
+use super::float::{Float, PRECISION};
+use super::function::Function;
+use super::residue::Residue;
+
+/// Bits of a value that are right; with fewer, it is computed again.
+const ENOUGH: isize = 128;
+/// Bits with which it is.
+const MORE: [usize; 4] = [512, 1024, 2048, 4096];
+/// Operations that are done again, at most.
+const COST: usize = 200;
+
+/// That of a quotient by what may be zero.
+const UNKNOWN: isize = 1 << 15;
+
+impl Term {
+    fn cost(&self) -> usize {
+        match self {
+            Self::Pi | Self::Kept => 0,
+            Self::Sum(a, b) | Self::Product(a, b) | Self::Quotient(a, b) => 1 + a.cost() + b.cost(),
+            Self::Value(_, a) => 1 + a.cost(),
+        }
+    }
+
+    /// Whether more bits of what it is computed from may tell more of it.
+    fn may_gain(&self) -> bool {
+        match self {
+            Self::Pi => true,
+            Self::Sum(a, b) => a.may_gain() || b.may_gain(),
+            Self::Product(a, b) | Self::Quotient(a, b) => {
+                let is_told = !a.is_undecided() && !b.is_undecided();
+                is_told && (a.may_gain() || b.may_gain())
+            }
+            Self::Value(_, a) => !a.is_rounded() || a.may_gain(),
+            Self::Kept => false,
+        }
+    }
+
+    /// With so many bits of what it is computed from.
+    fn ball(&self, bits: usize) -> Option<Ball> {
+        let exact = match self {
+            Self::Pi => return Ball::of_float(Float::pi(bits), NONE, bits),
+            Self::Sum(a, b) => Ball::sum(&a.ball(bits), &b.ball(bits)),
+            Self::Product(a, b) => Ball::product(&a.ball(bits), &b.ball(bits)),
+            Self::Quotient(a, b) => Ball::quotient(&a.ball(bits), &b.ball(bits))?,
+            Self::Value(function, a) => return a.ball(bits).apply(*function, bits),
+            Self::Kept => return None,
+        };
+        Some(Ball::rounded(&exact.value, exact.error, bits))
+    }
+}
+
+impl Number {
+    pub fn pi() -> Self {
+        let residue = Residue::stand_in(&"pi");
+        Self::settled(Term::Pi.ball(PRECISION), residue, Term::Pi).unwrap_or_else(Self::zero)
+    }
+
+    /// A value that is right to so many bits, of which nothing else is known.
+    pub(in crate::symbolic) fn measured(value: Float, bits: usize) -> Self {
+        let ball = Ball::of_float(value, NONE, bits);
+        let residue = ball
+            .as_ref()
+            .map_or(Residue::ZERO, |ball| Residue::stand_in(&ball.value));
+        Self::settled(ball, residue, Term::Kept).unwrap_or_else(Self::zero)
+    }
+
+    /// The value of one of the functions that others are made of.
+    pub(in crate::symbolic) fn value_of(
+        function: Function,
+        x: &Self,
+        residue: Option<Residue>,
+    ) -> Option<Self> {
+        let residue = residue.unwrap_or_else(|| Residue::stand_in(&(function, x.residue())));
+        let near = Ball::rounded(&x.value, x.error(), PRECISION).apply(function, PRECISION);
+        Self::settled(near, residue, Term::Value(function, x.clone()))
+    }
+
+    /// What a function was applied to.
+    pub(in crate::symbolic) fn argument(&self, of: Function) -> Option<&Self> {
+        match &self.known()?.term {
+            Term::Value(function, argument) if *function == of => Some(argument),
+            _ => None,
+        }
+    }
+
+    pub(in crate::symbolic) fn sum(a: Self, b: Self) -> Self {
+        let near = Ball::sum(&a.stored(), &b.stored());
+        let residue = a.residue() + b.residue();
+        Self::settled_or(near, residue, Term::Sum(a, b))
+    }
+
+    pub(in crate::symbolic) fn product(a: Self, b: Self) -> Self {
+        if a.is_zero() || b.is_zero() {
+            return Self::zero();
+        }
+        if let (Some(x), Some(y)) = (a.argument(Function::Sqrt), b.argument(Function::Sqrt))
+            && x == y
+        {
+            return x.clone();
+        }
+        let near = Ball::product(&a.stored(), &b.stored());
+        let residue = a.residue() * b.residue();
+        Self::settled_or(near, residue, Term::Product(a, b))
+    }
+
+    pub(in crate::symbolic) fn quotient(a: Self, b: Self) -> Self {
+        if a.is_zero() {
+            return a;
+        }
+        let near = Ball::quotient(&a.stored(), &b.stored());
+        let near = near.unwrap_or_else(|| Ball {
+            value: &a.value / &b.value,
+            error: UNKNOWN,
+        });
+        let residue = match b.residue().reciprocal() {
+            Some(reciprocal) => a.residue() * reciprocal,
+            None => Residue::stand_in(&near.value),
+        };
+        Self::settled_or(near, residue, Term::Quotient(a, b))
+    }
+
+    fn settled_or(near: Ball, residue: Residue, term: Term) -> Self {
+        let value = near.value.clone();
+        Self::settled(Some(near), residue, term).unwrap_or_else(|| Self::from(value))
+    }
+
+    /// A number near to a value: zero, or another rational, if that is proved; else with digits that
+    /// are right, if they can be had. `None` without a value.
+    fn settled(mut near: Option<Ball>, mut residue: Residue, term: Term) -> Option<Self> {
+        if let Some(ball) = &near
+            && residue == Residue::ZERO
+        {
+            if ball.may_be_zero() {
+                return Some(Self::zero());
+            }
+            residue = Residue::stand_in(&ball.value);
+        }
+        let may_gain = term.may_gain();
+        for bits in MORE {
+            if !may_gain || near.as_ref().is_some_and(|ball| ball.bits() >= ENOUGH) {
+                break;
+            }
+            near = term.ball(bits).or(near);
+        }
+        let mut ball = near?;
+        if ball.bits() >= ENOUGH
+            && let Some(rational) = residue.to_number()
+            && (Ball {
+                value: &ball.value - &rational.value,
+                ..ball
+            })
+            .may_be_zero()
+        {
+            return Some(rational);
+        }
+        if ball.may_be_zero() {
+            // nobody knows, and it may be as large as this
+            ball.value = power_of_two(ball.error);
+        }
+        Some(Self::known_by(ball, residue, term).condensed())
+    }
+
+    fn known_by(ball: Ball, residue: Residue, term: Term) -> Self {
+        let Ball { value, error } = ball;
+        let cost = term.cost();
+        let term = if cost > COST { Term::Kept } else { term };
+        let known = Irrational {
+            residue,
+            error,
+            cost: if cost > COST { 0 } else { cost },
+            term,
+            again: RefCell::default(),
+        };
+        Self {
+            value,
+            kind: Kind::Irrational(Rc::new(known)),
+        }
+    }
+
+    /// The same with fewer digits.
+    pub(in crate::symbolic) fn near(self, bits: usize) -> Self {
+        let ball = Ball::rounded(&self.value, self.error(), bits);
+        match &self.kind {
+            Kind::Rational => Self::known_by(ball, self.residue(), Term::Kept),
+            Kind::Irrational(known) => Self::known_by(ball, known.residue, known.term.clone()),
+        }
+    }
+
+    /// Whether it cannot be told from zero, nor proved to be zero.
+    pub fn is_undecided(&self) -> bool {
+        self.known().is_some() && self.stored().may_be_zero()
+    }
+
+    /// Whether irrational numbers are proved to be equal.
+    pub(in crate::symbolic) fn is_same(&self, other: &Self) -> bool {
+        let difference = || Ball {
+            value: &self.value - &other.value,
+            error: self.error().max(other.error()) + 1,
+        };
+        self.residue() == other.residue() && difference().may_be_zero()
+    }
+
+    /// Of different numbers; if nobody knows the sign of their difference, some order.
+    pub(in crate::symbolic) fn cmp_irrational(&self, other: &Self) -> Ordering {
+        let difference = self.clone() - other.clone();
+        let residues = || self.residue().cmp(&other.residue());
+        if difference.is_undecided() {
+            return self.value.cmp(&other.value).then_with(residues);
+        }
+        difference.value.cmp(&RBig::ZERO)
+    }
+
+    fn known(&self) -> Option<&Irrational> {
+        match &self.kind {
+            Kind::Irrational(known) => Some(known),
+            Kind::Rational => None,
+        }
+    }
+
+    /// Modulo the prime of the test for zeros; equal numbers have equal residues.
+    pub fn residue(&self) -> Residue {
+        match self.known() {
+            Some(known) => known.residue,
+            None => Residue::rational(self).unwrap_or_else(|| Residue::stand_in(&self.value)),
+        }
+    }
+
+    fn error(&self) -> isize {
+        self.known().map_or(NONE, |known| known.error)
+    }
+
+    fn cost(&self) -> usize {
+        self.known().map_or(0, |known| known.cost)
+    }
+
+    fn stored(&self) -> Ball {
+        Ball {
+            value: self.value.clone(),
+            error: self.error(),
+        }
+    }
+
+    /// Whether it may be had with more bits: not if none were enough to tell it from zero.
+    fn may_gain(&self) -> bool {
+        (self.known())
+            .is_some_and(|known| !matches!(known.term, Term::Kept) && !self.stored().may_be_zero())
+    }
+
+    /// To so many bits, if they can be had; else as near as it is.
+    fn ball(&self, bits: usize) -> Ball {
+        let stored = Ball::rounded(&self.value, self.error(), bits);
+        match self.known() {
+            Some(known) if self.may_gain() && self.stored().bits() < bits.cast_signed() => {
+                let again = known.again(bits);
+                again
+                    .filter(|again| again.error < stored.error)
+                    .unwrap_or(stored)
+            }
+            _ => stored,
+        }
+    }
+}
+
+impl Irrational {
+    /// Computed with so many bits, once.
+    fn again(&self, bits: usize) -> Option<Ball> {
+        let known = self.again.borrow();
+        if let Some((_, ball)) = known.iter().find(|(known, _)| *known == bits) {
+            return ball.clone();
+        }
+        drop(known);
+        let ball = self.term.ball(bits);
+        self.again.borrow_mut().push((bits, ball.clone()));
+        ball
+    }
+}
+
+/// The residue of the root of a positive rational number. What its primes are is looked for among
+/// small ones; of the rest nothing is known but that it is the same for equal numbers.
+pub fn root_residue(of: &Number) -> Option<Residue> {
+    let (above, below) = (of.value.numerator(), of.value.denominator());
+    let mut rest = u128::try_from(above * IBig::from(below.clone())).ok()?;
+    let mut residue = Residue::rational(&Number::from(RBig::from(below.clone())))?.reciprocal()?;
+    let mut times = |prime: u128, power: u32| {
+        let prime = Residue::real(prime);
+        for _ in 0..power / 2 {
+            residue = residue * prime;
+        }
+        if power % 2 == 1 {
+            residue = residue * prime.root()?;
+        }
+        Some(())
+    };
+    for divisor in core::iter::once(2).chain((3..1 << 16).step_by(2)) {
+        let mut power = 0;
+        while rest % divisor == 0 {
+            (rest, power) = (rest / divisor, power + 1);
+        }
+        times(divisor, power)?;
+        if divisor * divisor > rest {
+            break;
+        }
+    }
+    match rest {
+        1 => {}
+        prime if prime < 1 << 32 => times(prime, 1)?,
+        _ => residue = residue * Residue::stand_in(&(Function::Sqrt, rest)),
+    }
+    Some(residue)
+}
+
+fn power_of_two(exponent: isize) -> RBig {
+    let power = RBig::from(UBig::ONE << exponent.unsigned_abs().min(1 << 16));
+    if exponent < 0 {
+        RBig::ONE / power
+    } else {
+        power
+    }
+}

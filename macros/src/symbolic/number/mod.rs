@@ -1,0 +1,16 @@
+//! Exact numbers, those that are not rational, residues modulo a prime, and eigenvalues.
+
+mod ball;
+mod eigen;
+mod exact;
+mod float;
+mod function;
+pub mod irrational;
+mod rational_residues;
+mod residue;
+mod values;
+
+pub use eigen::{Matrix, PrincipalAxes, Spectrum, Symmetry, scaled};
+pub use exact::Number;
+pub use function::Function;
+pub use residue::Residue;

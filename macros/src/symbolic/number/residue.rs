@@ -1,0 +1,183 @@
+//! Numbers modulo a prime: a field in which nothing is rounded and nothing grows.
+
+use core::ops::{Add, Mul, Neg};
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// Of Mersenne; -1 has no root, and of `a` and `-a` one has.
+pub const PRIME: u128 = (1 << 127) - 1;
+
+/// Bound of a numerator and of a denominator that are told by their residue: one of 2^62 has such, by
+/// chance.
+pub const DIGITS: i128 = 1 << 32;
+
+/// `real + imaginary i`, both modulo the prime: numbers among which all that are real have roots.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Residue {
+    pub real: u128,
+    pub imaginary: u128,
+}
+
+impl Residue {
+    pub const ZERO: Self = Self::real(0);
+    pub const ONE: Self = Self::real(1);
+
+    pub(in crate::symbolic) const fn real(real: u128) -> Self {
+        Self { real, imaginary: 0 }
+    }
+
+    /// A random residue, different for what is different.
+    pub fn stand_in(of: &impl Hash) -> Self {
+        let half = |salt: u8| {
+            let mut hasher = DefaultHasher::new();
+            (salt, of).hash(&mut hasher);
+            u128::from(hasher.finish())
+        };
+        Self::real(reduced(half(0) << 64 | half(1)))
+    }
+
+    pub fn is_zero(self) -> bool {
+        self == Self::ZERO
+    }
+
+    /// Of `a` and `-a` always the same one, and whether it is the other.
+    pub(in crate::symbolic) fn unsigned(self) -> (Self, bool) {
+        let opposite = -self;
+        let key = |a: &Self| (a.real, a.imaginary);
+        if key(&self) <= key(&opposite) {
+            (self, false)
+        } else {
+            (opposite, true)
+        }
+    }
+
+    /// `a^(PRIME - 2)` of a real number that is not zero: its reciprocal.
+    fn inverse(a: u128) -> u128 {
+        // a^(2^count - 1), by doubling the count or adding one to it, up to 125
+        let (mut power, mut count) = (a, 1);
+        for is_odd in [true, true, true, true, false, true] {
+            (power, count) = (times(squared(power, count), power), 2 * count);
+            if is_odd {
+                (power, count) = (times(squared(power, 1), a), count + 1);
+            }
+        }
+        times(squared(power, 2), a)
+    }
+
+    pub fn reciprocal(self) -> Option<Self> {
+        let Self { real, imaginary } = self;
+        if self == Self::ONE {
+            return Some(self);
+        }
+        if imaginary == 0 {
+            return (real != 0).then(|| Self::real(Self::inverse(real)));
+        }
+        let square = plus(times(real, real), times(imaginary, imaginary));
+        let over = Self::real(Self::inverse(square));
+        (square != 0).then(|| {
+            Self {
+                real,
+                imaginary: minus(imaginary),
+            } * over
+        })
+    }
+
+    /// Of a real number, if it has one that is real: `a^((PRIME + 1) / 4)`.
+    fn real_root(a: u128) -> Option<u128> {
+        let root = squared(a, 125);
+        (times(root, root) == a).then_some(root)
+    }
+
+    pub(in crate::symbolic) fn root(self) -> Option<Self> {
+        let Self { real, imaginary } = self;
+        if imaginary == 0 {
+            let root = Self::real_root(real).map(Self::real);
+            let rotated = |root| Self {
+                real: 0,
+                imaginary: root,
+            };
+            return root.or_else(|| Self::real_root(minus(real)).map(rotated));
+        }
+        // x + y i with 2 x^2 = a + |a + b i| and 2 x y = b
+        let size = Self::real_root(plus(times(real, real), times(imaginary, imaginary)))?;
+        let half = PRIME.div_ceil(2);
+        let squares = [size, minus(size)].map(|size| times(half, plus(real, size)));
+        let x = squares.into_iter().find_map(Self::real_root)?;
+        let y = times(imaginary, Self::inverse(plus(x, x)));
+        Some(Self {
+            real: x,
+            imaginary: y,
+        })
+    }
+}
+
+/// Squared so many times.
+fn squared(a: u128, count: u32) -> u128 {
+    (0..count).fold(a, |power, _| times(power, power))
+}
+
+/// Of any number of 128 bits.
+fn reduced(a: u128) -> u128 {
+    let folded = (a & PRIME) + (a >> 127);
+    if folded >= PRIME {
+        folded - PRIME
+    } else {
+        folded
+    }
+}
+
+fn plus(a: u128, b: u128) -> u128 {
+    let sum = a + b;
+    if sum < PRIME { sum } else { sum - PRIME }
+}
+
+pub fn minus(a: u128) -> u128 {
+    if a == 0 { 0 } else { PRIME - a }
+}
+
+fn times(a: u128, b: u128) -> u128 {
+    const LOW: u128 = (1 << 64) - 1;
+    let ([a_high, a_low], [b_high, b_low]) = ([a >> 64, a & LOW], [b >> 64, b & LOW]);
+    let middle = a_high * b_low + a_low * b_high;
+    // 2^128 = 2
+    let high = plus(2 * a_high * b_high, 2 * (middle >> 64));
+    let low = plus(reduced((middle & LOW) << 64), reduced(a_low * b_low));
+    plus(reduced(high), low)
+}
+
+impl Add for Residue {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            real: plus(self.real, other.real),
+            imaginary: plus(self.imaginary, other.imaginary),
+        }
+    }
+}
+
+impl Neg for Residue {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self {
+            real: minus(self.real),
+            imaginary: minus(self.imaginary),
+        }
+    }
+}
+
+impl Mul for Residue {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let real = times(self.real, other.real);
+        if self.imaginary == 0 && other.imaginary == 0 {
+            return Self::real(real);
+        }
+        let square = times(self.imaginary, other.imaginary);
+        Self {
+            real: plus(real, minus(square)),
+            imaginary: plus(
+                times(self.real, other.imaginary),
+                times(self.imaginary, other.real),
+            ),
+        }
+    }
+}

@@ -1,0 +1,323 @@
+//! Convolutions gathered into sums: where coefficients are linear in convolutions that nothing else reads,
+//!
+//! ```text
+//! z[n] = w1 (a * b) + w2 (c * d) + .. + rest
+//! ```
+//!
+//! with weights that are held along a step, those of one level are one sum, which is computed in one lane. What is linear in coefficients is
+//! added there too.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+use crate::symbolic::graph::{Graph, Id, Node, Stage};
+
+/// The numbers of a register, which are computed side by side.
+pub const LANES: usize = 8;
+
+/// A convolution of two series.
+#[derive(Clone, Copy, Debug)]
+pub struct Product {
+    /// The expression that it was written for.
+    pub of: Id,
+    pub level: usize,
+    /// The symbol of its value.
+    pub value: Id,
+    pub factors: [Factor; 2],
+}
+
+/// A series that is multiplied.
+#[derive(Clone, Copy, Debug)]
+pub struct Factor {
+    pub start: Id,
+    /// Its n-th coefficient; if it is known later than the convolution, that does not depend on it.
+    pub next: Id,
+}
+
+/// A sum of convolutions of one level.
+#[derive(Clone, Debug)]
+pub struct Sum {
+    pub of: Origin,
+    pub level: usize,
+    /// The symbol of its value.
+    pub value: Id,
+    pub terms: Vec<Term>,
+    /// Coefficients that are added, with their weights, which are held.
+    pub linear: Vec<(Id, Id)>,
+}
+
+/// What a sum is part of.
+#[derive(Clone, Copy, Debug)]
+pub enum Origin {
+    /// The rate of a coordinate, by its place.
+    Rate(usize),
+    /// The coefficient of a quotient or a function.
+    Result(Id),
+    /// An expression that a convolution was written for.
+    Product(Id),
+}
+
+/// A convolution with its weight, which is held.
+#[derive(Clone, Copy, Debug)]
+pub struct Term {
+    pub weight: Id,
+    pub factors: [Factor; 2],
+}
+
+/// What is read of convolutions: coefficients, and the factors of further convolutions.
+pub(in crate::symbolic) struct Readers<'r> {
+    pub rates: &'r mut Vec<Id>,
+    pub results: &'r mut Vec<(Id, Id)>,
+    /// The symbols that change from order to order, beside the convolutions.
+    pub symbols: Vec<Id>,
+}
+
+/// Products by their places, and what is added to them, with weights.
+struct Weighted {
+    level: usize,
+    terms: Vec<(Id, usize)>,
+    rest: Vec<(Id, Id)>,
+}
+
+impl Graph {
+    /// The sums that are read; the readers are written in them.
+    pub(in crate::symbolic) fn gathered(
+        &mut self,
+        products: &[Product],
+        readers: Readers<'_>,
+    ) -> Vec<Sum> {
+        let Readers {
+            rates,
+            results,
+            symbols,
+        } = readers;
+        let factors = products.iter().flat_map(|product| product.factors);
+        let roots: Vec<Id> = rates
+            .iter()
+            .copied()
+            .chain(factors.map(|factor| factor.next))
+            .collect();
+        let found = self.weighted(products, &roots, symbols.clone());
+        // what is added to a sum was gathered before it; rates in a row are the next coefficients in a row
+        let mut found: Vec<(Id, Weighted)> = found.into_iter().collect();
+        let place = |id: Id| rates.iter().position(|rate| *rate == id);
+        found.sort_by_key(|(id, sum)| (sum.level, place(*id).unwrap_or(rates.len())));
+        let mut sums = Vec::new();
+        let mut written = HashMap::new();
+        let mut values: HashSet<Id> = products.iter().map(|product| product.value).collect();
+        for (id, Weighted { level, terms, rest }) in found {
+            let first = products[terms[0].1];
+            let is_bare = id == first.value;
+            let value = if is_bare {
+                id
+            } else {
+                self.symbol(Stage::State)
+            };
+            values.insert(value);
+            let (mut whole, mut linear) = (value, self.zero());
+            for (weight, part) in rest {
+                let part = self.rewritten(&[part], &written)[0];
+                let part = self.multiply(weight, part);
+                if self.linear_in(part, &symbols, &values).is_some() {
+                    linear = self.add(linear, part);
+                } else {
+                    whole = self.add(part, whole);
+                }
+            }
+            let linear = self
+                .linear_in(linear, &symbols, &values)
+                .unwrap_or_else(|| {
+                    whole = self.add(linear, whole);
+                    Vec::new()
+                });
+            written.insert(id, whole);
+            let rate = rates.iter().position(|rate| *rate == id);
+            let result = results.iter().find(|(_, next)| *next == id);
+            let of = match (rate, result) {
+                _ if is_bare => Origin::Product(first.of),
+                (_, Some((of, _))) => Origin::Result(*of),
+                (Some(place), None) => Origin::Rate(place),
+                (None, None) => Origin::Product(first.of),
+            };
+            let terms = terms.into_iter().map(|(weight, product)| Term {
+                weight,
+                factors: products[product].factors,
+            });
+            sums.push(Sum {
+                of,
+                level,
+                value,
+                terms: terms.collect(),
+                linear,
+            });
+        }
+
+        let nexts = results.iter().map(|(_, next)| *next);
+        let roots: Vec<Id> = roots.into_iter().chain(nexts).collect();
+        let images = self.rewritten(&roots, &written);
+        let image: HashMap<Id, Id> = roots.into_iter().zip(images).collect();
+        for id in rates
+            .iter_mut()
+            .chain(results.iter_mut().map(|(_, next)| next))
+        {
+            *id = image[id];
+        }
+        let terms = sums.iter_mut().flat_map(|sum| &mut sum.terms);
+        for factor in terms.flat_map(|term| &mut term.factors) {
+            factor.next = image[&factor.next];
+        }
+        if results.is_empty() && rates.len() <= LANES + 1 {
+            self.all_rates(rates, sums, &symbols, &values)
+        } else {
+            sums
+        }
+    }
+
+    /// A sum for each coordinate, where there are products and all that changes is a sum or linear in coefficients: these rates are computed
+    /// side by side. Otherwise the sums as they are.
+    fn all_rates(
+        &mut self,
+        rates: &mut [Id],
+        sums: Vec<Sum>,
+        symbols: &[Id],
+        values: &HashSet<Id>,
+    ) -> Vec<Sum> {
+        let Some((_, rates)) = rates.split_last_mut() else {
+            return sums;
+        };
+        let mut all = Vec::new();
+        for (place, rate) in rates.iter().enumerate() {
+            if let Some(sum) = sums.iter().find(|sum| sum.value == *rate) {
+                all.push(sum.clone());
+            } else if let Some(linear) = self.linear_in(*rate, symbols, values) {
+                all.push(Sum {
+                    of: Origin::Rate(place),
+                    level: 0,
+                    value: self.symbol(Stage::State),
+                    terms: Vec::new(),
+                    linear,
+                });
+            }
+        }
+        let is_early = all.iter().all(|sum| sum.level == 0);
+        let gathered = all.iter().filter(|sum| !sum.terms.is_empty()).count();
+        if sums.is_empty() || !is_early || gathered != sums.len() || all.len() != rates.len() {
+            return sums;
+        }
+        for (rate, sum) in rates.iter_mut().zip(&all) {
+            *rate = sum.value;
+        }
+        all
+    }
+
+    /// An expression as a sum of symbols with weights that are held, if it is one: neither these symbols are in them nor `values`, those of sums.
+    fn linear_in(&mut self, id: Id, symbols: &[Id], values: &HashSet<Id>) -> Option<Vec<(Id, Id)>> {
+        let zero = self.zero();
+        let found = self.reachable(&[id], |_| true);
+        if found.iter().any(|id| values.contains(id)) {
+            return None;
+        }
+        let read = symbols
+            .iter()
+            .copied()
+            .filter(|symbol| found.contains(symbol));
+        let mut terms = Vec::new();
+        for symbol in read {
+            let weight = self.derivative(&[id], symbol)[0];
+            let of_weight = self.reachable(&[weight], |_| true);
+            if symbols.iter().any(|symbol| of_weight.contains(symbol)) {
+                return None;
+            }
+            terms.push((weight, symbol));
+        }
+        let rest = self.substitute(&[id], |id| symbols.contains(&id).then_some(zero))[0];
+        self.is_zero(rest).then_some(terms)
+    }
+
+    /// `roots`, with some expressions in what they are written in.
+    fn rewritten(&mut self, roots: &[Id], written: &HashMap<Id, Id>) -> Vec<Id> {
+        self.rebuild(roots, |graph, id, image| {
+            let known = written.get(&id).copied();
+            known.unwrap_or_else(|| graph.remake(id, image))
+        })
+    }
+
+    /// The largest sums that are read, by what reads them.
+    fn weighted(
+        &mut self,
+        products: &[Product],
+        roots: &[Id],
+        symbols: Vec<Id>,
+    ) -> BTreeMap<Id, Weighted> {
+        let places = products.iter().enumerate();
+        let places: HashMap<Id, usize> = places
+            .map(|(place, product)| (product.value, place))
+            .collect();
+        let coefficients = symbols.into_iter().map(|symbol| (symbol, 0));
+        let values = products
+            .iter()
+            .map(|product| (product.value, product.level + 1));
+        // those that change from order to order, with the number of convolutions that they wait for
+        let mut levels: HashMap<Id, usize> = coefficients.chain(values).collect();
+        let order = self.reachable(roots, |_| true);
+        let mut readers: HashMap<Id, usize> = HashMap::new();
+        let operands = order.iter().flat_map(|id| self.node(*id).operands());
+        for id in operands.chain(roots.iter().copied()) {
+            *readers.entry(id).or_default() += 1;
+        }
+
+        let [one, minus_one] = [1, -1].map(|number| self.integer(number));
+        let mut found: BTreeMap<Id, Weighted> = BTreeMap::new();
+        for id in order {
+            if let Some(place) = places.get(&id) {
+                let sum = Weighted {
+                    level: products[*place].level,
+                    terms: vec![(one, *place)],
+                    rest: Vec::new(),
+                };
+                found.insert(id, sum);
+                continue;
+            }
+            let node = self.node(id).clone();
+            let waits = node.operands().filter_map(|operand| levels.get(&operand));
+            let Some(waits) = waits.max().copied() else {
+                continue;
+            };
+            levels.entry(id).or_insert(waits);
+            let parts = match node {
+                Node::Negate(a) => vec![(minus_one, a)],
+                Node::Multiply(a, b) if !levels.contains_key(&a) => vec![(a, b)],
+                Node::Multiply(a, b) if !levels.contains_key(&b) => vec![(b, a)],
+                Node::Add(a, b) => vec![(one, a), (one, b)],
+                Node::Subtract(a, b) => vec![(one, a), (minus_one, b)],
+                _ => continue,
+            };
+            // what waits longest is gathered, unless it is read elsewhere; to this the rest is added
+            let gathered = |part: &Id| found.contains_key(part) && readers.get(part) == Some(&1);
+            let is_late = |part: &Id| levels.get(part) == Some(&waits);
+            let mut late = parts.iter().filter(|(_, part)| is_late(part));
+            if waits == 0 || !late.all(|(_, part)| gathered(part)) {
+                continue;
+            }
+            let mut sum = Weighted {
+                level: waits - 1,
+                terms: Vec::new(),
+                rest: Vec::new(),
+            };
+            for (weight, part) in parts {
+                let Some(late) = is_late(&part).then(|| found.remove(&part)).flatten() else {
+                    sum.rest.push((weight, part));
+                    continue;
+                };
+                let mut weighted = |held: Id| self.multiply(weight, held);
+                let terms = late.terms.into_iter();
+                sum.terms
+                    .extend(terms.map(|(held, place)| (weighted(held), place)));
+                let rest = late.rest.into_iter();
+                sum.rest
+                    .extend(rest.map(|(held, part)| (weighted(held), part)));
+            }
+            found.insert(id, sum);
+        }
+        found
+    }
+}

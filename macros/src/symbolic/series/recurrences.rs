@@ -1,0 +1,48 @@
+//! What the recurrences of a series are: products, sums, and what follows from them, level by level.
+
+use crate::symbolic::graph::Id;
+
+use super::convolution::Sum;
+
+/// A coordinate of a motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Coordinate {
+    pub symbol: Id,
+    pub rate: Id,
+}
+
+/// The coefficients of a motion, order by order.
+#[derive(Debug)]
+pub struct Recurrences {
+    /// The symbols of the n-th coefficients of the coordinates.
+    pub coefficients: Vec<Id>,
+    /// The symbols of n, and of 1/n.
+    pub order: Id,
+    pub inverse: Id,
+    /// The n-th coefficients of quotients and functions.
+    pub results: Vec<(Id, Id)>,
+    /// The convolutions, by level: what a level multiplies is made of the levels below.
+    pub sums: Vec<Sum>,
+    /// The rates of the coordinates at the start, and their n-th coefficients.
+    pub start: Vec<Id>,
+    pub rates: Vec<Id>,
+}
+
+impl Recurrences {
+    /// All expressions that code is generated for.
+    pub fn roots(&self) -> Vec<Id> {
+        let terms = self.sums.iter().flat_map(|sum| &sum.terms);
+        let factors = terms.flat_map(|term| {
+            let [left, right] = term.factors;
+            [term.weight, left.start, left.next, right.start, right.next]
+        });
+        let linear = self.sums.iter().flat_map(|sum| &sum.linear);
+        self.start
+            .iter()
+            .chain(&self.rates)
+            .copied()
+            .chain(factors)
+            .chain(linear.flat_map(|(weight, next)| [*weight, *next]))
+            .collect()
+    }
+}

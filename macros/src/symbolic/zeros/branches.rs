@@ -1,0 +1,79 @@
+//! The branches of an expression: both signs of every root, both outcomes of every condition.
+
+use std::collections::HashMap;
+
+use crate::symbolic::algebra::takes_first;
+use crate::symbolic::graph::{Graph, Id, Node};
+use crate::symbolic::number::Function;
+
+use super::identity::{Residues, Side};
+
+/// Branches that are taken one by one. Where there are more, one of them is that on which choices are
+/// symbols: what holds whatever the sign of a root, and of any mixture of two sides, holds on all.
+const MOST: usize = 64;
+
+/// What `evaluate` gives on each branch.
+pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T> {
+    let mut values = Vec::new();
+    // the choices of a branch, in the order in which they are met
+    let mut path: Vec<bool> = Vec::new();
+    loop {
+        let mut met: HashMap<Side, bool> = HashMap::new();
+        let mut side = |side: Side| {
+            let place = met.len();
+            let choice = met.entry(side).or_insert_with(|| {
+                if place == path.len() {
+                    path.push(false);
+                }
+                path[place]
+            });
+            Some(*choice)
+        };
+        values.push(evaluate(&mut Residues::new(&mut side)));
+        while path.last() == Some(&true) {
+            path.pop();
+        }
+        let Some(last) = path.last_mut() else {
+            return values;
+        };
+        *last = true;
+        if values.len() == MOST {
+            values.push(evaluate(&mut Residues::new(&mut |_| None)));
+            return values;
+        }
+    }
+}
+
+impl Graph {
+    /// The conditions that decide between the sides of `roots`.
+    pub fn conditions(&mut self, roots: &[Id]) -> Vec<Id> {
+        let mut conditions = Vec::new();
+        for id in self.reachable(roots, |_| true) {
+            conditions.extend(self.sides(id).map(|(condition, ..)| condition));
+        }
+        conditions.sort_unstable();
+        conditions.dedup();
+        conditions
+    }
+
+    /// `roots` where conditions have these outcomes.
+    pub fn on_side(&mut self, roots: &[Id], holds: impl Fn(Id) -> bool) -> Vec<Id> {
+        self.rebuild(roots, |graph, id, image| match graph.sides(id) {
+            Some((condition, first, second)) => {
+                image(if holds(condition) { first } else { second })
+            }
+            None => graph.remake(id, image),
+        })
+    }
+
+    /// A condition, what an expression is where it holds, and elsewhere.
+    fn sides(&mut self, id: Id) -> Option<(Id, Id, Id)> {
+        match *self.node(id) {
+            Node::Select(condition, first, second) => Some((condition, first, second)),
+            Node::Binary(function @ (Function::Min | Function::Max), a, b) => {
+                Some((takes_first(self, function, &a, &b), a, b))
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The degrees of expressions: how likely an expression that is not zero is zero at a random place.
+
+use crate::symbolic::algebra::{Algebra, Tape};
+use crate::symbolic::graph::Comparison;
+use crate::symbolic::number::{Function, Number};
+
+/// Bounds of the degrees of numerator and denominator, in symbols and in all that is taken for one.
+#[derive(Clone, Copy)]
+pub(in crate::symbolic) struct Degree {
+    above: f64,
+    below: f64,
+}
+
+struct Degrees;
+
+/// What is not known of a value is a symbol, or a rational function of one with squares.
+const UNKNOWN: Degree = Degree {
+    above: 2.0,
+    below: 2.0,
+};
+
+/// How many times these degrees what is made of the values may have: their changes along a rate, and
+/// determinants of them.
+const MADE: f64 = 64.0;
+/// A proof may fail in one of so many cases: 2^60.
+const CERTAINTY: f64 = 1_152_921_504_606_846_976.0;
+/// 2^127
+const PRIME: f64 = CERTAINTY * CERTAINTY * 128.0;
+
+impl Tape<'_> {
+    /// Whether values modulo a prime tell identities: that one of these expressions is
+    /// zero at a random place, or two of them are equal, while they are not so everywhere.
+    pub fn is_told_by_residues(&self) -> bool {
+        let degrees = self.values(&mut Degrees, |_, _| UNKNOWN);
+        let sum: f64 = degrees.iter().map(|of| of.above + of.below).sum();
+        let count: f64 = degrees.iter().map(|_| 1.0).sum();
+        MADE * count * sum * CERTAINTY < PRIME
+    }
+}
+
+impl Algebra for Degrees {
+    type Value = Degree;
+
+    fn number(&mut self, _: &Number) -> Degree {
+        Degree {
+            above: 0.0,
+            below: 0.0,
+        }
+    }
+
+    fn undefined(&mut self) -> Degree {
+        UNKNOWN
+    }
+
+    fn negate(&mut self, a: &Degree) -> Degree {
+        *a
+    }
+
+    fn add(&mut self, a: &Degree, b: &Degree) -> Degree {
+        Degree {
+            above: (a.above + b.below).max(b.above + a.below),
+            below: a.below + b.below,
+        }
+    }
+
+    fn multiply(&mut self, a: &Degree, b: &Degree) -> Degree {
+        Degree {
+            above: a.above + b.above,
+            below: a.below + b.below,
+        }
+    }
+
+    fn divide(&mut self, a: &Degree, b: &Degree) -> Degree {
+        Degree {
+            above: a.above + b.below,
+            below: a.below + b.above,
+        }
+    }
+
+    fn apply(&mut self, function: Function, arguments: &[Degree]) -> Degree {
+        match (function, arguments) {
+            (Function::Sqrt | Function::Abs, [a]) => *a,
+            (Function::Hypot, [a, b]) => {
+                let (a, b) = (self.multiply(a, a), self.multiply(b, b));
+                self.add(&a, &b)
+            }
+            // either, or a mixture
+            (Function::Min | Function::Max, [a, b]) => {
+                let sum = self.add(a, b);
+                self.multiply(&sum, &UNKNOWN)
+            }
+            _ => UNKNOWN,
+        }
+    }
+
+    fn is_zero(&self, _: &Degree) -> bool {
+        false
+    }
+
+    fn compare(&mut self, _: Comparison, _: &Degree, _: &Degree) -> Degree {
+        UNKNOWN
+    }
+
+    fn select(&mut self, condition: &Degree, first: &Degree, second: &Degree) -> Degree {
+        let sum = self.add(first, second);
+        self.multiply(&sum, condition)
+    }
+}

@@ -1,0 +1,215 @@
+//! Values modulo a prime: an expression that is zero at a random place is zero identically.
+//!
+//! Symbols have random residues. Values of functions have random residues too, the same for equal
+//! arguments: that of a sine by the tangent of half its angle, that of a hyperbolic function by
+//! the exponential of its argument, that of any other function by itself; a number that is not rational
+//! carries its residue along ([`crate::symbolic::number::irrational`]). A root has both signs, and a condition both
+//! outcomes: each is a branch of its own. A root of a root may have no residue, and is random too.
+//!
+//! What is zero at the place on every branch is so in all states, for all such functions, but for one
+//! chance in `PRIME / degree` (J. Schwartz, Fast probabilistic algorithms for verification of
+//! polynomial identities, J. ACM 27, 1980, 701; R. Zippel, Probabilistic algorithms for sparse
+//! polynomials, EUROSAM 1979). What is not zero there may be zero all the same: `sin 2x - 2 sin x cos x`.
+
+use crate::symbolic::algebra::Algebra;
+use crate::symbolic::graph::Comparison;
+use crate::symbolic::number::{Function, Number, Residue};
+
+/// Residues on one branch; `None` is a quotient by zero.
+pub struct Residues<'a> {
+    side: &'a mut dyn FnMut(Side) -> Option<bool>,
+}
+
+impl<'a> Residues<'a> {
+    /// Residues on the branch that `side` tells; without an answer a choice is a symbol too.
+    pub(in crate::symbolic) fn new(side: &'a mut dyn FnMut(Side) -> Option<bool>) -> Self {
+        Self { side }
+    }
+
+    /// A sine, a cosine or a tangent, by the tangent of half the angle.
+    fn on_circle(function: Function, angle: Residue) -> Option<Residue> {
+        let tangent = Self::odd(Function::Tan, angle);
+        let square = tangent * tangent;
+        let (sine, cosine) = (tangent + tangent, Residue::ONE + -square);
+        let (above, below) = match function {
+            Function::Sin => (sine, Residue::ONE + square),
+            Function::Cos => (cosine, Residue::ONE + square),
+            _ => (sine, cosine),
+        };
+        Some(above * below.reciprocal()?)
+    }
+
+    /// A hyperbolic function, by the exponential of its argument.
+    fn on_hyperbola(function: Function, a: Residue) -> Option<Residue> {
+        let grown = Self::exponential(a)?;
+        let decayed = grown.reciprocal()?;
+        let (sinh, cosh) = (grown + -decayed, grown + decayed);
+        let below = match function {
+            Function::Tanh => cosh,
+            _ => Residue::ONE + Residue::ONE,
+        };
+        let above = if function == Function::Cosh {
+            cosh
+        } else {
+            sinh
+        };
+        Some(above * below.reciprocal()?)
+    }
+
+    /// `e^-a = 1 / e^a`
+    fn exponential(a: Residue) -> Option<Residue> {
+        let (size, is_turned) = a.unsigned();
+        let grown = Residue::stand_in(&(Function::Exp, size));
+        if is_turned {
+            grown.reciprocal()
+        } else {
+            Some(grown)
+        }
+    }
+
+    /// `f(-a) = -f(a)`
+    fn odd(function: Function, a: Residue) -> Residue {
+        if a == Residue::ZERO {
+            return Residue::ZERO;
+        }
+        let (size, is_turned) = a.unsigned();
+        let value = Residue::stand_in(&(function, size));
+        if is_turned { -value } else { value }
+    }
+
+    /// Of either sign.
+    fn root(&mut self, a: Residue) -> Residue {
+        if a.is_zero() {
+            return a;
+        }
+        let Some(is_turned) = (self.side)(Side::Root(a)) else {
+            return Residue::stand_in(&(Function::Sqrt, a));
+        };
+        let root = a
+            .root()
+            .unwrap_or_else(|| Residue::stand_in(&(Function::Sqrt, a)));
+        if is_turned { -root } else { root }
+    }
+
+    /// Whether a number is below zero: one, zero, or a symbol.
+    fn is_below_zero(&mut self, a: Residue) -> Residue {
+        if a.is_zero() {
+            return Residue::ZERO;
+        }
+        match (self.side)(Side::Below(a)) {
+            Some(holds) => Residue::real(u128::from(holds)),
+            None => Residue::stand_in(&("below", a)),
+        }
+    }
+
+    /// Whether it is zero.
+    fn is_nothing(&mut self, a: Residue) -> Residue {
+        if a.is_zero() {
+            return Residue::ONE;
+        }
+        match (self.side)(Side::Nothing(a)) {
+            Some(holds) => Residue::real(u128::from(holds)),
+            None => Residue::stand_in(&("nothing", a)),
+        }
+    }
+
+    /// `first` where `a < b`, else `second`.
+    fn where_less(&mut self, [a, b]: [Residue; 2], first: Residue, second: Residue) -> Residue {
+        let is_less = self.is_below_zero(a + -b);
+        second + is_less * (first + -second)
+    }
+}
+
+impl Algebra for Residues<'_> {
+    type Value = Option<Residue>;
+
+    fn number(&mut self, number: &Number) -> Option<Residue> {
+        Some(number.residue())
+    }
+
+    fn undefined(&mut self) -> Option<Residue> {
+        None
+    }
+
+    fn negate(&mut self, a: &Option<Residue>) -> Option<Residue> {
+        Some(-(*a)?)
+    }
+
+    fn add(&mut self, a: &Option<Residue>, b: &Option<Residue>) -> Option<Residue> {
+        Some((*a)? + (*b)?)
+    }
+
+    fn multiply(&mut self, a: &Option<Residue>, b: &Option<Residue>) -> Option<Residue> {
+        Some((*a)? * (*b)?)
+    }
+
+    fn divide(&mut self, a: &Option<Residue>, b: &Option<Residue>) -> Option<Residue> {
+        Some((*a)? * (*b)?.reciprocal()?)
+    }
+
+    fn apply(&mut self, function: Function, arguments: &[Option<Residue>]) -> Option<Residue> {
+        let arguments: Vec<Residue> = arguments.iter().copied().collect::<Option<_>>()?;
+        match (function, arguments.as_slice()) {
+            (Function::Sin | Function::Cos | Function::Tan, [a]) => Self::on_circle(function, *a),
+            (Function::Sinh | Function::Cosh | Function::Tanh, [a]) => {
+                Self::on_hyperbola(function, *a)
+            }
+            (Function::Exp, [a]) => Self::exponential(*a),
+            (Function::Asin | Function::Atan | Function::Cbrt, [a]) => {
+                Some(Self::odd(function, *a))
+            }
+            (Function::Sqrt, [a]) => Some(self.root(*a)),
+            (Function::Hypot, [a, b]) => Some(self.root(*a * *a + *b * *b)),
+            (Function::Abs, [a]) => Some(self.where_less([*a, Residue::ZERO], -*a, *a)),
+            (Function::Signum, [a]) => {
+                Some(self.where_less([*a, Residue::ZERO], -Residue::ONE, Residue::ONE))
+            }
+            (Function::Min, [a, b]) => Some(self.where_less([*a, *b], *a, *b)),
+            (Function::Max, [a, b]) => Some(self.where_less([*b, *a], *a, *b)),
+            _ => Some(Residue::stand_in(&(function, arguments))),
+        }
+    }
+
+    fn is_zero(&self, a: &Option<Residue>) -> bool {
+        *a == Some(Residue::ZERO)
+    }
+
+    fn compare(
+        &mut self,
+        comparison: Comparison,
+        a: &Option<Residue>,
+        b: &Option<Residue>,
+    ) -> Option<Residue> {
+        let (a, b) = ((*a)?, (*b)?);
+        Some(match comparison {
+            Comparison::Less => self.is_below_zero(a + -b),
+            Comparison::LessOrEqual => Residue::ONE + -self.is_below_zero(b + -a),
+            Comparison::Equal => self.is_nothing(a + -b),
+            Comparison::NotEqual => Residue::ONE + -self.is_nothing(a + -b),
+        })
+    }
+
+    fn select(
+        &mut self,
+        condition: &Option<Residue>,
+        first: &Option<Residue>,
+        second: &Option<Residue>,
+    ) -> Option<Residue> {
+        match (*condition)? {
+            Residue::ONE => *first,
+            Residue::ZERO => *second,
+            share => Some((*second)? + share * ((*first)? + -(*second)?)),
+        }
+    }
+}
+
+/// A choice, by what it depends on; equal values choose alike.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(in crate::symbolic) enum Side {
+    /// The sign of the root of this.
+    Root(Residue),
+    /// Whether this is below zero.
+    Below(Residue),
+    /// Whether this is zero.
+    Nothing(Residue),
+}

@@ -1,0 +1,10 @@
+//! The proof that an expression is zero: residues at a random state, on all branches.
+
+mod branches;
+mod degree;
+mod identity;
+mod samples;
+
+pub use branches::on_branches;
+pub use identity::Residues;
+pub use samples::{Sample, free};

@@ -1,0 +1,90 @@
+//! Whether an expression is zero: the one test of the compiler.
+//!
+//! *Zero* is said of what is proved to be zero in all states, on all branches, for both signs of every
+//! root and at all scales: see [`super::identity`]. All else may be zero somewhere or everywhere, and
+//! is treated as not zero. Values of doubles or of long numbers prove nothing.
+
+use crate::symbolic::graph::{Graph, Id, Node};
+use crate::symbolic::number::Residue;
+
+use super::branches::on_branches;
+
+/// The value of an expression at one random place, on each branch; `None` where there is none.
+#[derive(Clone)]
+pub struct Sample(pub Vec<Option<Residue>>);
+
+impl Sample {
+    /// Zero, on as many branches.
+    pub fn nothing(&self) -> Self {
+        Self(vec![Some(Residue::ZERO); self.0.len()])
+    }
+
+    /// Whether it is proved to be zero: on every branch.
+    pub fn is_zero(&self) -> bool {
+        self.0
+            .iter()
+            .all(|value| value.is_some_and(Residue::is_zero))
+    }
+
+    /// Whether it may be zero throughout a branch.
+    pub fn may_vanish(&self) -> bool {
+        self.0
+            .iter()
+            .any(|value| value.is_none_or(Residue::is_zero))
+    }
+
+    /// `self / divisor`
+    pub fn over(&self, divisor: &Self) -> Self {
+        self.with(divisor, |a, b| Some(a * b.reciprocal()?))
+    }
+
+    /// `self - factor * other`
+    pub fn less(&self, factor: &Self, other: &Self) -> Self {
+        let product = factor.with(other, |a, b| Some(a * b));
+        self.with(&product, |a, b| Some(a + -b))
+    }
+
+    fn with(&self, other: &Self, of: impl Fn(Residue, Residue) -> Option<Residue>) -> Self {
+        let pairs = self.0.iter().zip(&other.0);
+        Self(pairs.map(|(a, b)| of((*a)?, (*b)?)).collect())
+    }
+}
+
+impl Graph {
+    /// The values of `roots`, from random values of the symbols.
+    pub fn samples(&self, roots: &[Id], symbol: impl Fn(Id) -> Residue) -> Vec<Sample> {
+        self.sums(roots, &[symbol])
+    }
+
+    /// The sums of the values of `roots` at several places.
+    pub fn sums(&self, roots: &[Id], places: &[impl Fn(Id) -> Residue]) -> Vec<Sample> {
+        let tape = self.tape(roots);
+        let is_told = tape.is_told_by_residues();
+        let branches = on_branches(|residues| {
+            let mut sums = vec![Some(Residue::ZERO).filter(|_| is_told); roots.len()];
+            for symbol in places {
+                let values = tape.values(residues, |_, id| Some(symbol(id)));
+                for (sum, root) in sums.iter_mut().zip(roots) {
+                    *sum = sum.zip(*tape.of(&values, *root)).map(|(a, b)| a + b);
+                }
+            }
+            sums
+        });
+        let of = |index: usize| Sample(branches.iter().map(|values| values[index]).collect());
+        (0..roots.len()).map(of).collect()
+    }
+
+    /// Whether an expression is proved to be zero, whatever its symbols are.
+    pub fn vanishes(&self, id: Id) -> bool {
+        match self.node(id) {
+            Node::Number(number) => number.is_zero(),
+            Node::Symbol(_) => false,
+            _ => self.samples(&[id], |id| free(id, 0))[0].is_zero(),
+        }
+    }
+}
+
+/// The value of a symbol that may be anything, at the place of this number.
+pub fn free(symbol: Id, place: u64) -> Residue {
+    Residue::stand_in(&("symbol", symbol, place))
+}

@@ -1,0 +1,194 @@
+//! What a body answers beside its acceleration, output by output.
+
+use super::rigid_body::RigidBody;
+use crate::bodies::path::Path;
+use crate::state::State;
+
+/// The balances (1.3) and (1.4), open to inspection; wrenches in world axes.
+pub trait Balance: RigidBody {
+    /// [`Wrench`](crate::wrench::Wrench), [`PlanarWrench`](crate::wrench::PlanarWrench) or, for
+    /// `motion: rotation`, the moment alone.
+    type Wrench;
+    /// The unknown reactions; `()` where there are none.
+    type Reactions;
+    /// An array of [`Load`](crate::load::Load) or [`PlanarLoad`](crate::load::PlanarLoad).
+    type Loads;
+
+    /// The resultant of the given loads (all but unknown reactions), its moment about G, world axes
+    /// \[N, N m\].
+    fn applied(&self, time: Self::Scalar, state: &Self::State, input: &Self::Input)
+    -> Self::Wrench;
+
+    /// The left sides of (1.3) and (1.4), about the pole, world axes \[N, N m\]: zero on a true
+    /// motion.
+    fn residual(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        acceleration: &<Self::State as State>::Acceleration,
+        reactions: &Self::Reactions,
+        input: &Self::Input,
+    ) -> Self::Wrench;
+
+    /// Each given load by itself.
+    fn loads(&self, time: Self::Scalar, state: &Self::State, input: &Self::Input) -> Self::Loads;
+}
+
+/// Kinetic and potential energy \[J\].
+///
+/// Their sum is conserved if the potential contains neither time nor input and no other load does
+/// work; in general dE/dt is the derivative of the potential in time at fixed state, plus the power
+/// of the other loads.
+pub trait Energy: RigidBody {
+    /// `½ m v² + ½ ω·Jω`, of the degrees of freedom that the motion has.
+    fn kinetic_energy(&self, state: &Self::State) -> Self::Scalar;
+
+    /// The sum of potentials and of the potentials of uniform fields; zero for weight with G at the
+    /// world origin.
+    fn potential_energy(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Scalar;
+}
+
+/// Momenta of the absolute velocities, world axes.
+///
+/// About a pole O moving with `v_O`, the angular momentum obeys `dL_O/dt = M_O - v_O × P`.
+pub trait Momentum: RigidBody {
+    /// A vector in space or in the plane.
+    type Linear;
+    /// A vector, or in the plane a scalar.
+    type Angular;
+
+    /// `P = m v_G` \[kg m/s\].
+    fn linear_momentum(&self, state: &Self::State) -> Self::Linear;
+
+    /// Angular momentum about G \[kg m²/s\].
+    fn angular_momentum(&self, state: &Self::State) -> Self::Angular;
+
+    /// Angular momentum about the pole, `L_O = L_G + (G - O) × P` \[kg m²/s\].
+    fn angular_momentum_about_pole(&self, time: Self::Scalar, state: &Self::State)
+    -> Self::Angular;
+}
+
+/// The loads that constraints put on the body: the unknowns of (1.3) and (1.4).
+///
+/// With the motion known, the balances are linear in the unknown reactions R,
+///
+/// ```text
+/// A R = b        A: the sum and the moments of unit reactions,
+///                b = (m a_G, J ω̇ + ω × Jω) - given loads
+/// ```
+///
+/// and `acceleration` has used up the equations in the free directions; the rest gives the
+/// reactions. Where A depends on the configuration and may lose rank in it, [`Self::Reactions`] is
+/// a `Result` with [`Singular`](super::Singular) as its error.
+///
+/// ```
+/// use newton_euler::prelude::*;
+/// use nalgebra::Vector2;
+///
+/// /// A bob of mass m at l below a pin, angle from the vertical.
+/// struct Pendulum { mass: f64, length: f64 }
+///
+/// impl RigidBody for Pendulum {
+///     type Scalar = f64;
+///     type State = Hinge;
+///     type Input = ();
+///
+///     fn acceleration(&self, _time: f64, state: &Hinge, (): &()) -> f64 {
+///         -9.80665 / self.length * state.angle.sin()
+///     }
+/// }
+///
+/// impl Reactions for Pendulum {
+///     /// The force of the pin on the body \[N\].
+///     type Reactions = Vector2<f64>;
+///
+///     fn reactions(&self, _time: f64, state: &Hinge, (): &()) -> Vector2<f64> {
+///         let (sine, cosine) = state.angle.sin_cos();
+///         let tension =
+///             self.mass * (9.80665 * cosine + self.length * state.angular_velocity.powi(2));
+///         Vector2::new(-sine, cosine) * tension
+///     }
+/// }
+///
+/// let bob = Pendulum { mass: 2.0, length: 0.75 };
+/// assert_eq!(bob.reactions(0.0, &Hinge::default(), &()).y, 2.0 * 9.80665);
+/// ```
+pub trait Reactions: RigidBody {
+    /// One field for each load with unknowns, world axes \[N, N m\]; or a `Result` of that and
+    /// [`Singular`](super::Singular).
+    type Reactions;
+
+    /// The reactions in the motion that [`RigidBody::acceleration`] gives. About which pole the
+    /// balances are written does not matter.
+    fn reactions(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Reactions;
+}
+
+/// Inverse dynamics, `outputs: [inverse]`: the drives that go with a given motion.
+///
+/// The force and moment balances, (1.3) and (1.4), with the acceleration given and the drives
+/// unknown. The motion is taken to be one that the drives can make: a balance in which they have no
+/// part is not looked at, and where they are fewer than the others, the acceleration that they
+/// leave over is least in the metric of the kinetic energy (Gauss's principle).
+pub trait Inverse: RigidBody {
+    /// One field for each drive with unknown components, in the axes in which it is written \[N, N
+    /// m\]; or a `Result` of that and [`Singular`](super::Singular), where drives turn against each
+    /// other.
+    type Drives;
+
+    /// The drives with which the body has this acceleration.
+    fn inverse(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        acceleration: &<Self::State as State>::Acceleration,
+        input: &Self::Input,
+    ) -> Self::Drives;
+}
+
+/// Motion in closed form, `outputs: [flow]`: the state at any time, in one step.
+///
+/// ```
+/// use newton_euler::exact::Path;
+/// use newton_euler::prelude::*;
+///
+/// rigid_body!(Brick {
+///     motion: spatial,
+///     mass: 2[kg],
+///     inertia: principal(0.01, 0.02, 0.026),
+///     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+///     outputs: [flow],
+/// });
+///
+/// let thrown = Spatial {
+///     velocity: [0.0, 1.0, 7.0].into(),
+///     angular_velocity: [1.0, 15.0, 1.0].into(),
+///     ..Spatial::default()
+/// };
+/// let brick = Brick::default();
+/// let caught = brick.flow(&thrown, 1.4);
+/// let (there, back) = (brick.path(&thrown), brick.path(&caught));
+/// assert_eq!(there.at(1.4), caught);
+/// assert!((back.at(-1.4).angular_velocity - thrown.angular_velocity).norm() < 1e-13);
+/// ```
+pub trait Flow: RigidBody {
+    /// The motion from one state on.
+    type Path: Path<State = Self::State>;
+
+    /// The motion from a state on, set up once for any number of times.
+    fn path(&self, state: &Self::State) -> Self::Path;
+
+    /// The state after a duration \[s\], which may be negative.
+    fn flow(&self, state: &Self::State, duration: f64) -> Self::State {
+        self.path(state).at(duration)
+    }
+}

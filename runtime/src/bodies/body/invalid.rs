@@ -1,0 +1,58 @@
+//! Parameters that no body has.
+
+use core::fmt;
+
+use crate::mechanics::inertia::InvalidInertia;
+
+/// Why a body cannot be built from these parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum InvalidBody {
+    /// A parameter is infinite or not a number.
+    NotFinite {
+        /// Its name in the description.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// The mass is not a positive finite number.
+    Mass {
+        /// What was given \[kg\].
+        value: f64,
+    },
+    /// The moment of inertia `J_G` of a planar body or of a rod is not a positive finite number.
+    PlanarInertia {
+        /// What was given \[kg m²\].
+        value: f64,
+    },
+    /// No body that can turn has this inertia tensor.
+    Inertia(InvalidInertia),
+}
+
+impl fmt::Display for InvalidBody {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { name, value } => write!(f, "`{name}` must be finite, is {value}"),
+            Self::Mass { value } => write!(f, "mass must be positive and finite, is {value} kg"),
+            Self::PlanarInertia { value } => {
+                write!(f, "inertia must be positive and finite, is {value} kg m²")
+            }
+            Self::Inertia(error) => write!(f, "impossible inertia: {error}"),
+        }
+    }
+}
+
+impl core::error::Error for InvalidBody {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Inertia(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<InvalidInertia> for InvalidBody {
+    fn from(error: InvalidInertia) -> Self {
+        Self::Inertia(error)
+    }
+}

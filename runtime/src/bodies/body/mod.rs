@@ -1,0 +1,28 @@
+//! What a rigid body answers: its acceleration, its balance, its reactions, its energy, its
+//! momenta, its motion.
+//!
+//! [`rigid_body!`](crate::rigid_body) implements these traits; by hand they are implemented just as
+//! well.
+//!
+//! The balance is D'Alembert's: loads of the four families and the inertial load sum to zero,
+//!
+//! ```text
+//! (1.3)  Σ R_v + Σ F_s + Σ F_ext + Σ F_f + F_iG = 0
+//! (1.4)  Σ (P - O) × (R_v, F_s, F_ext, F_f) + (G - O) × F_iG
+//!        + Σ M_v + Σ M_s + Σ M_ext + Σ M_f + M_i = 0
+//! ```
+//!
+//! with `F_iG = -m a_G`, and `M_i` of the completed (1.9): see [`gyroscopic`](crate::gyroscopic).
+//! The pole O is any point, moving in any way: (1.4) is an identity between vectors at one instant
+//! and has no term in its velocity. Where the source prints (1.4), the second sum has `R_s` for
+//! `F_s`: a misprint, no such symbol exists.
+
+mod answers;
+mod invalid;
+mod rigid_body;
+mod singular;
+
+pub use answers::{Balance, Energy, Flow, Inverse, Momentum, Reactions};
+pub use invalid::InvalidBody;
+pub use rigid_body::RigidBody;
+pub use singular::Singular;

@@ -1,0 +1,38 @@
+//! What moves, between which times, and what its steps keep to.
+
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use super::Members;
+use crate::bodies::columns::Generic;
+use crate::integrate::{Fixed, Pace};
+
+/// What the steps of all members keep to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// No step is longer \[s\].
+    pub max_step: f64,
+    /// Steps end at these times \[s\], in any order.
+    pub breaks: Vec<f64>,
+    /// When the inputs were given \[s\].
+    pub given: f64,
+}
+
+impl Limits {
+    pub(super) fn pace(&self) -> Pace<core::slice::Iter<'_, f64>> {
+        Pace {
+            max_step: self.max_step,
+            breaks: self.breaks.iter(),
+        }
+    }
+}
+
+/// What moves, how, and when.
+pub(super) struct Plan<'e, M, B: Generic> {
+    pub(super) fixed: Fixed<M>,
+    pub(super) members: &'e Members<B>,
+    /// The block of the first rows.
+    pub(super) first: usize,
+    pub(super) times: Range<f64>,
+    pub(super) limits: &'e Limits,
+}

@@ -1,0 +1,67 @@
+//! Times at equal intervals.
+
+use crate::numbers::count::real;
+
+/// A start, and every so many seconds after up to an end, that included.
+#[derive(Clone, Debug)]
+pub(crate) struct Instants {
+    start: f64,
+    end: f64,
+    /// Between two of them, negative where time runs backwards \[s\].
+    period: f64,
+    /// Which is next; of how many.
+    next: usize,
+    count: usize,
+}
+
+impl Instants {
+    /// No time at all.
+    pub(crate) const NONE: Self = Self {
+        start: 0.0,
+        end: 0.0,
+        period: 0.0,
+        next: 0,
+        count: 0,
+    };
+
+    /// None if they cannot be counted.
+    pub(crate) fn new(start: f64, end: f64, period: f64) -> Option<Self> {
+        let intervals = (end - start).abs() / period;
+        let is_countable = (0.0..9_007_199_254_740_992.0).contains(&intervals); // 2⁵³
+        // the end belongs to them, whatever rounding took from their number and from its times
+        let rounding = f64::EPSILON * (end.abs() + start.abs()) / period;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "from 0 to 2⁵³"
+        )]
+        is_countable.then(|| Self {
+            start,
+            end,
+            period: period.copysign(end - start),
+            next: 0,
+            count: (intervals * (1.0 + 1e-12) + rounding) as usize + 1,
+        })
+    }
+}
+
+impl Iterator for Instants {
+    type Item = f64;
+
+    fn next(&mut self) -> Option<f64> {
+        if self.next == self.count {
+            return None;
+        }
+        let passed = self.next;
+        self.next += 1;
+        if passed == 0 {
+            return Some(self.start);
+        }
+        let time = self.start + self.period * real(passed);
+        Some(if self.period > 0.0 {
+            time.min(self.end)
+        } else {
+            time.max(self.end)
+        })
+    }
+}

@@ -1,0 +1,326 @@
+//! One way to integrate: what is to be known beside a body and a state, and what comes out.
+
+use core::borrow::Borrow;
+use core::fmt;
+use core::iter::Empty;
+
+use super::control::{Control, Held, Sampled};
+use super::observed::{Events, Samples, Steps};
+use super::{Course, Pace};
+use crate::bodies::body::RigidBody;
+use crate::integrate::steps::error::IntegrationError;
+use crate::integrate::steps::method::{Method, Run, Tolerant};
+
+/// How large the error of a step may be where nobody says.
+pub(crate) const TOLERANCE: f64 = 1e-9;
+
+/// A body whose motion can be integrated, with the method that is best for it.
+///
+/// [`rigid_body!`](crate::rigid_body) implements it: the
+/// [`ClosedForm`](crate::integrate::ClosedForm) with `outputs: [flow]`, Taylor series
+/// ([`TaylorSeries`](crate::integrate::TaylorSeries)) with `outputs: [taylor]`, for all others
+/// [`DormandPrince`](crate::integrate::DormandPrince), under constraints
+/// [`Projected`](crate::integrate::Projected). By hand it is one line:
+///
+/// ```
+/// use newton_euler::{integrate::DormandPrince, prelude::*};
+/// use nalgebra::Vector2;
+///
+/// struct Thrown { drag: f64 }
+///
+/// impl RigidBody for Thrown {
+///     type Scalar = f64;
+///     type State = PlanarTranslation;
+///     type Input = ();
+///
+///     fn acceleration(&self, _: f64, state: &PlanarTranslation, (): &()) -> Vector2<f64> {
+///         Vector2::new(0.0, -9.8) - state.velocity * (self.drag * state.velocity.norm())
+///     }
+/// }
+///
+/// impl Integrate for Thrown {
+///     type Best = DormandPrince;
+/// }
+///
+/// let start = PlanarTranslation { velocity: [20.0, 20.0].into(), ..PlanarTranslation::default() };
+/// let thrown = Thrown { drag: 0.01 };
+/// let mut ground = thrown.integrate(&start).events(10.0, |_, state| state.position.y);
+/// let landing = ground.next().expect("it falls")?;
+/// assert!((3.0..4.0).contains(&landing.time) && !landing.rises);
+/// # Ok::<(), newton_euler::integrate::IntegrationError<PlanarTranslation>>(())
+/// ```
+pub trait Integrate: RigidBody<Scalar = f64> + Sized {
+    /// The method that is best for it.
+    type Best: Method<Self> + Tolerant;
+
+    /// Integrates the motion from a state on: at time zero, under the default input, with errors of
+    /// 1e-9 a step, by [`Self::Best`], all of which [`Integration`] can change.
+    fn integrate(
+        &self,
+        state: &Self::State,
+    ) -> Integration<'_, Self, Self::Best, Held<Self::Input>> {
+        Integration {
+            body: self,
+            start: 0.0,
+            state: state.clone(),
+            method: Self::Best::with_tolerance(TOLERANCE),
+            control: Held(Self::Input::default()),
+            pace: Pace {
+                max_step: f64::INFINITY,
+                breaks: core::iter::empty(),
+            },
+            #[cfg(feature = "progress")]
+            shows_progress: false,
+        }
+    }
+}
+
+/// A motion that is to be integrated.
+///
+/// First what is to be known ([`starting_at`](Self::starting_at), [`tolerance`](Self::tolerance),
+/// [`method`](Self::method), [`input`](Self::input), [`control`](Self::control)), then what is
+/// asked: the state at the end ([`to`](Self::to)), or an iterator of [`samples`](Self::samples), of
+/// [`steps`](Self::steps), of [`events`](Self::events). Time may run backwards. What ends a motion
+/// before its time is an [`IntegrationError`], with the last state that is good; an iterator gives
+/// it as its last item.
+///
+/// ```
+/// use newton_euler::prelude::*;
+///
+/// rigid_body!(Elevator {
+///     motion: translation,
+///     inputs: [pull[N]],
+///     mass: 800[kg],
+///     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+///     forces: [rope = world(0, 0, pull)],
+///     outputs: [taylor],
+/// });
+///
+/// // a controller that is asked a hundred times a second, and drives to 12 m
+/// let pull = |_time, state: &Translation| {
+///     let (high, rises) = (state.position.z, state.velocity.z);
+///     ElevatorInput { pull: 800.0 * (9.80665 + (12.0 - high) - 2.0 * rises) }
+/// };
+/// let (elevator, ground) = (Elevator::default(), Translation::default());
+/// let motion = elevator.integrate(&ground).control(0.01, pull);
+/// for sample in motion.samples(15.0, 1.0) {
+///     let Sample { time, state } = sample?;
+///     println!("{time} s: {} m", state.position.z);
+/// }
+/// let end = elevator.integrate(&ground).control(0.01, pull).tolerance(1e-12).to(15.0)?;
+/// assert!((end.position.z - 12.0).abs() < 1e-4);
+/// # use newton_euler::integrate::Sample;
+/// # Ok::<(), newton_euler::integrate::IntegrationError<Translation>>(())
+/// ```
+#[must_use = "nothing moves until an end is given"]
+pub struct Integration<'b, B: RigidBody, M, C, L = Empty<f64>> {
+    body: &'b B,
+    start: f64,
+    state: B::State,
+    method: M,
+    control: C,
+    pace: Pace<L>,
+    #[cfg(feature = "progress")]
+    shows_progress: bool,
+}
+
+impl<B: RigidBody, M: fmt::Debug, C, L> fmt::Debug for Integration<'_, B, M, C, L> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Integration")
+            .field("start", &self.start)
+            .field("method", &self.method)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'b, B, M, C, L> Integration<'b, B, M, C, L>
+where
+    B: RigidBody<Scalar = f64>,
+    M: Method<B>,
+    C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
+{
+    /// Begins at this time \[s\] and not at zero.
+    pub fn starting_at(self, time: f64) -> Self {
+        Self {
+            start: time,
+            ..self
+        }
+    }
+
+    /// With this tolerance: see [`Tolerant::with_tolerance`].
+    pub fn tolerance(self, tolerance: f64) -> Self
+    where
+        M: Tolerant,
+    {
+        self.method(M::with_tolerance(tolerance))
+    }
+
+    /// By another method, such as [`Fixed`](crate::integrate::Fixed).
+    pub fn method<N: Method<B>>(self, method: N) -> Integration<'b, B, N, C, L> {
+        let Self { control, pace, .. } = self;
+        Integration {
+            body: self.body,
+            start: self.start,
+            state: self.state,
+            method,
+            control,
+            pace,
+            #[cfg(feature = "progress")]
+            shows_progress: self.shows_progress,
+        }
+    }
+
+    /// With no step longer than this \[s\], for what is over so soon that a longer step may not see
+    /// it.
+    ///
+    /// # Errors
+    /// [`IntegrationError::StepTooSmall`] by the integration, if it is not positive, or is lost in
+    /// the rounding of time.
+    pub fn max_step(self, max_step: f64) -> Self {
+        let Pace { breaks, .. } = self.pace;
+        Self {
+            pace: Pace { max_step, breaks },
+            ..self
+        }
+    }
+
+    /// With steps that end at these times \[s\] as well, in any order: those at which a load
+    /// changes, or begins to, and that nobody else knows. The conditions on `t` of a description
+    /// are known ([`RigidBody::switches`]). What is no time, or not on the way, is passed over.
+    /// Each step is taken with the equations of its own side, so that a load may as well jump
+    /// there.
+    ///
+    /// ```
+    /// use newton_euler::prelude::*;
+    ///
+    /// rigid_body!(Bell {
+    ///     motion: planar_translation,
+    ///     mass: 2[kg],
+    ///     forces: [blow = world(8[N] * (-((t - 40[s]) / 0.01[s]).powi(2)).exp(), 0)],
+    /// });
+    ///
+    /// let (bell, rest) = (Bell::default(), PlanarTranslation::default());
+    /// let end = bell.integrate(&rest).breaks([39.9, 40.0, 40.1]).to(60.0)?;
+    /// let momentum = 8.0 * 0.01 * std::f64::consts::PI.sqrt();
+    /// assert!((2.0 * end.velocity.x - momentum).abs() < 1e-8);
+    /// # Ok::<(), newton_euler::integrate::IntegrationError<PlanarTranslation>>(())
+    /// ```
+    pub fn breaks<N>(self, times: N) -> Integration<'b, B, M, C, N::IntoIter>
+    where
+        N: IntoIterator<Item: Borrow<f64>, IntoIter: Clone>,
+    {
+        let pace = Pace {
+            max_step: self.pace.max_step,
+            breaks: times.into_iter(),
+        };
+        Integration {
+            body: self.body,
+            start: self.start,
+            state: self.state,
+            method: self.method,
+            control: self.control,
+            pace,
+            #[cfg(feature = "progress")]
+            shows_progress: self.shows_progress,
+        }
+    }
+
+    /// Under an input that is held from the start to the end.
+    pub fn input(self, input: B::Input) -> Integration<'b, B, M, Held<B::Input>, L> {
+        self.under(Held(input))
+    }
+
+    /// Under inputs that a function of time and state gives at the start and every so many seconds
+    /// after, each held until the next (zero-order hold), as by a controller.
+    pub fn control<F: FnMut(f64, &B::State) -> B::Input>(
+        self,
+        period: f64,
+        function: F,
+    ) -> Integration<'b, B, M, Sampled<F>, L> {
+        self.under(Sampled::new(period, function))
+    }
+
+    fn under<D>(self, control: D) -> Integration<'b, B, M, D, L> {
+        Integration {
+            body: self.body,
+            start: self.start,
+            state: self.state,
+            method: self.method,
+            control,
+            pace: self.pace,
+            #[cfg(feature = "progress")]
+            shows_progress: self.shows_progress,
+        }
+    }
+
+    /// Shows a bar on standard error, with how far the motion has come and the time that it will
+    /// take. Nothing is shown where standard error is no terminal.
+    #[cfg(feature = "progress")]
+    pub fn progress(self) -> Self {
+        Self {
+            shows_progress: true,
+            ..self
+        }
+    }
+
+    /// The state at the end \[s\].
+    ///
+    /// # Errors
+    /// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers.
+    pub fn to(self, end: f64) -> Result<B::State, IntegrationError<B::State>> {
+        let mut course = self.course(end);
+        course.seek(end)?;
+        Ok(course.run.state())
+    }
+
+    /// The states at the start and every so many seconds after, up to the end \[s\]; that is the
+    /// last of them if it is a whole number of periods away. Steps are as long as they would be
+    /// otherwise.
+    pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B, L> {
+        Samples::new(self.course(end), period)
+    }
+
+    /// The state at the end of every step, up to the end \[s\].
+    pub fn steps(self, end: f64) -> Steps<M::Run<'b>, C, B, L> {
+        Steps {
+            course: self.course(end),
+            is_over: false,
+        }
+    }
+
+    /// Where a function of time and state changes its sign, or is exactly zero where it is looked
+    /// at, up to the end \[s\], in both directions, as the motion comes to it; a zero at the start
+    /// is none.
+    ///
+    /// The sign is looked at in some places of every step: of zeros closer to each other than
+    /// these, an even number is not seen. A zero is found to the rounding of the function and of
+    /// time. What stays zero has one event where it becomes so, and none if it was from the start.
+    ///
+    /// Where the function is not a number the motion ends, with
+    /// [`IntegrationError::EventNotANumber`].
+    pub fn events<F: Fn(f64, &B::State) -> f64>(
+        self,
+        end: f64,
+        function: F,
+    ) -> Events<M::Run<'b>, C, B, F, L> {
+        Events {
+            course: self.course(end),
+            function,
+            search: None,
+            is_over: false,
+        }
+    }
+
+    fn course(self, end: f64) -> Course<M::Run<'b>, C, B, L> {
+        #[cfg(feature = "progress")]
+        let bar = self
+            .shows_progress
+            .then(|| super::progress::Bar::new(self.start..end));
+        let start = (self.start, &self.state);
+        let course = Course::new(self.body, self.method, self.control, self.pace, start, end);
+        #[cfg(feature = "progress")]
+        let course = Course { bar, ..course };
+        course
+    }
+}

@@ -1,0 +1,215 @@
+//! A motion on its way to an end, under inputs that change, and what is seen of it.
+
+use core::borrow::Borrow;
+
+use crate::bodies::body::RigidBody;
+use crate::bodies::switches::Stretch;
+use crate::integrate::steps::error::IntegrationError;
+use crate::integrate::steps::method::{Method, Run};
+pub mod control;
+pub mod instants;
+pub mod integration;
+pub mod observed;
+#[cfg(feature = "progress")]
+pub mod progress;
+
+use control::Control;
+#[cfg(feature = "progress")]
+use progress::Bar;
+
+/// How long steps are at most, and where they end beside.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pace<L> {
+    /// \[s\]
+    pub(crate) max_step: f64,
+    /// Times \[s\], in any order.
+    pub(crate) breaks: L,
+}
+
+impl<L> Pace<L> {
+    /// Where a step from a time on has to end, if there are other reasons to end at a limit: none
+    /// if there is no such step.
+    pub(crate) fn limit(&self, time: f64, limit: f64) -> Option<f64> {
+        let longest = self.max_step > 0.0;
+        let step = self.max_step.min((limit - time).abs());
+        let next = if step < (limit - time).abs() {
+            time + step.copysign(limit - time)
+        } else {
+            limit
+        };
+        (longest && next != time).then_some(next)
+    }
+}
+
+/// A motion between its start and its end.
+pub(crate) struct Course<R, C, B: RigidBody, L> {
+    pub(crate) run: R,
+    pub(crate) control: C,
+    /// What acts now, and until when.
+    pub(crate) input: B::Input,
+    pub(crate) held_until: f64,
+    /// When it was given, if that was before it is asked for.
+    pub(crate) given: Option<f64>,
+    /// In which the motion is.
+    pub(crate) stretch: Stretch,
+    pub(crate) pace: Pace<L>,
+    pub(crate) end: f64,
+    pub(crate) forwards: bool,
+    #[cfg(feature = "progress")]
+    pub(crate) bar: Option<Bar>,
+}
+
+/// What a motion gives: a value, or why it ended.
+type Outcome<T, B> = Result<T, IntegrationError<<B as RigidBody>::State>>;
+
+impl<B, R, C, L> Course<R, C, B, L>
+where
+    B: RigidBody<Scalar = f64>,
+    R: Run<B>,
+    C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
+{
+    /// A motion that is to begin.
+    pub(crate) fn new<'b, M: Method<B, Run<'b> = R>>(
+        body: &'b B,
+        method: M,
+        control: C,
+        pace: Pace<L>,
+        start: (f64, &B::State),
+        end: f64,
+    ) -> Self
+    where
+        B: 'b,
+    {
+        let (time, state) = start;
+        Self {
+            run: method.start(body, time, state),
+            control,
+            input: B::Input::default(),
+            given: None,
+            held_until: time,
+            stretch: Stretch {
+                next: time,
+                ..Stretch::ALL
+            },
+            pace,
+            end,
+            forwards: end >= time,
+            #[cfg(feature = "progress")]
+            bar: None,
+        }
+    }
+
+    /// Whether the motion still has to come to a time.
+    fn is_before(&self, time: f64) -> bool {
+        let now = self.run.time();
+        if self.forwards {
+            now < time
+        } else {
+            now > time
+        }
+    }
+
+    /// The nearer of two times ahead.
+    fn nearer(&self, one: f64, other: f64) -> f64 {
+        if self.forwards {
+            one.min(other)
+        } else {
+            one.max(other)
+        }
+    }
+
+    /// Asks for the input where the last one ends, looks how far the equations do not change, and
+    /// says where the next step has to end.
+    fn limit(&mut self) -> Outcome<f64, B> {
+        let time = self.run.time();
+        if !(time.is_finite() && self.end.is_finite()) {
+            let state = self.run.state();
+            return Err(IntegrationError::not_finite(time, state));
+        }
+        let is_given = time == self.held_until;
+        if is_given {
+            let state = self.run.state();
+            let (input, until) = self.control.input(time, &state, self.end);
+            (self.input, self.held_until) = (input, until);
+            self.run.renew();
+            if !self.is_before(until) {
+                let step = until - time;
+                return Err(IntegrationError::StepTooSmall { time, state, step });
+            }
+        }
+        if is_given || !self.is_before(self.stretch.next) {
+            let given = if is_given {
+                self.given.unwrap_or(time)
+            } else {
+                self.stretch.given
+            };
+            let (from, breaks) = ((time, self.forwards, 0), self.pace.breaks.clone());
+            let stretch = Stretch::of(self.run.body(), &self.input, from, breaks);
+            self.stretch = Stretch { given, ..stretch };
+            self.run.enter(self.stretch);
+        }
+        let limit = self.nearer(self.nearer(self.held_until, self.end), self.stretch.next);
+        self.pace.limit(time, limit).ok_or_else(|| {
+            let (state, step) = (self.run.state(), self.pace.max_step);
+            IntegrationError::StepTooSmall { time, state, step }
+        })
+    }
+
+    /// Takes a step; false if the end is reached.
+    fn step(&mut self) -> Outcome<bool, B> {
+        if self.run.time() == self.end {
+            return Ok(false);
+        }
+        let limit = self.limit()?;
+        let reached = self.run.advance(limit, &self.input);
+        self.named(reached)?;
+        self.show();
+        Ok(true)
+    }
+
+    /// Goes on until a time, not beyond the end, lies within the step taken last.
+    pub(crate) fn seek(&mut self, time: f64) -> Outcome<(), B> {
+        while self.is_before(time) || time.is_nan() || !self.run.time().is_finite() {
+            let limit = self.limit()?;
+            let reached = if self.pace.max_step < f64::INFINITY {
+                self.run.advance(limit, &self.input)
+            } else {
+                let aim = self.nearer(time, limit);
+                self.run.seek(aim, limit, &self.input)
+            };
+            self.named(reached)?;
+            self.show();
+        }
+        Ok(())
+    }
+
+    /// An error with the load that has no value, if there is one.
+    fn named(&self, reached: Outcome<(), B>) -> Outcome<(), B> {
+        reached.map_err(|error| {
+            let (body, since) = (self.run.body(), error.time() - self.stretch.given);
+            let moved = body.input_after(&self.input, since);
+            error.named(body, moved.as_ref().unwrap_or(&self.input), self.forwards)
+        })
+    }
+
+    /// The state at a time within the step taken last.
+    fn at(&self, time: f64) -> B::State {
+        if time == self.run.time() {
+            self.run.state()
+        } else {
+            self.run.within(time, &self.input)
+        }
+    }
+
+    #[cfg_attr(
+        not(feature = "progress"),
+        expect(clippy::unused_self, reason = "nothing to show")
+    )]
+    fn show(&self) {
+        #[cfg(feature = "progress")]
+        if let Some(bar) = &self.bar {
+            bar.show(self.run.time());
+        }
+    }
+}

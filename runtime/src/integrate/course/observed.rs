@@ -1,0 +1,192 @@
+//! What is seen of a motion on its way: samples, the ends of steps, events.
+
+use core::borrow::Borrow;
+use core::fmt;
+use core::iter::Empty;
+
+use super::control::Control;
+use super::instants::Instants;
+use super::{Course, Outcome};
+use crate::bodies::body::RigidBody;
+use crate::integrate::steps::error::IntegrationError;
+use crate::integrate::steps::event::{Event, Search};
+use crate::integrate::steps::method::Run;
+
+/// A time and the state then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<S> {
+    /// \[s\]
+    pub time: f64,
+    /// The state then.
+    pub state: S,
+}
+
+/// States at equal intervals: see [`Integration::samples`](crate::integrate::Integration::samples).
+pub struct Samples<R, C, B: RigidBody, L = Empty<f64>> {
+    course: Course<R, C, B, L>,
+    /// None if the period is none.
+    instants: Option<Instants>,
+    period: f64,
+}
+
+impl<R, C, B, L> Samples<R, C, B, L>
+where
+    B: RigidBody<Scalar = f64>,
+    R: Run<B>,
+    C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
+{
+    pub(super) fn new(course: Course<R, C, B, L>, period: f64) -> Self {
+        let instants = Instants::new(course.run.time(), course.end, period);
+        Self {
+            course,
+            instants,
+            period,
+        }
+    }
+}
+
+impl<R, C, B, L> Iterator for Samples<R, C, B, L>
+where
+    B: RigidBody<Scalar = f64>,
+    R: Run<B>,
+    C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
+{
+    type Item = Outcome<Sample<B::State>, B>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let Some(instants) = &mut self.instants else {
+            self.instants = Some(Instants::NONE);
+            let times = self.course.run.time()..self.course.end;
+            let state = self.course.run.state();
+            return Some(Err(IntegrationError::uncountable(
+                self.period,
+                times,
+                state,
+            )));
+        };
+        let time = instants.next()?;
+        let reached = self.course.seek(time);
+        if reached.is_err() {
+            *instants = Instants::NONE;
+        }
+        Some(reached.map(|()| Sample {
+            time,
+            state: self.course.at(time),
+        }))
+    }
+}
+
+/// The ends of steps: see [`Integration::steps`](crate::integrate::Integration::steps).
+pub struct Steps<R, C, B: RigidBody, L = Empty<f64>> {
+    pub(super) course: Course<R, C, B, L>,
+    pub(super) is_over: bool,
+}
+
+impl<R, C, B, L> Iterator for Steps<R, C, B, L>
+where
+    B: RigidBody<Scalar = f64>,
+    R: Run<B>,
+    C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
+{
+    type Item = Outcome<Sample<B::State>, B>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.is_over {
+            return None;
+        }
+        match self.course.step() {
+            Ok(true) => {
+                let (time, state) = (self.course.run.time(), self.course.run.state());
+                Some(Ok(Sample { time, state }))
+            }
+            Ok(false) => None,
+            Err(error) => {
+                self.is_over = true;
+                Some(Err(error))
+            }
+        }
+    }
+}
+
+/// Zeros of a function: see [`Integration::events`](crate::integrate::Integration::events).
+pub struct Events<R, C, B: RigidBody, F, L = Empty<f64>> {
+    pub(super) course: Course<R, C, B, L>,
+    pub(super) function: F,
+    /// Where in the step taken last.
+    pub(super) search: Option<Search>,
+    pub(super) is_over: bool,
+}
+
+impl<R, C, B, F, L> Events<R, C, B, F, L>
+where
+    B: RigidBody<Scalar = f64>,
+    R: Run<B>,
+    C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
+{
+    /// The state to which the motion has come: that at the end, when there are no more events.
+    pub fn state(&self) -> B::State {
+        self.course.run.state()
+    }
+}
+
+impl<R, C, B, F, L> Iterator for Events<R, C, B, F, L>
+where
+    B: RigidBody<Scalar = f64>,
+    R: Run<B>,
+    C: Control<B::State, B::Input>,
+    L: Iterator<Item: Borrow<f64>> + Clone,
+    F: Fn(f64, &B::State) -> f64,
+{
+    type Item = Outcome<Event<B::State>, B>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        while !self.is_over {
+            if let Some(search) = &mut self.search {
+                let course = &self.course;
+                let found = search.next(|time| course.at(time), &self.function);
+                if found.is_some() {
+                    self.is_over = matches!(found, Some(Err(_)));
+                    return found;
+                }
+            }
+            let start = self.course.run.time();
+            let value = (self.function)(start, &self.course.run.state());
+            match self.course.step() {
+                Ok(true) => {
+                    let length = self.course.run.time() - start;
+                    self.search = Some(Search::new(start, length, R::PLACES, value));
+                }
+                Ok(false) => self.is_over = true,
+                Err(error) => {
+                    self.is_over = true;
+                    return Some(Err(error));
+                }
+            }
+        }
+        None
+    }
+}
+
+/// What is underway, by what it has come to.
+macro_rules! debug {
+    ($($name:ident<$($parameter:ident),*> $course:ident;)*) => {$(
+        impl<R: Run<B>, C, B: RigidBody<Scalar = f64>, $($parameter,)* L> fmt::Debug for $name<R, C, B, $($parameter,)* L> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.debug_struct(stringify!($name))
+                    .field("time", &self.$course.run.time())
+                    .field("end", &self.$course.end)
+                    .finish_non_exhaustive()
+            }
+        }
+    )*};
+}
+
+debug! {
+    Samples<> course;
+    Steps<> course;
+    Events<F> course;
+}

@@ -1,0 +1,150 @@
+//! Steps of equal length.
+
+use core::fmt;
+use core::ops::Range;
+
+use super::runge_kutta::{RungeKutta, runge_kutta_step};
+use crate::bodies::body::RigidBody;
+use crate::bodies::switches::Stretch;
+use crate::integrate::steps::equations::Equations;
+use crate::integrate::steps::error::IntegrationError;
+use crate::integrate::steps::method::{Method, Run};
+use crate::integrate::steps::point::Point;
+use crate::integrate::steps::stretch::Within;
+use crate::numbers::count::real;
+use crate::state::Coordinates;
+
+/// A method with equal steps, each not longer than `step` \[s\].
+///
+/// What is between the start, the instants at which inputs change, and the end, is divided into the
+/// least number of such steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fixed<M> {
+    /// The method of a step.
+    pub method: M,
+    /// The longest step \[s\].
+    pub step: f64,
+}
+
+impl<M> Fixed<M> {
+    /// The number of steps into which a span of time is divided, if that is a number.
+    pub(crate) fn count(&self, span: f64) -> Option<usize> {
+        // what rounding adds is no step
+        let count = libm::ceil(span.abs() / self.step * (1.0 - 1e-12)).max(1.0);
+        let is_valid = self.step > 0.0 && count < 9_007_199_254_740_992.0; // 2⁵³
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "whole, positive and below 2⁵³"
+        )]
+        is_valid.then_some(count as usize)
+    }
+}
+
+impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for Fixed<M> {
+    type Run<'b>
+        = FixedRun<'b, M, B>
+    where
+        B: 'b;
+
+    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> FixedRun<'b, M, B> {
+        let now = Point::new(time, state);
+        FixedRun {
+            within: Within::new(body, time),
+            fixed: self,
+            before: (time, now.coordinates),
+            now,
+            span: time..time,
+            steps: Range::default(),
+        }
+    }
+}
+
+/// A motion in equal steps.
+pub struct FixedRun<'b, M, B: RigidBody<Scalar = f64, State: Coordinates>> {
+    within: Within<'b, B>,
+    fixed: Fixed<M>,
+    now: Point<B::State>,
+    /// Where the step taken last began.
+    before: (f64, <B::State as Coordinates>::Array),
+    /// What is divided, and the steps of it that are left.
+    span: Range<f64>,
+    steps: Range<usize>,
+}
+
+impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug
+    for FixedRun<'_, M, B>
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("FixedRun")
+            .field("fixed", &self.fixed)
+            .field("time", &self.now.time)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for FixedRun<'_, M, B> {
+    const PLACES: usize = 4;
+
+    fn body(&self) -> &B {
+        self.within.body
+    }
+
+    fn time(&self) -> f64 {
+        self.now.time
+    }
+
+    fn state(&self) -> B::State {
+        self.now.state()
+    }
+
+    #[inline]
+    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+        if self.steps.is_empty() || self.span.end != end {
+            self.span = self.now.time..end;
+            let Some(count) = self.fixed.count(end - self.now.time) else {
+                return Err(self.now.step_too_small(self.fixed.step));
+            };
+            self.steps = 0..count;
+        }
+        let step = (end - self.span.start) / real(self.steps.end);
+        let equations = Equations {
+            body: &self.within,
+            input,
+        };
+        let (time, coordinates) = (self.now.time, self.now.coordinates);
+        let change = M::increment(&equations, time, &coordinates, step);
+        self.steps.start += 1;
+        let next = if self.steps.is_empty() {
+            end
+        } else {
+            self.span.start + real(self.steps.start) * step
+        };
+        if !self.now.arrive(change, next) {
+            let rates = equations.rates(time, &coordinates);
+            let is_finite = rates.as_ref().iter().all(|rate| rate.is_finite());
+            return Err(if M::IS_IMPLICIT && is_finite {
+                let state = self.now.state();
+                IntegrationError::StepTooLong { time, state, step }
+            } else {
+                self.now.not_finite()
+            });
+        }
+        self.before = (time, coordinates);
+        Ok(())
+    }
+
+    fn enter(&mut self, stretch: Stretch) {
+        self.within.enter(stretch);
+    }
+
+    fn replace(&mut self, state: &B::State) {
+        self.now.replace(state);
+    }
+
+    fn within(&self, time: f64, input: &B::Input) -> B::State {
+        let (start, coordinates) = &self.before;
+        let before = B::State::from_coordinates(coordinates);
+        runge_kutta_step::<M, _>(&self.within, *start, &before, input, time - start)
+    }
+}

@@ -1,0 +1,9 @@
+//! The methods, each by how it takes a step.
+
+pub mod adaptive;
+pub mod closed_form;
+pub mod commutator_free;
+pub mod fixed;
+pub mod projected;
+pub mod runge_kutta;
+pub mod series;

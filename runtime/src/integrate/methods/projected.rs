@@ -1,0 +1,205 @@
+//! Methods for bodies under constraints: each step ends on them.
+
+use core::fmt;
+use core::ops::Range;
+
+use super::commutator_free::cf4_step;
+use crate::bodies::body::RigidBody;
+use crate::bodies::constrained::{Constrained, Inconsistent};
+use crate::bodies::switches::Stretch;
+use crate::integrate::steps::error::IntegrationError;
+use crate::integrate::steps::method::{Method, Run, Tolerant};
+use crate::integrate::steps::stretch::Within;
+use crate::numbers::count::real;
+
+/// A method for bodies under constraints: the end of every step is put on them by
+/// [`Constrained::project`]. What they forbid does not grow, and the order is that of the method.
+///
+/// A start that is off by more than rounding ([`Constrained::check`]) is an error: `project` it
+/// before, or correct it. Where an input changes that a constraint of velocities contains, the
+/// velocities jump to the nearest that meet it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projected<M>(pub M);
+
+impl<M: Tolerant> Tolerant for Projected<M> {
+    fn with_tolerance(tolerance: f64) -> Self {
+        Self(M::with_tolerance(tolerance))
+    }
+}
+
+impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
+    type Run<'b>
+        = ProjectedRun<'b, B, M::Run<'b>>
+    where
+        B: 'b;
+
+    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
+        ProjectedRun {
+            within: Within::new(body, time),
+            run: self.0.start(body, time, state),
+            is_checked: false,
+            is_on_constraints: false,
+        }
+    }
+}
+
+/// A motion that is put on its constraints after every step.
+pub struct ProjectedRun<'b, B: RigidBody, R> {
+    within: Within<'b, B>,
+    run: R,
+    /// Whether the start was found to be on the constraints.
+    is_checked: bool,
+    is_on_constraints: bool,
+}
+
+impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ProjectedRun")
+            .field("run", &self.run)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<B: Constrained<Scalar = f64>> Within<'_, B> {
+    /// Whether a state is on the constraints, as they are then.
+    fn check(&self, time: f64, state: &B::State, input: &B::Input) -> Result<(), Inconsistent> {
+        let side = self.side(time);
+        match self.moved(input, time) {
+            Some(moved) => self.body.check(side, state, &moved),
+            None => self.body.check(side, state, input),
+        }
+    }
+
+    /// Puts a state on the constraints, as they are then.
+    fn project(
+        &self,
+        time: f64,
+        state: &mut B::State,
+        input: &B::Input,
+    ) -> Result<(), Inconsistent> {
+        let side = self.side(time);
+        match self.moved(input, time) {
+            Some(moved) => self.body.project(side, state, &moved),
+            None => self.body.project(side, state, input),
+        }
+    }
+}
+
+impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
+    /// Puts the state of the motion on the constraints; `good` is the last that was there.
+    fn project(
+        &mut self,
+        input: &B::Input,
+        good: (f64, B::State),
+    ) -> Result<(), IntegrationError<B::State>> {
+        let mut state = self.run.state();
+        let projected = self.within.project(self.run.time(), &mut state, input);
+        projected.map_err(|violated| {
+            let (time, state) = good;
+            IntegrationError::Inconsistent {
+                time,
+                state,
+                violated,
+            }
+        })?;
+        self.run.replace(&state);
+        Ok(())
+    }
+}
+
+impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> {
+    const PLACES: usize = R::PLACES;
+
+    fn body(&self) -> &B {
+        self.within.body
+    }
+
+    fn time(&self) -> f64 {
+        self.run.time()
+    }
+
+    fn state(&self) -> B::State {
+        self.run.state()
+    }
+
+    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+        let good = (self.run.time(), self.run.state());
+        if !self.is_checked {
+            let (time, state) = good.clone();
+            let checked = self.within.check(time, &state, input);
+            checked.map_err(|violated| IntegrationError::Inconsistent {
+                time,
+                state,
+                violated,
+            })?;
+            self.is_checked = true;
+        }
+        if !self.is_on_constraints {
+            self.project(input, good.clone())?;
+            self.is_on_constraints = true;
+        }
+        self.run.advance(end, input)?;
+        self.project(input, good)
+    }
+
+    /// On the constraints, if a state near by is.
+    fn within(&self, time: f64, input: &B::Input) -> B::State {
+        let along = self.run.within(time, input);
+        let mut state = along.clone();
+        match self.within.project(time, &mut state, input) {
+            Ok(()) => state,
+            Err(_) => along,
+        }
+    }
+
+    /// Constraints may contain inputs.
+    fn renew(&mut self) {
+        self.run.renew();
+        self.is_on_constraints = false;
+    }
+
+    /// Constraints may change there.
+    fn enter(&mut self, stretch: Stretch) {
+        self.run.enter(stretch);
+        self.within.enter(stretch);
+        self.is_on_constraints = false;
+    }
+
+    fn replace(&mut self, state: &B::State) {
+        self.run.replace(state);
+        self.is_checked = false;
+        self.is_on_constraints = false;
+    }
+}
+
+/// As [`cf4`](crate::integrate::cf4), with [`Constrained::project`] at the end of each step: what
+/// the constraints forbid does not grow, and the order is that of CF4.
+///
+/// # Errors
+/// [`Inconsistent`] if a state is too far from its constraints: the first, by more than rounding,
+/// or one after a step that is too long, or one that is not a number, behind a configuration in
+/// which the constraints do not determine their reactions.
+pub fn cf4_projected<B: Constrained<Scalar = f64>>(
+    body: &B,
+    state: &B::State,
+    input: &B::Input,
+    times: Range<f64>,
+    steps: usize,
+) -> Result<B::State, Inconsistent> {
+    let step = (times.end - times.start) / real(steps);
+    let (mut state, within) = (state.clone(), Within::new(body, times.start));
+    within.check(times.start, &state, input)?;
+    within.project(times.start, &mut state, input)?;
+    for k in 0..steps {
+        let (time, next) = (
+            times.start + real(k) * step,
+            times.start + real(k + 1) * step,
+        );
+        state = match within.moved(input, time) {
+            Some(moved) => cf4_step(body, time, &state, &moved, step),
+            None => cf4_step(body, time, &state, input, step),
+        };
+        within.project(next, &mut state, input)?;
+    }
+    Ok(state)
+}

@@ -1,0 +1,66 @@
+//! Whole motions and single steps along series, as functions.
+
+use core::ops::Range;
+
+use super::TaylorSeries;
+use crate::integrate::steps::error::IntegrationError;
+use crate::integrate::steps::method::{Method, Run};
+use crate::taylor::{Plain, Series, Taylor, after};
+
+/// The state at the end of a span of time \[s\], from the state at its start, with the input held
+/// and the error of each step below `tolerance`; time may run backwards.
+///
+/// The tolerance is relative to position, attitude, velocity and angular velocity, each as a whole,
+/// and absolute (m, rad, m/s, rad/s) where these are below 1. The error at the end is that of all
+/// steps, as the motion carries it along. The order follows from the tolerance: 10, 12, 16 or 20.
+///
+/// ```
+/// use newton_euler::{integrate, prelude::*};
+///
+/// rigid_body!(Handle {
+///     motion: rotation,
+///     inertia: principal(1, 2, 3)[kg * m ^ 2],
+///     outputs: [taylor],
+/// });
+///
+/// // A handle thrown spinning about its intermediate axis flips over.
+/// let start = Rotation { angular_velocity: [0.01, 1.0, 0.01].into(), ..Rotation::default() };
+/// let flipped = integrate::taylor(&Handle::default(), &start, &(), 0.0..19.55, 1e-12)?;
+/// assert!(flipped.angular_velocity.y < -0.99);
+/// # Ok::<(), integrate::IntegrationError<Rotation>>(())
+/// ```
+///
+/// # Errors
+/// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers.
+pub fn taylor<B: Taylor>(
+    body: &B,
+    state: &B::State,
+    input: &B::Input,
+    times: Range<f64>,
+    tolerance: f64,
+) -> Result<B::State, IntegrationError<B::State>> {
+    if !(times.start.is_finite() && times.end.is_finite()) {
+        let (time, state) = (times.start, state.clone());
+        return Err(IntegrationError::not_finite(time, state));
+    }
+    let mut run = TaylorSeries { tolerance }.start(body, times.start, state);
+    let reached = run.seek(times.end, times.end, input);
+    let forwards = times.end >= times.start;
+    reached.map_err(|error| error.named(body, input, forwards))?;
+    Ok(run.state())
+}
+
+/// The state one step \[s\] later, by N coefficients, which is of order N - 1; the input is held.
+#[must_use]
+pub fn taylor_step<B: Taylor, const N: usize>(
+    body: &B,
+    time: f64,
+    state: &B::State,
+    input: &B::Input,
+    step: f64,
+) -> B::State {
+    let (mut series, mut products) = (Series::<_, N>::default(), B::Products::from(Plain));
+    body.expand(time, state, input, &mut products, &mut series);
+    let coordinates = after::<B::State>(series.coefficients(), step);
+    body.axes(time, state).state(&coordinates, time + step)
+}

@@ -1,0 +1,98 @@
+//! One step after another.
+
+use super::Motion;
+use crate::integrate::steps::error::IntegrationError;
+use crate::integrate::steps::size::finest;
+use crate::integrate::steps::step::Step;
+use crate::taylor::{Taylor, increment};
+
+impl<B: Taylor, const N: usize> Motion<'_, B, N> {
+    /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in
+    /// [`taylor`](crate::integrate::taylor())), with the input held; none if it is reached.
+    ///
+    /// # Errors
+    /// [`IntegrationError`]; the motion stays where it is.
+    pub fn step_towards(
+        &mut self,
+        end: f64,
+        input: &B::Input,
+        tolerance: f64,
+    ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
+        // who steps by hand may give another input each time, if there is any
+        let is_held = size_of::<B::Input>() == 0;
+        if !is_held {
+            self.renew();
+        }
+        self.advance_towards(end, input, tolerance, is_held)
+    }
+
+    /// The same, with the input of the step before, or after [`renew`](Self::renew); `is_held` if
+    /// the next step is likely to have it, too.
+    pub(in crate::integrate::methods::series) fn advance_towards(
+        &mut self,
+        end: f64,
+        input: &B::Input,
+        tolerance: f64,
+        is_held: bool,
+    ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
+        let rest = self.now.rest(end);
+        if rest == 0.0 {
+            return Ok(None);
+        }
+        if rest.is_nan() {
+            let (time, state) = (self.now.time, self.state());
+            return Err(IntegrationError::not_finite(time, state));
+        }
+        self.expand(input);
+        let (time, tolerance) = (self.now.time, finest(tolerance));
+        let end = match self.doubt {
+            Some(doubt) if (doubt - time) * rest > 0.0 && (doubt - end) * rest < 0.0 => doubt,
+            _ => end,
+        };
+        let permitted = self.permitted(tolerance);
+        let passed = if permitted >= self.rough && permitted > 0.0 {
+            None
+        } else {
+            self.pass(permitted, end, input, tolerance)
+        };
+        let step = match passed {
+            Some(step) => step,
+            None => self.follow(permitted, end, input, (tolerance, is_held && self.goes_on))?,
+        };
+        Ok(Some(self.taken(time, step)))
+    }
+
+    /// Takes a step of this length \[s\], with the input held, of whatever error.
+    ///
+    /// # Errors
+    /// [`IntegrationError::NotFinite`]; the motion stays where it is.
+    pub fn step(
+        &mut self,
+        step: f64,
+        input: &B::Input,
+    ) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
+        let time = self.now.time;
+        self.renew();
+        self.expand(input);
+        self.advance(step)?;
+        Ok(self.taken(time, step))
+    }
+
+    /// The series from here.
+    #[inline(always)]
+    fn expand(&mut self, input: &B::Input) {
+        self.is_crossing = false;
+        self.expansions.expand(&self.within, &self.now, input);
+    }
+
+    /// Moves on by the series.
+    #[inline(always)]
+    fn advance(&mut self, step: f64) -> Result<(), IntegrationError<B::State>> {
+        let change = increment::<B::State>(self.expansions.series().coefficients(), step);
+        if self.now.advance(change, step) {
+            return Ok(());
+        }
+        let (time, state) = (self.now.time, self.state());
+        Err(IntegrationError::not_finite(time, state))
+    }
+}

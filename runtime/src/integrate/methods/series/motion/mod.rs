@@ -1,0 +1,172 @@
+//! Steps along Taylor series, of any order and with the error that is asked for.
+//!
+//! À. Jorba, M. Zou, A software package for the numerical integration of ODEs by means of
+//! high-order Taylor methods, Experimental Mathematics 14 (2005) 99. The last coefficients tell how
+//! far a series holds: the step is the longest of which the last two terms are below the tolerance,
+//!
+//! ```text
+//! step = 0.9 min (tolerance / |c_k|)^(1/k),   k = N - 1, N - 2
+//! ```
+//!
+//! The last coefficients know nothing of what begins later than they see: a wall, a motor that is
+//! switched on, a root that changes its sign. So no step is taken unseen: at its end the derivative
+//! of the polynomial is held against the rates that the equations give there; in a step that is
+//! half as long again as those before it, in sixteen places. A step that disagrees by more than the
+//! tolerance is halved, and no later step passes by the time at which it disagreed. Where a motion
+//! has no series (a norm, root or power at zero), or steps shrink to an eighth since such a place
+//! is near, a step of DOP853 goes over it, with a polynomial of degree 7 that is held against the
+//! equations alike. What acts for so short a time that no such place falls on it is not seen by any
+//! test of this kind: say it by [`max_step`](crate::integrate::Integration::max_step),
+//! [`breaks`](crate::integrate::Integration::breaks) or a condition on time.
+//!
+//! A symmetric body is followed in [`Axes`] that do not spin with it, from the start of a motion to
+//! its end; only what is handed out is turned back, so that this costs the steps nothing and no
+//! rounding adds up.
+//!
+//! What a step adds is summed with compensation, so that over long runs rounding grows with the
+//! square root of the number of steps and not with the number.
+
+use core::fmt;
+
+use crate::bodies::switches::Stretch;
+use crate::integrate::steps::point::Point;
+use crate::integrate::steps::step::Step;
+use crate::integrate::steps::stretch::Within;
+use crate::state::Coordinates;
+use crate::taylor::{Axes, Taylor};
+
+mod advance;
+pub mod crossing;
+mod expansions;
+mod permitted;
+mod seen;
+
+use expansions::Expansions;
+
+/// A motion under way, by series of N coefficients: of order N - 1.
+///
+/// ```
+/// use newton_euler::{integrate::Motion, prelude::*};
+///
+/// rigid_body!(Stone {
+///     motion: translation,
+///     mass: 2[kg],
+///     forces: [drag = -0.1 * velocity.norm() * velocity],
+///     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+///     outputs: [taylor],
+/// });
+///
+/// let thrown = Translation { velocity: [8.0, 0.0, 12.0].into(), ..Translation::default() };
+/// let stone = Stone::default();
+/// let mut flight = Motion::<_, 17>::new(&stone, 0.0, &thrown);
+/// let mut landing = None;
+/// while let Some(step) = flight.step_towards(10.0, &(), 1e-10)? {
+///     // the motion between the ends of the step, and where it crosses the ground
+///     if let Some(event) = step.zeros(|_, stone| stone.position.z).next() {
+///         landing = Some(event?.time);
+///         break;
+///     }
+/// }
+/// assert!((1.9..24.0 / 9.80665).contains(&landing.unwrap())); // sooner than without drag
+/// # Ok::<(), newton_euler::integrate::IntegrationError<Translation>>(())
+/// ```
+pub struct Motion<'b, B: Taylor, const N: usize> {
+    within: Within<'b, B>,
+    /// From start to end the coordinates are those in these axes.
+    axes: Axes,
+    now: Point<B::State>,
+    /// How long the last step was that a tolerance permitted.
+    length: f64,
+    /// How long a step was, of those before, that was looked at throughout.
+    looked_at: f64,
+    /// A time at which the equations did not agree, and which no step may pass by \[s\].
+    doubt: Option<f64>,
+    /// A step that is shorter than this may be at a place where the motion is not smooth.
+    rough: f64,
+    expansions: Expansions<B, N>,
+    /// The polynomial of a step over such a place, and whether the last step was one.
+    crossing: [<B::State as Coordinates>::Array; crossing::ROWS],
+    is_crossing: bool,
+    /// Whether each step goes on from where the last one ended.
+    goes_on: bool,
+}
+
+impl<B: Taylor, const N: usize> fmt::Debug for Motion<'_, B, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Motion")
+            .field("time", &self.now.time)
+            .field("coordinates", &self.now.coordinates)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
+    /// A motion that begins at a state.
+    #[must_use]
+    pub fn new(body: &'b B, time: f64, state: &B::State) -> Self {
+        // at no time nothing turns
+        let axes = if time.is_finite() {
+            body.axes(time, state)
+        } else {
+            Axes::BODY
+        };
+        Self {
+            within: Within::new(body, time),
+            axes,
+            now: Point::new(time, state),
+            length: 0.0,
+            looked_at: 0.0,
+            doubt: None,
+            rough: 0.0,
+            expansions: Expansions::default(),
+            crossing: [<B::State as Coordinates>::Array::default(); crossing::ROWS],
+            is_crossing: false,
+            goes_on: true,
+        }
+    }
+
+    pub(super) fn body(&self) -> &'b B {
+        self.within.body
+    }
+
+    pub(super) fn enter(&mut self, stretch: Stretch) {
+        self.within.enter(stretch);
+        self.renew();
+    }
+
+    /// Hears that equations or state are others than the last step saw at its end.
+    pub(super) fn renew(&mut self) {
+        self.expansions.forget();
+    }
+
+    /// Goes on from another state at the same time.
+    pub(super) fn replace(&mut self, state: &B::State) {
+        self.axes = self.body().axes(self.now.time, state);
+        self.now.replace(state);
+        self.goes_on = false;
+        self.renew();
+    }
+
+    /// The time that the motion has come to \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.now.time
+    }
+
+    /// The state that it has come to.
+    #[must_use]
+    pub fn state(&self) -> B::State {
+        self.axes.state(&self.now.coordinates, self.now.time)
+    }
+
+    /// The step that was taken last.
+    #[inline(always)]
+    pub(super) fn taken(&self, start: f64, length: f64) -> Step<'_, B::State> {
+        let coefficients = if self.is_crossing {
+            self.crossing.as_slice()
+        } else {
+            self.expansions.series().coefficients()
+        };
+        Step::new(start, length, self.axes, coefficients)
+    }
+}

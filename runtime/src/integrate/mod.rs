@@ -1,0 +1,60 @@
+//! Integration of the motion.
+//!
+//! [`Integrate::integrate`] is the one way in: from a body and a state to the state at an end, to
+//! samples, steps or events, under inputs that are held or given by a controller, by the method
+//! that is best for the body or by another.
+//!
+//! | method | for | error, and what it keeps |
+//! |---|---|---|
+//! | [`ClosedForm`] | `outputs: [flow]` | rounding |
+//! | [`TaylorSeries`] | `outputs: [taylor]` | below a tolerance; rounding only, if that is small enough |
+//! | [`DormandPrince`] | every body | below a tolerance |
+//! | [`Fixed`]`<`[`Verner9`]`>`, [`DormandPrince8`], [`Tsitouras5`], [`Classical4`] | every body, ensembles | of order 9, 8, 5, 4 in the step |
+//! | [`Fixed`]`<`[`Midpoint`]`>` | games: long runs in few steps | of order 2; energy does not drift |
+//! | [`Projected`] | bodies under constraints | that of the method it is given |
+//!
+//! Beside it are single steps and whole motions as functions: [`cf4`] on the group of rotations,
+//! for any [`RigidBody`](crate::body::RigidBody) over any scalar, [`taylor()`] and [`Motion`].
+
+#![allow(
+    clippy::float_cmp,
+    reason = "a motion is at a time, or it is not: it is put there"
+)]
+
+mod course;
+mod methods;
+mod steps;
+
+pub use crate::bodies::switches::{Stretch, Switches};
+pub use course::control::{Control, Held, Sampled};
+pub use course::integration::{Integrate, Integration};
+pub use course::observed::{Events, Sample, Samples, Steps};
+pub use methods::adaptive::{AdaptiveRun, DormandPrince};
+pub use methods::closed_form::{ClosedForm, PathRun};
+pub use methods::commutator_free::{cf4, cf4_step};
+pub use methods::fixed::{Fixed, FixedRun};
+pub use methods::projected::{Projected, ProjectedRun, cf4_projected};
+pub use methods::runge_kutta::{
+    Classical4, DormandPrince8, Midpoint, RungeKutta, Tsitouras5, Verner9, runge_kutta_step,
+};
+pub use methods::series::functions::{taylor, taylor_step};
+pub use methods::series::motion::Motion;
+pub use methods::series::{SeriesRun, TaylorSeries};
+pub use steps::equations::Equations;
+pub use steps::error::IntegrationError;
+pub use steps::event::Event;
+pub use steps::method::{Method, Run, Tolerant};
+pub use steps::step::Step;
+pub use steps::stretch::next_switch;
+
+#[cfg(feature = "ensemble")]
+pub(crate) use {
+    course::instants::Instants,
+    course::integration::TOLERANCE,
+    course::{Course, Pace},
+    steps::point::add,
+    steps::stretch::Within,
+};
+
+#[cfg(feature = "progress")]
+pub(crate) use course::progress::Bar;

@@ -1,0 +1,173 @@
+//! What ends an integration before its time.
+
+use core::fmt;
+use core::ops::Range;
+
+use crate::bodies::body::RigidBody;
+use crate::bodies::constrained::Inconsistent;
+use crate::state::State;
+
+/// The error of an integration, with the last state that is good and its time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum IntegrationError<S> {
+    /// The motion is not finite from here on: a force grows beyond bounds, or is none; or start or
+    /// end are no times.
+    NotFinite {
+        /// \[s\]
+        time: f64,
+        /// The state then.
+        state: S,
+        /// A load that has no value there, or just behind, if it is known:
+        /// [`RigidBody::lost_load`].
+        load: Option<&'static str>,
+    },
+    /// The step that is asked for is lost in the rounding of time, or no number: a singularity is
+    /// near, the tolerance is below what doubles can hold, or a step or period that was given is
+    /// not positive.
+    StepTooSmall {
+        /// \[s\]
+        time: f64,
+        /// The state then.
+        state: S,
+        /// The step \[s\].
+        step: f64,
+    },
+    /// The equations of an implicit step are not solved: it is too long for the motion, of which it
+    /// would be a third of a turn or more, or a singularity is near.
+    StepTooLong {
+        /// \[s\]
+        time: f64,
+        /// The state then.
+        state: S,
+        /// The step \[s\].
+        step: f64,
+    },
+    /// The state does not meet its constraints: the first by more than rounding; or one after a
+    /// step that is too long, and no state near by does.
+    Inconsistent {
+        /// \[s\]
+        time: f64,
+        /// The last state that was good; the first, if there was none.
+        state: S,
+        /// Which constraint.
+        violated: Inconsistent,
+    },
+    /// The function of which events are sought is not a number.
+    EventNotANumber {
+        /// \[s\]
+        time: f64,
+        /// The state then.
+        state: S,
+    },
+}
+
+impl<S> IntegrationError<S> {
+    /// Instants at intervals of this period cannot be counted between these times; the state is
+    /// that at the first.
+    pub(crate) fn uncountable(period: f64, times: Range<f64>, state: S) -> Self {
+        let Range { start: time, end } = times;
+        if time.is_finite() && end.is_finite() {
+            let step = period;
+            Self::StepTooSmall { time, state, step }
+        } else {
+            Self::not_finite(time, state)
+        }
+    }
+
+    pub(crate) fn not_finite(time: f64, state: S) -> Self {
+        let load = None;
+        Self::NotFinite { time, state, load }
+    }
+
+    /// When the last state was good \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::NotFinite { time, .. }
+            | Self::StepTooSmall { time, .. }
+            | Self::StepTooLong { time, .. }
+            | Self::Inconsistent { time, .. }
+            | Self::EventNotANumber { time, .. } => *time,
+        }
+    }
+
+    /// The last state that was good.
+    #[must_use]
+    pub fn state(&self) -> &S {
+        match self {
+            Self::NotFinite { state, .. }
+            | Self::StepTooSmall { state, .. }
+            | Self::StepTooLong { state, .. }
+            | Self::Inconsistent { state, .. }
+            | Self::EventNotANumber { state, .. } => state,
+        }
+    }
+}
+
+impl<S> fmt::Display for IntegrationError<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { time, load, .. } => {
+                write!(f, "the motion is not finite after {time} s")?;
+                load.map_or(Ok(()), |load| write!(f, ": `{load}` is not a number"))
+            }
+            Self::StepTooSmall { time, step, .. } => write!(
+                f,
+                "at {time} s the step or period is {step:e} s, which is not positive or lost in rounding"
+            ),
+            Self::StepTooLong { time, step, .. } => write!(
+                f,
+                "at {time} s a step of {step:e} s is too long: its equations are not solved, take shorter ones"
+            ),
+            Self::Inconsistent { time, violated, .. } => write!(f, "at {time} s: {violated}"),
+            Self::EventNotANumber { time, .. } => {
+                write!(f, "at {time} s the function of the events is not a number")
+            }
+        }
+    }
+}
+
+impl<S: State<Scalar = f64>> IntegrationError<S> {
+    /// Says which load of a body has no value, in the last state or where the motion goes from
+    /// there.
+    #[cold]
+    pub(crate) fn named<B: RigidBody<Scalar = f64, State = S>>(
+        self,
+        body: &B,
+        input: &B::Input,
+        forwards: bool,
+    ) -> Self {
+        let Self::NotFinite {
+            time,
+            state,
+            load: None,
+        } = self
+        else {
+            return self;
+        };
+        let load = body.lost_load(time, &state, input).or_else(|| {
+            let rate = state.rate(&body.acceleration(time, &state, input));
+            let lost = |after: f64| {
+                let there = state.moved(&(rate * after));
+                body.lost_load(time + after, &there, input)
+            };
+            // a rate that is no number leads nowhere
+            if lost(0.0).is_some() {
+                return None;
+            }
+            let nearest = f64::EPSILON * time.abs().max(1e-6);
+            let nearest = if forwards { nearest } else { -nearest };
+            (0..DOUBLINGS)
+                .map(|power| nearest * libm::exp2(f64::from(power)))
+                .find_map(lost)
+        });
+        Self::NotFinite { time, state, load }
+    }
+}
+
+/// How often the time is doubled at which a load is looked for that has no value, from the rounding
+/// of time on.
+const DOUBLINGS: i32 = 32;
+
+impl<S: fmt::Debug> core::error::Error for IntegrationError<S> {}

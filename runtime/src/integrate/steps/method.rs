@@ -1,0 +1,79 @@
+//! Methods of integration, as [`Integration`](crate::integrate::Integration) sees them.
+
+use super::error::IntegrationError;
+use crate::bodies::body::RigidBody;
+use crate::bodies::switches::Stretch;
+
+/// A method of integration for a kind of body.
+pub trait Method<B: RigidBody<Scalar = f64>>: Copy + Send + Sync {
+    /// A motion under way.
+    type Run<'b>: Run<B>
+    where
+        B: 'b;
+
+    /// Begins at a state.
+    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b>;
+}
+
+/// A method that can be told how large the error of a step may be.
+pub trait Tolerant: Sized {
+    /// The method with this tolerance: relative to position, attitude, velocity and angular
+    /// velocity, each as a whole, and absolute (m, rad, m/s, rad/s) where these are below 1. The
+    /// error at the end is that of all steps, as the motion carries it along. Finer than rounding,
+    /// 1e-18, is none.
+    #[must_use]
+    fn with_tolerance(tolerance: f64) -> Self;
+}
+
+/// A motion under way by some method.
+pub trait Run<B: RigidBody<Scalar = f64>> {
+    /// At how many places within a step events are looked for.
+    const PLACES: usize;
+
+    /// What moves.
+    fn body(&self) -> &B;
+
+    /// How far it has come \[s\].
+    fn time(&self) -> f64;
+
+    /// The state there.
+    fn state(&self) -> B::State;
+
+    /// Takes one step towards `end` \[s\], which is not where it is, and not beyond; the input is
+    /// held.
+    ///
+    /// # Errors
+    /// [`IntegrationError`]; the motion stays where it is.
+    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>>;
+
+    /// The state within the step taken last, which was under this input.
+    fn within(&self, time: f64, input: &B::Input) -> B::State;
+
+    /// Hears that the input of the next step is another than that of the last.
+    fn renew(&mut self) {}
+
+    /// Hears in which stretch of time the next steps are.
+    fn enter(&mut self, _stretch: Stretch) {}
+
+    /// Goes on from another state at the same time.
+    fn replace(&mut self, state: &B::State);
+
+    /// Goes on until a time \[s\] lies within the step taken last, with steps that need not end
+    /// there, but not beyond `end`.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    fn seek(
+        &mut self,
+        time: f64,
+        end: f64,
+        input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>> {
+        let forwards = end >= self.time();
+        let is_before = |now: f64| if forwards { now < time } else { now > time };
+        while is_before(self.time()) {
+            self.advance(end, input)?;
+        }
+        Ok(())
+    }
+}

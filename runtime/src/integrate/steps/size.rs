@@ -1,0 +1,68 @@
+//! How large a change of a state is, and which step that permits.
+
+use crate::state::Coordinates;
+
+/// The size of a change of coordinates: of position, attitude, velocity, angular velocity each the
+/// largest component, relative to the largest component of the quantity itself where that is above
+/// 1, absolute (m, rad, m/s, rad/s) below; and of these the largest. What is not a number may be
+/// passed over.
+#[inline(always)]
+pub(in crate::integrate) fn relative_size<S: Coordinates<Scalar = f64>>(
+    change: &S::Array,
+    coordinates: &S::Array,
+) -> f64 {
+    let (mut largest, mut first) = (0.0, 0);
+    for count in S::GROUPS {
+        let group = first..first + count;
+        let size = largest_of(&change.as_ref()[group.clone()]);
+        let whole = largest_of(&coordinates.as_ref()[group]);
+        // the quotient is there before the size is
+        largest = larger(largest, size * (1.0 / larger(whole, 1.0)));
+        first += count;
+    }
+    largest
+}
+
+#[inline(always)]
+pub(in crate::integrate) fn largest_of(numbers: &[f64]) -> f64 {
+    let mut largest = 0.0;
+    for number in numbers {
+        largest = larger(largest, number.abs());
+    }
+    largest
+}
+
+/// One instruction, where `f64::max` looks for what is not a number.
+#[inline(always)]
+pub(in crate::integrate) fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// A tolerance, of what is finer than rounding the finest that there is; what is no tolerance is
+/// zero, which no step keeps.
+pub(in crate::integrate) fn finest(tolerance: f64) -> f64 {
+    if tolerance > 0.0 {
+        tolerance.max(1e-18)
+    } else {
+        0.0
+    }
+}
+
+/// `(a / b)^(1/k)` to a few parts in a hundred, which is all that a step needs: the bits of a
+/// double are its logarithm, with straight lines between the powers of two. Of what has no
+/// logarithm, the quotient itself.
+#[inline(always)]
+#[expect(
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "signs are plus, k is small"
+)]
+pub(in crate::integrate) fn root(a: f64, b: f64, k: usize) -> f64 {
+    let has_logarithm = |x: f64| x > 0.0 && x < f64::INFINITY;
+    if !(has_logarithm(a) && has_logarithm(b)) {
+        return a / b;
+    }
+    let logarithm = (a.to_bits() as i64 - b.to_bits() as i64) / k.max(1) as i64;
+    let bits = 1.0_f64.to_bits() as i64 + logarithm;
+    f64::from_bits(bits.clamp(0, f64::MAX.to_bits() as i64) as u64)
+}

@@ -1,0 +1,220 @@
+//! The conditions on an inertia tensor, and which of them is violated.
+
+use core::fmt;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::matrix::{exponent, scaled};
+use crate::mechanics::principal::diagonalized;
+
+/// [`InertiaTensor::SLACK`](super::InertiaTensor::SLACK)
+pub(super) const SLACK: f64 = 4.0 * f64::EPSILON;
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+const ENTRIES: [[&str; 3]; 3] = [["xx", "xy", "zx"], ["xy", "yy", "yz"], ["zx", "yz", "zz"]];
+
+/// The condition that an inertia tensor violates; the first, from the plainest to the most general.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum InvalidInertia {
+    /// An entry is infinite or not a number.
+    NotFinite {
+        /// Such as `"xy"`.
+        entry: &'static str,
+    },
+    /// Opposite entries differ.
+    Asymmetric {
+        /// Such as `"xy"`.
+        entry: &'static str,
+        /// The entry above and the one below the diagonal \[kg m²\].
+        values: [f64; 2],
+    },
+    /// A moment of inertia is negative.
+    Negative {
+        /// `"x"`, `"y"` or `"z"`.
+        axis: &'static str,
+        /// The moment about it \[kg m²\].
+        moment: f64,
+    },
+    /// A moment exceeds the sum of the other two.
+    Triangle {
+        /// `"x"`, `"y"` or `"z"`.
+        axis: &'static str,
+        /// The moment about it \[kg m²\].
+        moment: f64,
+        /// The sum of the other two \[kg m²\].
+        others: f64,
+    },
+    /// A product of inertia exceeds half the moment about the third axis.
+    Product {
+        /// Such as `"xy"`.
+        entry: &'static str,
+        /// Its magnitude \[kg m²\].
+        product: f64,
+        /// Half the moment about the third axis \[kg m²\].
+        bound: f64,
+    },
+    /// The largest principal moment exceeds the sum of the other two.
+    Principal {
+        /// Principal moments, ascending \[kg m²\].
+        moments: [f64; 3],
+    },
+    /// There is no moment of inertia about some axis, and the body is asked to turn about it.
+    Singular,
+    /// A mass is negative or not finite, or all masses are zero.
+    Mass {
+        /// What was given \[kg\].
+        value: f64,
+    },
+}
+
+impl fmt::Display for InvalidInertia {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { entry } => write!(f, "entry {entry} is not finite"),
+            Self::Asymmetric {
+                entry,
+                values: [upper, lower],
+            } => write!(
+                f,
+                "not symmetric: entry {entry} is {upper} above the diagonal and {lower} below"
+            ),
+            Self::Negative { axis, moment } => {
+                write!(f, "the moment about {axis} is negative: {moment}")
+            }
+            Self::Triangle {
+                axis,
+                moment,
+                others,
+            } => write!(
+                f,
+                "triangle inequality: the moment about {axis} is {moment}, more than the sum {others} of the other two"
+            ),
+            Self::Product {
+                entry,
+                product,
+                bound,
+            } => write!(
+                f,
+                "the product {entry} is {product} in magnitude, more than half the moment about the third axis, {bound}"
+            ),
+            Self::Principal { moments: [a, b, c] } => write!(
+                f,
+                "triangle inequality in principal axes: of the moments {a}, {b}, {c} the last exceeds the sum of the others"
+            ),
+            Self::Singular => write!(f, "there is no moment about some axis (a rod or a point)"),
+            Self::Mass { value } => write!(f, "no body has the mass {value} kg"),
+        }
+    }
+}
+
+impl core::error::Error for InvalidInertia {}
+
+/// Finite and not negative.
+pub(super) fn check_mass(value: f64) -> Result<(), InvalidInertia> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(())
+    } else {
+        Err(InvalidInertia::Mass { value })
+    }
+}
+
+/// What rounding may add to a moment, relative to the largest.
+pub(super) fn slack(matrix: &Matrix3<f64>) -> f64 {
+    slack_of(matrix, f64::EPSILON)
+}
+
+/// The same of entries that were computed with this distance from one to the next number.
+fn slack_of(matrix: &Matrix3<f64>, epsilon: f64) -> f64 {
+    SLACK / f64::EPSILON * epsilon * if is_diagonal(matrix) { 1.0 } else { 4.0 }
+}
+
+/// Without products.
+pub(super) fn is_diagonal(matrix: &Matrix3<f64>) -> bool {
+    matrix.m12 == 0.0 && matrix.m23 == 0.0 && matrix.m13 == 0.0
+}
+
+/// Finite, and opposite entries equal to the slack.
+pub(super) fn check_symmetry(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia> {
+    let tolerance = slack(matrix) * matrix.diagonal().amax();
+    for [row, column] in [[0, 1], [1, 2], [0, 2]] {
+        let values = [matrix[(row, column)], matrix[(column, row)]];
+        let entry = ENTRIES[row][column];
+        if !values.iter().all(|value| value.is_finite()) {
+            return Err(InvalidInertia::NotFinite { entry });
+        }
+        if (values[0] - values[1]).abs() > tolerance {
+            return Err(InvalidInertia::Asymmetric { entry, values });
+        }
+    }
+    Ok(())
+}
+
+/// All conditions on a symmetric matrix.
+pub(super) fn check(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia> {
+    check_computed(matrix, f64::EPSILON).map(|_| ())
+}
+
+/// All conditions on a symmetric matrix of a body that can turn about every axis, with entries that
+/// were computed with this distance from one to the next number.
+pub(crate) fn check_turning(matrix: &Matrix3<f64>, epsilon: f64) -> Result<(), InvalidInertia> {
+    let moments = check_computed(matrix, epsilon)?;
+    if moments.x <= slack_of(matrix, epsilon) * moments.z {
+        return Err(InvalidInertia::Singular);
+    }
+    Ok(())
+}
+
+/// The principal moments over a power of two, ascending, if all conditions hold.
+fn check_computed(matrix: &Matrix3<f64>, epsilon: f64) -> Result<Vector3<f64>, InvalidInertia> {
+    for (row, entries) in ENTRIES.iter().enumerate() {
+        for (column, entry) in entries.iter().enumerate() {
+            if !matrix[(row, column)].is_finite() {
+                return Err(InvalidInertia::NotFinite { entry });
+            }
+        }
+    }
+    let exponent = exponent(matrix);
+    let j = scaled(matrix, -exponent);
+    let relative = slack_of(&j, epsilon);
+    let slack = relative * j.diagonal().max();
+    let restored = |value| libm::scalbn(value, exponent);
+    for (a, axis) in AXES.into_iter().enumerate() {
+        let moment = j[(a, a)];
+        if moment < 0.0 {
+            let moment = restored(moment);
+            return Err(InvalidInertia::Negative { axis, moment });
+        }
+    }
+    for (a, axis) in AXES.into_iter().enumerate() {
+        let moment = j[(a, a)];
+        let others = j[((a + 1) % 3, (a + 1) % 3)] + j[((a + 2) % 3, (a + 2) % 3)];
+        if moment > others + slack {
+            let [moment, others] = [moment, others].map(restored);
+            return Err(InvalidInertia::Triangle {
+                axis,
+                moment,
+                others,
+            });
+        }
+    }
+    for a in 0..3 {
+        let [b, c] = [(a + 1) % 3, (a + 2) % 3];
+        let [product, bound] = [j[(b, c)].abs(), 0.5 * j[(a, a)]];
+        if product > bound + slack {
+            let [product, bound] = [product, bound].map(restored);
+            let entry = ENTRIES[b][c];
+            return Err(InvalidInertia::Product {
+                entry,
+                product,
+                bound,
+            });
+        }
+    }
+    let moments = diagonalized(&j).moments;
+    if moments.z > moments.x + moments.y + relative * moments.z {
+        let moments = moments.map(restored).into();
+        return Err(InvalidInertia::Principal { moments });
+    }
+    Ok(moments)
+}

@@ -1,0 +1,275 @@
+//! Several doubles in one register, of the width that the processor has.
+//!
+//! Operations are those of `f64` in each lane, without fused ones, and elementary functions are
+//! computed lane by lane: each number is what it would be alone, to the bit.
+
+use core::fmt;
+use core::ops::{
+    Add, AddAssign, BitAnd, BitOr, Div, DivAssign, Mul, MulAssign, Neg, Not, Sub, SubAssign,
+};
+
+use pulp::bytemuck::{cast_slice, cast_slice_mut};
+
+use crate::numbers::scalar::Scalar;
+
+mod register;
+mod width;
+
+pub use register::{Register, Work};
+pub use width::Width;
+
+/// As many doubles as a register holds, as one [`Scalar`].
+///
+/// The default can only be made where the processor has the register.
+#[derive(Clone, Copy)]
+pub struct Lanes<S: Register> {
+    simd: S,
+    numbers: S::f64s,
+    /// Nothing, in the place that is best for a register.
+    _place: [S::Aligned; 0],
+}
+
+impl<S: Register> Lanes<S> {
+    /// The number of lanes.
+    pub const COUNT: usize = S::F64_LANES;
+
+    /// The numbers of a register.
+    #[inline(always)]
+    pub fn new(simd: S, numbers: S::f64s) -> Self {
+        Self {
+            simd,
+            numbers,
+            _place: [],
+        }
+    }
+
+    /// The same number in all lanes.
+    #[inline(always)]
+    pub fn splat(simd: S, number: f64) -> Self {
+        Self::new(simd, simd.splat_f64s(number))
+    }
+
+    /// The register.
+    #[inline(always)]
+    #[must_use]
+    pub fn numbers(self) -> S::f64s {
+        self.numbers
+    }
+
+    /// The numbers as a slice.
+    #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        cast_slice(core::slice::from_ref(&self.numbers))
+    }
+
+    /// A function of each number.
+    #[inline(always)]
+    fn map(mut self, function: impl Fn(f64) -> f64) -> Self {
+        for number in cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut self.numbers)) {
+            *number = function(*number);
+        }
+        self
+    }
+
+    /// A function of each pair of numbers.
+    #[inline(always)]
+    fn zip(mut self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
+        let numbers = cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut self.numbers));
+        for (number, second) in numbers.iter_mut().zip(other.as_slice()) {
+            *number = function(*number, *second);
+        }
+        self
+    }
+}
+
+impl<S: Register> fmt::Debug for Lanes<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.as_slice().fmt(f)
+    }
+}
+
+impl<S: Register> PartialEq for Lanes<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.as_slice() == other.as_slice()
+    }
+}
+
+impl<S: Register> Default for Lanes<S> {
+    fn default() -> Self {
+        let simd = S::detected().expect("the processor has the register");
+        Self::splat(simd, 0.0)
+    }
+}
+
+/// An operator and its form that assigns.
+macro_rules! operators {
+    ($($operator:ident $method:ident $assign:ident $method_assign:ident $function:ident;)*) => {$(
+        impl<S: Register> $operator for Lanes<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self::new(self.simd, self.simd.$function(self.numbers, other.numbers))
+            }
+        }
+
+        impl<S: Register> $assign for Lanes<S> {
+            #[inline(always)]
+            fn $method_assign(&mut self, other: Self) {
+                self.numbers = self.simd.$function(self.numbers, other.numbers);
+            }
+        }
+    )*};
+}
+
+operators! {
+    Add add AddAssign add_assign add_f64s;
+    Sub sub SubAssign sub_assign sub_f64s;
+    Mul mul MulAssign mul_assign mul_f64s;
+    Div div DivAssign div_assign div_f64s;
+}
+
+impl<S: Register> Neg for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(self.simd, self.simd.neg_f64s(self.numbers))
+    }
+}
+
+/// What comparisons of [`Lanes`] give: true or false in each lane.
+#[derive(Clone, Copy)]
+pub struct Mask<S: Register> {
+    simd: S,
+    lanes: S::m64s,
+}
+
+impl<S: Register> BitAnd for Mask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        let lanes = self.simd.and_m64s(self.lanes, other.lanes);
+        Self { lanes, ..self }
+    }
+}
+
+impl<S: Register> BitOr for Mask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        let lanes = self.simd.or_m64s(self.lanes, other.lanes);
+        Self { lanes, ..self }
+    }
+}
+
+impl<S: Register> Not for Mask<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        let lanes = self.simd.not_m64s(self.lanes);
+        Self { lanes, ..self }
+    }
+}
+
+/// A comparison.
+macro_rules! compare {
+    ($($name:ident $function:ident;)*) => {$(
+        #[inline(always)]
+        fn $name(self, other: Self) -> Mask<S> {
+            Mask { simd: self.simd, lanes: self.simd.$function(self.numbers, other.numbers) }
+        }
+    )*};
+}
+
+/// Functions that are computed lane by lane.
+macro_rules! by_lane {
+    ($($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self) -> Self {
+            self.map(<f64 as Scalar>::$name)
+        }
+    )*};
+}
+
+/// The same of two numbers.
+macro_rules! by_pair {
+    ($($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self, other: Self) -> Self {
+            self.zip(other, <f64 as Scalar>::$name)
+        }
+    )*};
+}
+
+impl<S: Register> Scalar for Lanes<S> {
+    type Truth = Mask<S>;
+    const EPSILON: f64 = f64::EPSILON;
+    const LANES: usize = S::F64_LANES;
+
+    #[inline(always)]
+    fn constant(self, double: f64, _: f32) -> Self {
+        Self::splat(self.simd, double)
+    }
+
+    #[inline(always)]
+    fn lane(self, index: usize) -> f64 {
+        self.as_slice()[index]
+    }
+
+    compare! {
+        less less_than_f64s;
+        less_or_equal less_than_or_equal_f64s;
+        equal equal_f64s;
+    }
+
+    #[inline(always)]
+    fn select(truth: Mask<S>, first: Self, second: Self) -> Self {
+        let simd = truth.simd;
+        Self::new(
+            simd,
+            simd.select_f64s(truth.lanes, first.numbers, second.numbers),
+        )
+    }
+
+    #[inline(always)]
+    fn agreed(truth: Mask<S>) -> Option<bool> {
+        let first = |mask: Mask<S>| mask.simd.first_true_m64s(mask.lanes);
+        if first(!truth) >= Self::COUNT {
+            Some(true)
+        } else if first(truth) >= Self::COUNT {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (mut sines, mut cosines) = (self, self);
+        let pair = (
+            cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut sines.numbers)),
+            cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut cosines.numbers)),
+        );
+        for (sine, cosine) in pair.0.iter_mut().zip(pair.1) {
+            (*sine, *cosine) = Scalar::sin_cos(*sine);
+        }
+        (sines, cosines)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self::new(self.simd, self.simd.sqrt_f64s(self.numbers))
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self::new(self.simd, self.simd.abs_f64s(self.numbers))
+    }
+
+    by_lane! { sin cos tan asin acos atan sinh cosh tanh exp ln cbrt signum floor ceil }
+    by_pair! { atan2 powf hypot min max }
+}

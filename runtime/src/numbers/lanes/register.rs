@@ -1,0 +1,73 @@
+//! Registers of doubles, and work that is compiled for one of them.
+
+use pulp::{Simd, WithSimd};
+
+/// A kind of register, which a value of this type proves to be there.
+pub trait Register: Simd {
+    /// What lies in memory as a register should: one across two lines of the cache is read twice.
+    type Aligned: Copy + Send + Sync + 'static;
+
+    /// The proof, if the processor has it.
+    fn detected() -> Option<Self>;
+}
+
+/// One double.
+impl Register for pulp::Scalar {
+    type Aligned = f64;
+
+    fn detected() -> Option<Self> {
+        Some(Self)
+    }
+}
+
+/// Two, four and eight doubles: SSE4.2, AVX2, AVX-512.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+mod x86 {
+    #[cfg(target_arch = "x86")]
+    use core::arch::x86::{__m128d, __m256d, __m512d};
+    #[cfg(target_arch = "x86_64")]
+    use core::arch::x86_64::{__m128d, __m256d, __m512d};
+
+    use pulp::x86::{V2, V3, V4};
+
+    macro_rules! registers {
+        ($($register:ident $aligned:ident)*) => {$(
+            impl super::Register for $register {
+                type Aligned = $aligned;
+
+                fn detected() -> Option<Self> {
+                    Self::try_new()
+                }
+            }
+        )*};
+    }
+
+    registers! { V2 __m128d V3 __m256d V4 __m512d }
+}
+
+/// Work that is done in lanes. Its function, and all that it calls, is to be inlined, so that it is
+/// compiled for the register.
+pub trait Work {
+    /// What comes out.
+    type Output;
+
+    /// Does it.
+    fn run<S: Register>(self, simd: S) -> Self::Output;
+}
+
+/// Does some work in a register, in a function of its own that is compiled for it.
+pub(super) fn run_in<S: Register, W: Work>(simd: S, work: W) -> W::Output {
+    simd.vectorize(Compiled(simd, work))
+}
+
+/// Work for a register.
+struct Compiled<S, W>(S, W);
+
+impl<S: Register, W: Work> WithSimd for Compiled<S, W> {
+    type Output = W::Output;
+
+    #[inline(always)]
+    fn with_simd<Same: Simd>(self, _: Same) -> W::Output {
+        self.1.run(self.0)
+    }
+}

@@ -1,0 +1,75 @@
+//! What a constructor checks, and a motion that has ended.
+
+use nalgebra::Matrix3;
+
+use crate::bodies::body::InvalidBody;
+use crate::mechanics::inertia::check_turning;
+use crate::numbers::scalar::Scalar;
+
+/// Every parameter by its name: all must be finite.
+///
+/// # Errors
+/// [`InvalidBody::NotFinite`] with the first that is not.
+pub fn check_finite<T: Scalar>(params: &[(&'static str, T)]) -> Result<(), InvalidBody> {
+    for &(name, value) in params {
+        if let Some(value) = find(value, |value| !value.is_finite()) {
+            return Err(InvalidBody::NotFinite { name, value });
+        }
+    }
+    Ok(())
+}
+
+/// The mass \[kg\]: finite and positive.
+///
+/// # Errors
+/// [`InvalidBody::Mass`].
+pub fn check_mass<T: Scalar>(value: T) -> Result<(), InvalidBody> {
+    match find(value, |value| !is_positive(value)) {
+        Some(value) => Err(InvalidBody::Mass { value }),
+        None => Ok(()),
+    }
+}
+
+/// The moment of inertia of a planar body, or of a rod \[kg m²\]: finite and positive.
+///
+/// # Errors
+/// [`InvalidBody::PlanarInertia`].
+pub fn check_planar_inertia<T: Scalar>(value: T) -> Result<(), InvalidBody> {
+    match find(value, |value| !is_positive(value)) {
+        Some(value) => Err(InvalidBody::PlanarInertia { value }),
+        None => Ok(()),
+    }
+}
+
+/// The entries xx, yy, zz, xy, yz, zx of an inertia tensor \[kg m²\]: that of a possible body, and
+/// invertible.
+///
+/// # Errors
+/// [`InvalidBody::Inertia`] with the violated condition.
+pub fn check_inertia<T: Scalar>(entries: [T; 6]) -> Result<(), InvalidBody> {
+    for lane in 0..T::LANES {
+        let [xx, yy, zz, xy, yz, zx] = entries.map(|entry| entry.lane(lane));
+        let matrix = Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz);
+        check_turning(&matrix, T::EPSILON)?;
+    }
+    Ok(())
+}
+
+/// The first of the numbers of a scalar that is such.
+fn find<T: Scalar>(scalar: T, is_such: impl Fn(f64) -> bool) -> Option<f64> {
+    (0..T::LANES)
+        .map(|lane| scalar.lane(lane))
+        .find(|value| is_such(*value))
+}
+
+fn is_positive(value: f64) -> bool {
+    value.is_finite() && value > 0.0
+}
+
+/// The first of these loads of which a component is infinite or not a number.
+#[must_use]
+pub fn lost_load<T: Scalar>(loads: &[(&'static str, &[T])]) -> Option<&'static str> {
+    let is_lost = |part: &T| find(*part, |value| !value.is_finite()).is_some();
+    let lost = loads.iter().find(|(_, parts)| parts.iter().any(is_lost));
+    lost.map(|(name, _)| *name)
+}

@@ -1,0 +1,50 @@
+//! All that generated code may name. Not for users: no promise of stability.
+
+pub use nalgebra::{UnitQuaternion, Vector2, Vector3};
+pub use newton_euler_macros::rigid_body;
+
+pub use crate::bodies::body::{
+    Balance, Energy, Flow, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,
+};
+pub use crate::bodies::columns::{Columns, Generic, Sink, Source};
+pub use crate::bodies::constrained::{Constrained, Inconsistent, Violation};
+pub use crate::bodies::operations::{Operations, Stage};
+pub use crate::bodies::structure::{Dependence, Structure, Structured, Symmetry};
+pub use crate::exact::{
+    AxialTorque, Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Path, Pendulum,
+};
+pub use crate::integrate::{
+    ClosedForm, DormandPrince, Integrate, Projected, Switches, TaylorSeries,
+};
+pub use crate::mechanics::load::{Family, Load, PlanarLoad};
+pub use crate::mechanics::wrench::{PlanarWrench, Wrench};
+pub use crate::numbers::math;
+pub use crate::numbers::scalar::Scalar;
+pub use crate::state::{
+    Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod, RodAcceleration, Rotation, Spatial,
+    SpatialAcceleration, State, Translation,
+};
+pub use crate::taylor::{Arithmetic, Axes, Products, Series, Taylor};
+
+/// The types that hold numbers, over any scalar.
+pub mod generic {
+    pub use crate::mechanics::load::generic::*;
+    pub use crate::mechanics::wrench::generic::*;
+    pub use crate::state::generic::*;
+}
+
+mod checks;
+pub mod order;
+mod path;
+mod pivots;
+mod projection;
+pub mod schema;
+
+pub use crate::mechanics::principal::PrincipalAxes;
+pub use checks::{check_finite, check_inertia, check_mass, check_planar_inertia, lost_load};
+pub use path::{
+    axial_torque, lagrange_top, principal_axes, principal_rotation, rotation_about, rotation_along,
+    symmetric_rotation,
+};
+pub use pivots::{determined, reciprocal};
+pub use projection::{Row, Size, check, project};

@@ -1,0 +1,69 @@
+//! The keys of a description, for editors: [`rigid_body!`](crate::rigid_body) names each key that
+//! was written as a field of [`Body`], which gives it hover text, completion and rustc's own hint
+//! for a misspelt one.
+
+/// What a description may contain, in any order.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Body {
+    /// The documentation of the generated type, a string: `doc: "A thrown plank."`.
+    pub doc: (),
+    /// The coordinates that exist: `planar`, `planar_translation`, `spatial`, `translation` or
+    /// `rotation`; of a body that is held, `pivot(P)`, `fixed_point(P)` or
+    /// `fixed_axis(P, direction)`, at the world's origin or `.at(world(..))`; of a slender rod,
+    /// `rod(direction)` with the direction of its axis in the body, such as `rod(body(1, 0, 0))`.
+    pub motion: (),
+    /// The mass: `1.2[kg]`, or an expression of params. The parts of `inertia: compose([..])` have
+    /// it already.
+    pub mass: (),
+    /// The moments of inertia, about G in body axes unless `.about(P)` follows. In the plane and of
+    /// a rod a scalar. In space `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }` (entries
+    /// of the tensor, `xy = -∫xy dm`) or `products { .. }` (positive products of inertia,
+    /// `xy = +∫xy dm`).
+    ///
+    /// Solids have the mass of the body, and z as their axis: `cuboid(a, b, c)`,
+    /// `ellipsoid(a, b, c)`, `sphere(r)`, `shell(r)`, `cylinder(r, h)`, `tube(r1, r2, h)`,
+    /// `cone(r, h)`, `torus(R, r)`, `disc(r)`, `rod(l)`; turned by `.along(direction)` or
+    /// `.turned(axis, angle)`. `compose([cylinder(r, h).mass(m).at(P), point(m).at(Q)])` gives
+    /// mass, G and inertia together.
+    pub inertia: (),
+    /// Constants of a run, with or without a default: `[arm = 0.17[m], gain]`.
+    pub params: (),
+    /// Quantities given at each evaluation: `[thrust[N], wind = world(_, _, _)[m / s]]`.
+    pub inputs: (),
+    /// Points of the body, from G in body axes, or of space:
+    /// `[tip = (0.3, 0, 0), hook = world(0, 0, 2)]`. `G` is there.
+    pub points: (),
+    /// External forces `F_ext`, at G unless `.at(P)` follows:
+    /// `[lift = body(0, 0, thrust).at(front)]`.
+    pub forces: (),
+    /// External moments `M_ext`: `[drag = body(0, 0, -c * angular_velocity.in_body().z)]`.
+    pub moments: (),
+    /// Forces `F_s` that joints pass to this body, written like `forces`.
+    pub joint_forces: (),
+    /// Moments `M_s` that joints pass to this body, written like `moments`.
+    pub joint_moments: (),
+    /// Constraint loads `R_v` and `M_v` on this body: a force, at G unless `.at(P)` follows, or
+    /// `moment(..)`. `_` marks an unknown component, to be solved for:
+    /// `[pin = world(_, _).at(hinge)]`.
+    pub reactions: (),
+    /// Loads `F_f` and `M_f` that stand for fields:
+    /// `[weight = mass * world(0, 0, -9.80665[m / s ^ 2])]`; uniform fields on charges:
+    /// `[electric = world(0, 0, 3)[V / m].on([q.at(tip)])]`.
+    pub fields: (),
+    /// Potentials U, scalars \[J\]; their forces and moments are derived, `F = -∂U/∂R`,
+    /// `K = -∂U/∂φ`: `[spring = 20[N / m] * (tip.position() - hook.position()).norm_squared()]`.
+    pub potentials: (),
+    /// Expressions that the motion keeps at zero, of positions or of velocities, each kept by an
+    /// unknown reaction: `[floor = foot.position().in_world().z]`.
+    pub constraints: (),
+    /// The point that the moment balance is written about: `G` (the default), a point, or
+    /// `world(..)`.
+    pub pole: (),
+    /// Named sub-expressions: `[twist = thrust_1 - thrust_2]`.
+    pub locals: (),
+    /// What to generate beyond the acceleration: `[energy, momentum, balance, reactions, inverse]`.
+    pub outputs: (),
+    /// Statements about this body that fail the build if they are false.
+    pub checks: (),
+}

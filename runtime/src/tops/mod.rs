@@ -1,0 +1,4 @@
+//! Tops: how symmetric bodies precess.
+
+pub mod precession;
+pub mod top;

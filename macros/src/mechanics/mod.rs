@@ -19,7 +19,7 @@ pub use answers::{
 pub use balances::uniform_field;
 pub use closed_forms::{Flow, Free, Turning, derive_flow};
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
-pub use unknowns::{Consistency, Reach, ReactionExpressions, derive_inverse, derive_reach};
+pub use unknowns::{Consistency, Reach, derive_inverse, derive_reach};
 pub use variation::with_potentials;
 
 use std::cell::OnceCell;
@@ -41,7 +41,7 @@ pub struct Equations {
     /// Angular acceleration, body axes; of a rod that of its axis, world axes.
     pub angular: Components,
     /// The unknown loads that go with them, world axes.
-    pub reactions: Vec<ReactionExpressions>,
+    pub reactions: Vec<Components>,
     /// How far a state is from each constraint.
     pub constraints: Vec<Consistency>,
     /// When the equations change by a condition on time.

@@ -5,8 +5,8 @@ use quote::quote;
 use crate::emit::code::{Site, Source, Writer};
 use crate::emit::items::{Addition, write_open};
 use crate::lower::{INVERSE, Offer, is_drive};
-use crate::mechanics::{ReactionExpressions, derive_inverse};
-use crate::symbolic::{Id, Node};
+use crate::mechanics::derive_inverse;
+use crate::symbolic::{Components, Id, Node};
 
 use super::output::{Given, Output};
 
@@ -22,7 +22,7 @@ const OFFER: Offer = Offer {
 };
 
 #[derive(Default)]
-pub struct Inverse(Option<Vec<ReactionExpressions>>);
+pub struct Inverse(Option<Vec<Components>>);
 
 impl Output for Inverse {
     fn offer(&self) -> Option<&'static Offer> {
@@ -36,7 +36,7 @@ impl Output for Inverse {
 
     fn roots(&self) -> Vec<Id> {
         let drives = self.0.iter().flatten();
-        drives.flat_map(|drive| drive.vector).collect()
+        drives.flatten().copied().collect()
     }
 
     /// A `Result` where the configuration may leave drives undetermined.

@@ -5,8 +5,7 @@ use quote::quote;
 use crate::emit::code::{GIVEN, Site, Writer};
 use crate::emit::items::{Addition, write_open};
 use crate::lower::{Offer, is_unknown};
-use crate::mechanics::ReactionExpressions;
-use crate::symbolic::Id;
+use crate::symbolic::{Components, Id};
 
 use super::output::{Given, Output};
 
@@ -23,7 +22,7 @@ const OFFER: Offer = Offer {
 };
 
 #[derive(Default)]
-pub struct Reactions(Option<Vec<ReactionExpressions>>);
+pub struct Reactions(Option<Vec<Components>>);
 
 impl Output for Reactions {
     fn offer(&self) -> Option<&'static Offer> {
@@ -37,7 +36,7 @@ impl Output for Reactions {
 
     fn roots(&self) -> Vec<Id> {
         let reactions = self.0.iter().flatten();
-        reactions.flat_map(|reaction| reaction.vector).collect()
+        reactions.flatten().copied().collect()
     }
 
     /// Under constraints, an error where they do not determine their reactions.

@@ -5,20 +5,19 @@ use quote::{format_ident, quote};
 
 use crate::emit::code::{Method, Writer};
 use crate::families::LoadKind;
-use crate::mechanics::ReactionExpressions;
-use crate::symbolic::Id;
+use crate::symbolic::{Components, Id};
 
 /// `BodyReactions { pin: .., guide: .. }`
 pub fn write_open(
     writer: &Writer<'_>,
     suffix: &str,
     open: &[(Ident, LoadKind)],
-    solved: &[ReactionExpressions],
+    solved: &[Components],
 ) -> Method {
     let shapes = &writer.shapes;
-    let part = |(kind, solved): (LoadKind, &ReactionExpressions)| match kind {
-        LoadKind::Force => shapes.vector_part(&solved.vector).to_vec(),
-        LoadKind::Moment => shapes.moment_part(&solved.vector).to_vec(),
+    let part = |(kind, solved): (LoadKind, &Components)| match kind {
+        LoadKind::Force => shapes.vector_part(solved).to_vec(),
+        LoadKind::Moment => shapes.moment_part(solved).to_vec(),
     };
     let kinds = open.iter().map(|(_, kind)| *kind);
     let outputs: Vec<Id> = kinds.zip(solved).flat_map(part).collect();

@@ -2,7 +2,6 @@
 
 use crate::families::{Family, LoadKind};
 use crate::mechanics::balances::{arm, moments_about, resultant};
-use crate::mechanics::unknowns::ReactionExpressions;
 use crate::model::{Frame, Inertia, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
@@ -42,11 +41,7 @@ pub struct LoadExpressions {
 }
 
 /// Under constraints, loads may depend on reactions: these are what was `solved` for.
-pub fn derive_balance(
-    model: &Model,
-    work: &mut Workspace,
-    solved: &[ReactionExpressions],
-) -> Balance {
+pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]) -> Balance {
     let force = resultant(work, &model.loads);
     let center = Point::Body(work.graph.zeros());
     let moments = moments_about(model, work, &model.loads, center);
@@ -78,19 +73,14 @@ pub fn derive_balance(
 }
 
 /// Puts the reactions that were solved for into the given loads that depend on them.
-fn solve_loads(
-    model: &Model,
-    work: &mut Workspace,
-    balance: &mut Balance,
-    solved: &[ReactionExpressions],
-) {
+fn solve_loads(model: &Model, work: &mut Workspace, balance: &mut Balance, solved: &[Components]) {
     let symbols = model
         .reactions
         .iter()
         .map(|reaction| reaction.symbols.world);
     let values: Vec<(Id, Id)> = symbols
         .zip(solved)
-        .flat_map(|(symbols, value)| symbols.into_iter().zip(value.vector))
+        .flat_map(|(symbols, value)| symbols.into_iter().zip(*value))
         .collect();
     let graph = &mut work.graph;
     let own = [&mut balance.applied.force, &mut balance.applied.moment];

@@ -15,14 +15,14 @@ use super::left_over::balances_left;
 use super::reactions::assemble;
 use super::reactions::solve_unknowns;
 use super::solvability::check_determined;
-use super::unknown::{ReactionExpressions, Row, Unmoved};
+use super::unknown::{Row, Unmoved};
 
 /// Solves for the drives, each in the axes in which it is written.
 pub fn derive_inverse(
     model: &Model,
     work: &mut Workspace,
     errors: &mut Errors,
-) -> Option<Vec<ReactionExpressions>> {
+) -> Option<Vec<Components>> {
     let mut rows = free_balances(model, work);
     if !model.reactions.is_empty() {
         rows.extend(balances_left(model, work));
@@ -42,7 +42,7 @@ pub fn derive_inverse(
         let components = work.components(vector, drive.frame);
         let vector = work.graph.results(components);
         work.labels.vector(&drive.name.to_string(), vector);
-        ReactionExpressions { vector }
+        vector
     });
     Some(drives.collect())
 }

@@ -11,6 +11,7 @@ mod fraction;
 mod lower;
 mod mechanics;
 mod model;
+mod outputs;
 mod range;
 mod symbolic;
 mod syntax;

@@ -21,6 +21,8 @@ mod lower;
 mod mechanics;
 #[path = "../../macros/src/model/mod.rs"]
 mod model;
+#[path = "../../macros/src/outputs/mod.rs"]
+mod outputs;
 #[path = "../../macros/src/range.rs"]
 mod range;
 #[path = "../../macros/src/symbolic/mod.rs"]

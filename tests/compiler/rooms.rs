@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each room may import of the others.
-const ROOMS: [(&str, &[&str]); 11] = [
+const ROOMS: [(&str, &[&str]); 12] = [
     ("errors", &[]),
     ("families", &[]),
     ("fraction", &[]),
@@ -22,8 +22,28 @@ const ROOMS: [(&str, &[&str]); 11] = [
     ("range", &["errors", "symbolic", "model"]),
     ("emit", &["families", "symbolic", "model", "mechanics"]),
     (
+        "outputs",
+        &[
+            "errors",
+            "families",
+            "symbolic",
+            "model",
+            "lower",
+            "mechanics",
+            "emit",
+        ],
+    ),
+    (
         "expand",
-        &["errors", "syntax", "lower", "mechanics", "range", "emit"],
+        &[
+            "errors",
+            "syntax",
+            "lower",
+            "mechanics",
+            "range",
+            "emit",
+            "outputs",
+        ],
     ),
 ];
 /// Files of a folder, its face not counted.

@@ -1,71 +1,67 @@
 //! From equations to tokens. Nothing can fail here.
 //!
-//! The only room that names the runtime: everything goes through the path that the wrapper of the
-//! macro passes, so that a renamed dependency or a re-export works.
+//! The only room, with the outputs above it, that names the runtime: everything goes through the
+//! path that the wrapper of the macro passes, so that a renamed dependency or a re-export works.
 
-mod batch;
-mod code;
-mod columns;
-mod consistency;
-mod constructor;
-mod docs;
-mod expression;
-mod flow;
-mod functions;
-mod implementations;
-mod items;
-mod lints;
-mod naming;
-mod paths;
-mod reads;
-mod scalar;
-mod shapes;
-mod structure;
-mod taylor;
-mod taylor_names;
-mod text;
+pub mod code;
+pub mod items;
+pub mod series;
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::mechanics::Equations;
+use crate::mechanics::{Equations, Report};
 use crate::model::{Model, Outline, Workspace};
 
-use constructor::Constructor;
-use functions::Functions;
+use code::{Site, Writer};
+use items::{Addition, Constructor, Documentation, Roots};
 
-/// The type of a body, its parameters and inputs, and all that it implements.
-pub fn emit_body(
-    outline: &Outline,
-    model: &Model,
-    work: &Workspace,
-    equations: &Equations,
-) -> TokenStream {
-    let meant = (model, work);
-    let fields = constructor::stored_fields(outline, meant, equations);
-    let functions = Functions::write(outline, meant, equations, &fields);
-    let constructor = Constructor::write(outline, meant, equations, &fields);
-    let documentation = docs::Documentation::write(outline, &functions, &constructor, equations);
-    let items = items::emit_items(outline, &constructor, &documentation);
-    let implementations = implementations::emit_implementations(outline, &functions);
-    let structure = structure::emit_structure(outline, Some(&equations.structure));
-    let columns = columns::emit_columns(outline, &constructor);
-    let checks = items::emit_checks(outline);
-    let all =
-        items::with_private_fields(outline, quote!(#items #implementations #structure #columns));
-    quote!(#all #checks)
+/// What a description without mistakes has beside its outline.
+pub struct Sound {
+    pub model: Model,
+    pub work: Workspace,
+    pub equations: Equations,
+    pub report: Report,
+    pub roots: Roots,
 }
 
-/// The same items for a description with mistakes, so that nothing else turns red: they compile
-/// and do nothing.
-pub fn emit_stub(outline: &Outline) -> TokenStream {
-    let constructor = Constructor::stub();
-    let items = items::emit_items(outline, &constructor, &docs::Documentation::stub(outline));
-    let implementations = implementations::emit_implementations(outline, &Functions::stub(outline));
-    let structure = structure::emit_structure(outline, None);
-    let columns = columns::emit_columns(outline, &constructor);
+impl Sound {
+    pub fn meant(&self) -> (&Model, &Workspace) {
+        (&self.model, &self.work)
+    }
+}
+
+/// The type of a body, its parameters and inputs, and all that it implements; `add` writes what is
+/// asked for beyond the accelerations. For a description with mistakes they are the same items, so
+/// that nothing else turns red: they compile and do nothing.
+pub fn emit_body(
+    outline: &Outline,
+    sound: Option<&Sound>,
+    add: impl FnOnce(&Site<'_>) -> Addition,
+) -> TokenStream {
+    let fields = sound.map(|sound| items::stored_fields(outline, sound.meant(), &sound.roots));
+    let fields = fields.unwrap_or_default();
+    let writer = sound.map(|sound| Writer::new(outline, sound.meant(), &fields));
+    let site = Site::new(outline, writer);
+    let equations = sound.map(|sound| &sound.equations);
+    let acceleration = items::write_acceleration(&site, equations);
+    let addition = add(&site);
+    let (constructor, documentation) = match sound {
+        None => (Constructor::stub(), Documentation::stub(outline)),
+        Some(sound) => {
+            let built = Constructor::write(outline, sound.meant(), &sound.roots, &fields);
+            let report = &sound.report;
+            let said = Documentation::write(outline, &acceleration, &built, report, &addition);
+            (built, said)
+        }
+    };
+    let items = items::emit_items(outline, &constructor, &documentation);
+    let rigid_body = items::emit_rigid_body(&site, &acceleration, equations);
+    let integrate = items::emit_integrate(&site, addition.best);
+    let added = &addition.implementations;
+    let columns = items::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);
-    let all =
-        items::with_private_fields(outline, quote!(#items #implementations #structure #columns));
+    let all = quote!(#items #rigid_body #integrate #added #columns);
+    let all = items::with_private_fields(outline, all);
     quote!(#all #checks)
 }

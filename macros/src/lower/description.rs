@@ -2,11 +2,11 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, Extent};
-use crate::lower::definitions::check_names;
+use crate::errors::Errors;
+use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Lowering, Scope, is_drive, is_unknown};
 use crate::model::{
-    Declared, Labels, Load, Meanings, Model, Outline, Output, Reaction, Workspace, state_symbols,
+    Declared, Labels, Load, Meanings, Model, Outline, Reaction, Workspace, state_symbols,
 };
 use crate::symbolic::Graph;
 use crate::syntax::Description;
@@ -58,7 +58,7 @@ pub fn lower_description(
         .filter(|load| load.charges.is_none());
     let (unknown, given): (Vec<_>, Vec<_>) = plain.partition(|load| is_unknown(load));
     let (driving, given): (Vec<_>, Vec<_>) = given.into_iter().partition(|load| is_drive(load));
-    let is_asked_for = outline.outputs.contains(&Output::Inverse);
+    let is_asked_for = outline.rank(INVERSE).is_some();
     let drives: Vec<Option<Reaction>> = driving
         .into_iter()
         .map(|load| lowering.drive(load, is_asked_for))
@@ -78,7 +78,7 @@ pub fn lower_description(
     let reactions = reactions.into_iter().collect::<Option<Vec<_>>>();
     let (inertia, loads, reactions, pole) = (inertia?, loads?, reactions?, pole?);
     let (potentials, constraints) = (potentials?, constraints?);
-    let (motion, outputs) = (outline.motion, outline.outputs.clone());
+    let motion = outline.motion;
     let model = Model {
         motion,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
@@ -92,9 +92,6 @@ pub fn lower_description(
         drives: drives.into_iter().collect::<Option<Vec<_>>>()?,
         constraints,
         pole,
-        outputs,
-        flow: place_of_output(description, "flow"),
-        taylor: place_of_output(description, "taylor"),
         defaults,
     };
     name_properties(&model, &mut work.labels);
@@ -136,10 +133,4 @@ fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
         .filter(|name| !scope.is_used(name))
         .cloned()
         .collect()
-}
-
-/// Where an output is asked for.
-fn place_of_output(description: &Description, output: &str) -> Option<Extent> {
-    let word = description.outputs.iter().find(|word| *word == output);
-    word.map(|word| word.span().into())
 }

@@ -6,5 +6,6 @@ mod expressions;
 mod inertia;
 mod loads;
 
-pub use definitions::outline;
+pub use definitions::{INVERSE, Offer, outline};
 pub use description::lower_description;
+pub use expressions::{is_drive, is_unknown};

@@ -8,8 +8,8 @@ mod kinematics;
 mod words;
 
 pub use body::{
-    Charges, Composed, Constraint, Declared, Defaults, ENTRIES, Form, Inertia, Level, Load, Mass,
-    Matrix, Outline, Output, Potential, Potentials, Reaction, SOLIDS, Solid, Violation, is_flat,
+    Asked, Charges, Composed, Constraint, Declared, Defaults, ENTRIES, Form, Inertia, Level, Load,
+    Mass, Matrix, Outline, Potential, Potentials, Reaction, SOLIDS, Solid, Violation, is_flat,
     is_possible, is_solid, least_moment, matrix, thinnest, words,
 };
 pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};
@@ -20,7 +20,6 @@ pub use words::{AXES, Dimension, Doubtful, Labels, Meaning, Meanings, shown, why
 
 use body::entries;
 
-use crate::errors::Extent;
 use crate::symbolic::{Components, Graph, Id};
 
 /// A description, understood.
@@ -43,11 +42,6 @@ pub struct Model {
     /// What the motion keeps at zero, by scalars.
     pub constraints: Vec<Constraint>,
     pub pole: Point,
-    pub outputs: Vec<Output>,
-    /// Where the closed form of the motion is asked for.
-    pub flow: Option<Extent>,
-    /// Where Taylor series are asked for.
-    pub taylor: Option<Extent>,
     /// The values of the parameters that have a default.
     pub defaults: Defaults,
 }

@@ -15,7 +15,7 @@ use crate::trials::{Case, Refuted};
 use crate::wide::Wide;
 
 pub fn flow(case: &Case<'_>, sample: &Sample, known: &Answer, refuted: &mut Refuted) {
-    let Some(flow) = &case.compiled.equations.flow else {
+    let Some(flow) = &case.compiled.flow else {
         return;
     };
     let read = |ids: &[Id]| case.compiled.values(case.body, ids, &sample.given);

@@ -2,8 +2,11 @@
 
 use fuzz::errors::Errors;
 use fuzz::lower::{lower_description, outline};
-use fuzz::mechanics::{Equations, derive_equations, with_potentials};
+use fuzz::mechanics::{
+    Equations, Flow, Structure, derive_equations, derive_flow, describe_equations, with_potentials,
+};
 use fuzz::model::{Meaning, Model, Workspace};
+use fuzz::outputs::{derive_outputs, offers};
 use fuzz::symbolic::{Id, Node};
 use fuzz::syntax::parse_description;
 use proc_macro2::TokenStream;
@@ -16,6 +19,12 @@ pub struct Compiled {
     pub model: Model,
     pub work: Workspace,
     pub equations: Equations,
+    /// What integrators are told.
+    pub structure: Structure,
+    /// What the equations are said not to contain.
+    pub skipped: Vec<String>,
+    /// The motion in closed form, if it is asked for.
+    pub flow: Option<Flow>,
 }
 
 impl Compiled {
@@ -27,14 +36,24 @@ impl Compiled {
         let mut errors = Errors::default();
         let described = parse_description(tokens, &mut errors);
         let solved = described.and_then(|description| {
-            let mut outline = outline(&description, &mut errors);
+            let mut outline = outline(&description, &offers(), &mut errors);
             let (model, mut work) = lower_description(&description, &mut outline, &mut errors)?;
             let model = with_potentials(model, &mut work);
             let equations = derive_equations(&model, &mut work, &mut errors)?;
+            derive_outputs(&outline, &model, &mut work, &equations, &mut errors)?;
+            let (linear, angular) = (&equations.linear, &equations.angular);
+            let flow = outline.place("flow").and_then(|place| {
+                derive_flow(&model, &mut work, place, linear, angular, &mut errors)
+            });
+            let structure = equations.structure(&model, &mut work).clone();
+            let skipped = describe_equations(&model, &mut work, &equations).skipped;
             Some(Self {
                 model,
                 work,
                 equations,
+                structure,
+                skipped,
+                flow,
             })
         });
         match (errors.finish(), solved) {

@@ -102,7 +102,7 @@ mod tests {
     fn wrong_claims_are_refuted() {
         let (wrong, seen) = planted(0..100, |body, compiled| {
             let turns = !layout::Layout::of(&body.motion).turning.is_empty();
-            let is_claimed = &mut compiled.equations.structure.is_torque_free;
+            let is_claimed = &mut compiled.structure.is_torque_free;
             turns && !std::mem::replace(is_claimed, true)
         });
         assert!(wrong > 20 && seen * 10 > wrong * 6, "{seen} of {wrong}");

@@ -44,7 +44,7 @@ impl Report {
     }
 
     pub fn count(&mut self, compiled: &Compiled, body: &Body) {
-        let structure = &compiled.equations.structure;
+        let structure = &compiled.structure;
         let mut claims = Vec::new();
         if structure.is_force_free && crate::layout::translates(body) {
             claims.push("is_force_free".to_owned());
@@ -69,14 +69,14 @@ impl Report {
                 }
             }
         }
-        if let Some(flow) = &compiled.equations.flow {
+        if let Some(flow) = &compiled.flow {
             claims.extend(
                 flow.describe(compiled.model.motion)
                     .into_iter()
                     .map(|line| format!("flow: {line}")),
             );
         }
-        for line in &compiled.equations.skipped {
+        for line in &compiled.skipped {
             if skipped::is_tried(line, body) {
                 let line = kind(line);
                 claims.push(format!("skipped: {line}"));

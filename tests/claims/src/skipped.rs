@@ -29,7 +29,7 @@ pub fn skipped(
     source: &mut Source,
     refuted: &mut Refuted,
 ) {
-    for line in &case.compiled.equations.skipped {
+    for line in &case.compiled.skipped {
         if let Some((parts, _)) = line.split_once(": the accelerations do not depend on") {
             for part in parts.split(", ") {
                 unread(case, sample, known, part, source, refuted);

@@ -117,7 +117,7 @@ pub fn nothing(name: &str, vector: Vector, refuted: &mut Refuted) {
 }
 
 pub fn zeros(case: &Case<'_>, known: &Answer, refuted: &mut Refuted) {
-    let structure = &case.compiled.equations.structure;
+    let structure = &case.compiled.structure;
     if structure.is_force_free && translates(case.body) {
         nothing("is_force_free", known.linear, refuted);
     }
@@ -178,7 +178,7 @@ pub fn reads(
     source: &mut Source,
     refuted: &mut Refuted,
 ) {
-    let structure = &case.compiled.equations.structure;
+    let structure = &case.compiled.structure;
     let all =
         |which: &dyn Fn(&Dependence) -> bool| which(&structure.linear) && which(&structure.angular);
     for (index, name) in QUANTITIES.iter().enumerate() {
@@ -272,7 +272,7 @@ pub fn symmetries(
     if is_hinged(case.body) {
         return;
     }
-    let structure = &case.compiled.equations.structure;
+    let structure = &case.compiled.structure;
     let parts = [
         ("linear", &structure.linear),
         ("angular", &structure.angular),
@@ -320,7 +320,7 @@ pub fn symmetries(
 
 /// A motion that begins in a plane stays in it.
 pub fn planes(case: &Case<'_>, sample: &Sample, refuted: &mut Refuted) {
-    let structure = &case.compiled.equations.structure;
+    let structure = &case.compiled.structure;
     for axis in (0..3).filter(|axis| structure.planes[*axis]) {
         let layout = Layout::of(&case.body.motion);
         let mut instant = sample.instant.clone();

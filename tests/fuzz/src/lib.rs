@@ -30,6 +30,8 @@ pub mod lower;
 pub mod mechanics;
 #[path = "../../../macros/src/model/mod.rs"]
 pub mod model;
+#[path = "../../../macros/src/outputs/mod.rs"]
+pub mod outputs;
 #[path = "../../../macros/src/range.rs"]
 pub mod range;
 #[path = "../../../macros/src/symbolic/mod.rs"]

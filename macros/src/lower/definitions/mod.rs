@@ -9,4 +9,4 @@ mod support;
 
 pub use names::check_names;
 pub use order::{Definition, definition_order};
-pub use outline::outline;
+pub use outline::{INVERSE, Offer, outline};

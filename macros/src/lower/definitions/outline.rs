@@ -10,15 +10,42 @@ use crate::families::LoadKind;
 use crate::lower::expressions::{
     has_placeholder, is_drive, is_turning_drive, is_unknown, motion, written_frame, written_motion,
 };
-use crate::model::{Declared, Dimension, Joint, MOTIONS, Motion, Outline, Output, PLANAR, SPATIAL};
+use crate::model::{Asked, Declared, Dimension, Joint, MOTIONS, Motion, Outline, PLANAR, SPATIAL};
 use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
 /// Outputs of later versions.
 const LATER: [&str; 2] = ["linearization", "sensitivity"];
 
+/// The output that solves for drives: without it, none may be unknown.
+pub const INVERSE: &str = "inverse";
+
+/// An output that a description may ask for, beyond the accelerations.
+pub struct Offer {
+    pub word: &'static str,
+    /// Why a description cannot ask for it, and what to write instead.
+    pub obstacle: fn(&Description) -> Option<&'static str>,
+    /// Whether a description that does not ask for it is told so.
+    pub is_missed: fn(&Outline) -> bool,
+}
+
+impl Offer {
+    /// Of every description, and none is told if it does not ask for it.
+    pub const fn new(word: &'static str) -> Self {
+        Self {
+            word,
+            obstacle: |_| None,
+            is_missed: |_| false,
+        }
+    }
+}
+
 /// The outline of `description`; without a valid motion it is taken to be the most likely one.
-pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
+pub fn outline(
+    description: &Description,
+    offers: &[&'static Offer],
+    errors: &mut Errors,
+) -> Outline {
     check_motion(description, errors);
     let motion = written_motion(description).unwrap_or_else(|| likely_motion(description));
     let declared = |declaration: &Declaration| {
@@ -45,7 +72,7 @@ pub fn outline(description: &Description, errors: &mut Errors) -> Outline {
         motion,
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
-        outputs: check_outputs(description, errors),
+        outputs: check_outputs(description, offers, errors),
         reactions: by_name(description, is_unknown),
         drives: by_name(description, is_drive),
         has_turning_drive: description.loads.iter().any(is_turning_drive)
@@ -166,53 +193,41 @@ fn is_reported(description: &Description) -> bool {
     !description.lost.is_empty() || description.loads.iter().any(wrong)
 }
 
-fn check_outputs(description: &Description, errors: &mut Errors) -> Vec<Output> {
-    let mut outputs = Vec::new();
+fn check_outputs(
+    description: &Description,
+    offers: &[&'static Offer],
+    errors: &mut Errors,
+) -> Vec<Asked> {
+    let mut outputs: Vec<Asked> = Vec::new();
     for word in &description.outputs {
-        let written = word.to_string();
-        match Output::ALL.iter().find(|(known, _)| *known == written) {
-            Some((_, output)) if outputs.contains(output) => {
-                errors.push(word.span(), format!("`{written}` is asked for twice"));
-            }
-            Some((_, Output::Reactions))
-                if !description.loads.iter().any(is_unknown) && !is_reported(description) =>
-            {
-                errors.push(
-                    word.span(),
-                    "there are no unknown reactions: leave components open, as in `reactions: \
-                     [pin = world(_, _).at(P)]`",
-                );
-            }
-            Some((_, Output::Inverse))
-                if !description.loads.iter().any(is_drive) && !is_reported(description) =>
-            {
-                errors.push(
-                    word.span(),
-                    "there are no unknown drives: leave components open, as in `moments: [motor = \
-                     body(0, 0, _)]`",
-                );
-            }
-            Some((_, output)) => outputs.push(*output),
-            None if LATER.contains(&written.as_str()) => {
-                errors.push(
-                    word.span(),
-                    format!(
-                        "`{written}` is part of the language, but this version does not have it yet"
-                    ),
-                );
-            }
-            None => {
-                let words = Output::ALL.iter().map(|(word, _)| *word);
-                let all = words.clone().collect::<Vec<_>>().join("`, `");
-                errors.push(
-                    word.span(),
-                    format!(
-                        "unknown output `{written}`: expected one of `{all}`{}",
-                        hint(&written, words)
-                    ),
-                );
-            }
+        let (written, place) = (word.to_string(), word.span());
+        let Some(offer) = offers.iter().find(|offer| offer.word == written) else {
+            errors.push(place, unknown_output(&written, offers));
+            continue;
+        };
+        let obstacle = (offer.obstacle)(description).filter(|_| !is_reported(description));
+        if outputs.iter().any(|asked| asked.word == written) {
+            errors.push(place, format!("`{written}` is asked for twice"));
+        } else if let Some(obstacle) = obstacle {
+            errors.push(place, obstacle);
+        } else {
+            outputs.push(Asked {
+                word: offer.word,
+                place: place.into(),
+            });
         }
     }
     outputs
+}
+
+fn unknown_output(written: &str, offers: &[&'static Offer]) -> String {
+    if LATER.contains(&written) {
+        return format!(
+            "`{written}` is part of the language, but this version does not have it yet"
+        );
+    }
+    let words = offers.iter().map(|offer| offer.word);
+    let all = words.clone().collect::<Vec<_>>().join("`, `");
+    let hint = hint(written, words);
+    format!("unknown output `{written}`: expected one of `{all}`{hint}")
 }

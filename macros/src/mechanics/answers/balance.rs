@@ -2,7 +2,6 @@
 
 use crate::families::{Family, LoadKind};
 use crate::mechanics::balances::{arm, moments_about, resultant};
-use crate::mechanics::unknowns::ReactionExpressions;
 use crate::model::{Frame, Inertia, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
@@ -21,6 +20,16 @@ pub struct Resultant {
     pub moment: Components,
 }
 
+impl Balance {
+    pub fn roots(&self) -> Vec<Id> {
+        let wrenches = [&self.applied, &self.residual].into_iter();
+        let resultants = wrenches.flat_map(|wrench| [wrench.force, wrench.moment]);
+        let loads = self.loads.iter();
+        let loads = loads.flat_map(|load| [load.force, load.point, load.moment]);
+        resultants.chain(loads).flatten().collect()
+    }
+}
+
 /// One load, world axes.
 pub struct LoadExpressions {
     pub name: String,
@@ -31,7 +40,8 @@ pub struct LoadExpressions {
     pub moment: Components,
 }
 
-pub fn derive_balance(model: &Model, work: &mut Workspace) -> Balance {
+/// Under constraints, loads may depend on reactions: these are what was `solved` for.
+pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]) -> Balance {
     let force = resultant(work, &model.loads);
     let center = Point::Body(work.graph.zeros());
     let moments = moments_about(model, work, &model.loads, center);
@@ -51,27 +61,26 @@ pub fn derive_balance(model: &Model, work: &mut Workspace) -> Balance {
     let residual = in_world(work, force, about_pole);
 
     let loads = list_loads(model, work);
-    Balance {
+    let mut balance = Balance {
         applied,
         residual,
         loads,
+    };
+    if !model.constraints.is_empty() {
+        solve_loads(model, work, &mut balance, solved);
     }
+    balance
 }
 
 /// Puts the reactions that were solved for into the given loads that depend on them.
-pub fn solve_loads(
-    model: &Model,
-    work: &mut Workspace,
-    balance: &mut Balance,
-    solved: &[ReactionExpressions],
-) {
+fn solve_loads(model: &Model, work: &mut Workspace, balance: &mut Balance, solved: &[Components]) {
     let symbols = model
         .reactions
         .iter()
         .map(|reaction| reaction.symbols.world);
     let values: Vec<(Id, Id)> = symbols
         .zip(solved)
-        .flat_map(|(symbols, value)| symbols.into_iter().zip(value.vector))
+        .flat_map(|(symbols, value)| symbols.into_iter().zip(*value))
         .collect();
     let graph = &mut work.graph;
     let own = [&mut balance.applied.force, &mut balance.applied.moment];

@@ -9,7 +9,7 @@ mod switches;
 mod taylor;
 
 pub use axes::Axes;
-pub use balance::{Balance, LoadExpressions, Resultant, derive_balance, solve_loads};
+pub use balance::{Balance, LoadExpressions, Resultant, derive_balance};
 pub use energy::{Energy, derive_energy};
 pub use momentum::{Momentum, derive_momentum};
 pub use partial::{Partial, list_partial};

@@ -35,16 +35,15 @@ impl Taylor {
     }
 }
 
-/// The recurrences, if they were asked for and exist.
+/// The recurrences, if they exist; what is in their way is reported where they are asked for.
 pub fn derive_taylor(
     model: &Model,
     work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
+    asked: Extent,
+    (linear, angular): (&Components, &Components),
     structure: &Structure,
     errors: &mut Errors,
 ) -> Option<Taylor> {
-    let asked = model.taylor?;
     let axes = axes::derive_axes(model, work, structure);
     let (turning, angular) = match &axes {
         Some(axes) => (axes.rate, axes.acceleration(model, work, angular)),

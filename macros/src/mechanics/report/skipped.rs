@@ -1,9 +1,8 @@
 //! What the equations of a body do not contain, and why: the text of `SKIPPED`.
 
-use crate::families::Family;
-use crate::mechanics::balances::{inertia_about_center, uniform_field};
+use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::structure::{Structure, Symmetry};
-use crate::model::{AXES, Inertia, Meaning, Model, Output, Workspace};
+use crate::model::{AXES, Inertia, Meaning, Model, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::skipped_loads::skip_loads;
@@ -21,19 +20,6 @@ pub fn list_skipped(
     skip_spin(model, structure, &mut skipped);
     skip_loads(model, work, linear, angular, &mut skipped);
     skip_state(model, work, linear, angular, &mut skipped);
-    if model.outputs.contains(&Output::Energy) {
-        let others = model.loads.iter().filter(|load| {
-            let has_energy = load.potential.is_some() || uniform_field(model, work, load).is_some();
-            load.family == Family::Field && !has_energy
-        });
-        skipped.extend(others.map(|load| {
-            format!(
-                "`{}` in the potential energy: it is not a uniform field on a point of the body",
-                load.name
-            )
-        }));
-    }
-    skip_outputs(model, &mut skipped);
     skipped
 }
 
@@ -53,25 +39,6 @@ fn skip_spin(model: &Model, structure: &Structure, skipped: &mut Vec<String>) {
     skipped.push(format!(
         "the angular acceleration about {name}: nothing turns the body about its axis of symmetry"
     ));
-}
-
-/// What may be asked for and was not.
-fn skip_outputs(model: &Model, skipped: &mut Vec<String>) {
-    let has_reactions = !model.reactions.is_empty();
-    let offered = [
-        (Output::Energy, "energy", true),
-        (Output::Momentum, "momentum", true),
-        (Output::Balance, "balance", true),
-        (Output::Reactions, "reactions", has_reactions),
-    ];
-    let absent: Vec<&str> = offered
-        .into_iter()
-        .filter(|(output, _, exists)| *exists && !model.outputs.contains(output))
-        .map(|(_, name, _)| name)
-        .collect();
-    if !absent.is_empty() {
-        skipped.push(format!("{}: not in `outputs`", absent.join(", ")));
-    }
 }
 
 fn skip_equations(model: &Model, skipped: &mut Vec<String>) {

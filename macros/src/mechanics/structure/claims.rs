@@ -11,6 +11,7 @@ use crate::symbolic::{Components, Id, Node, Number};
 use super::symmetry::{Space, Symmetry, symmetries};
 
 /// What an integrator can know of a body.
+#[derive(Clone)]
 pub struct Structure {
     pub linear: Dependence,
     pub angular: Dependence,
@@ -27,6 +28,7 @@ pub struct Structure {
 }
 
 /// What one of the accelerations depends on.
+#[derive(Clone)]
 pub struct Dependence {
     /// In the order of [`QUANTITIES`].
     pub reads: [bool; 6],

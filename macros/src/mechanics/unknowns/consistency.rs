@@ -13,6 +13,7 @@ use crate::symbolic::{Components, Function, Graph, Id, Node};
 use super::constrained::Constrained;
 
 /// One constraint, as the runtime is told of it.
+#[derive(Clone)]
 pub struct Consistency {
     pub name: String,
     /// `g`, and the size of what it is summed from.

@@ -24,14 +24,13 @@ use super::left_over::balances_left;
 use super::pushes::{Push, given_loads, pushes};
 use super::redundancy::{check_elimination, check_independent};
 use super::rod::check_across;
-use super::unknown::ReactionExpressions;
 
 /// The motion under constraints.
 pub struct Solved {
     pub linear: Components,
     pub angular: Components,
     pub constraints: Vec<Constrained>,
-    pub reactions: Vec<ReactionExpressions>,
+    pub reactions: Vec<Components>,
 }
 
 /// Accelerations and reactions of a body with constraints.
@@ -293,7 +292,7 @@ fn assemble(
     work: &mut Workspace,
     pushes: &[Push],
     values: &[Id],
-) -> Vec<ReactionExpressions> {
+) -> Vec<Components> {
     let mut vectors = Vec::new();
     for index in 0..model.reactions.len() {
         let reaction = &model.reactions[index];
@@ -310,7 +309,7 @@ fn assemble(
         let vector = work.components(whole, Frame::World);
         let vector = work.graph.results(vector);
         work.labels.vector(&name, vector);
-        vectors.push(ReactionExpressions { vector });
+        vectors.push(vector);
     }
     vectors
 }

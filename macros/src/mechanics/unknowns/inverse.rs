@@ -7,24 +7,21 @@
 
 use crate::errors::Errors;
 use crate::families::LoadKind;
-use crate::model::{Meaning, Model, Output, Reaction, Vector, Workspace};
+use crate::model::{Meaning, Model, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;
 use super::left_over::balances_left;
 use super::reactions::{assemble, solve_unknowns};
 use super::solvability::check_determined;
-use super::unknown::{ReactionExpressions, Row, Unmoved};
+use super::unknown::{Row, Unmoved};
 
 /// Solves for the drives, each in the axes in which it is written.
 pub fn derive_inverse(
     model: &Model,
     work: &mut Workspace,
     errors: &mut Errors,
-) -> Option<Vec<ReactionExpressions>> {
-    if !model.outputs.contains(&Output::Inverse) {
-        return Some(Vec::new());
-    }
+) -> Option<Vec<Components>> {
     let mut rows = free_balances(model, work);
     if !model.reactions.is_empty() {
         rows.extend(balances_left(model, work));
@@ -44,7 +41,7 @@ pub fn derive_inverse(
         let components = work.components(vector, drive.frame);
         let vector = work.graph.results(components);
         work.labels.vector(&drive.name.to_string(), vector);
-        ReactionExpressions { vector }
+        vector
     });
     Some(drives.collect())
 }

@@ -19,4 +19,3 @@ pub use consistency::{Consistency, Reach, derive_consistency, derive_reach};
 pub use constraints::derive_constrained;
 pub use inverse::derive_inverse;
 pub use reactions::derive_reactions;
-pub use unknown::ReactionExpressions;

@@ -18,7 +18,7 @@ use crate::symbolic::{Components, Equation, Id};
 use super::inertial::balances_without_unknowns;
 use super::left_over::balances_left;
 use super::solvability::{check_solution, check_workless};
-use super::unknown::{ReactionExpressions, Row, Solved, Unknown, Unmoved};
+use super::unknown::{Row, Solved, Unknown, Unmoved};
 
 /// Solves for the unknown components; what they cannot be solved for is reported on them.
 pub fn derive_reactions(
@@ -27,7 +27,7 @@ pub fn derive_reactions(
     linear: &Components,
     angular: &Components,
     errors: &mut Errors,
-) -> Option<Vec<ReactionExpressions>> {
+) -> Option<Vec<Components>> {
     if model.reactions.is_empty() {
         return Some(Vec::new());
     }
@@ -54,7 +54,7 @@ pub fn derive_reactions(
         let vector = work.components(whole, Frame::World);
         let vector = work.graph.results(vector);
         work.labels.vector(&reaction.name.to_string(), vector);
-        ReactionExpressions { vector }
+        vector
     });
     Some(in_world.collect())
 }

@@ -5,12 +5,6 @@ use crate::families::LoadKind;
 use crate::model::{Frame, Reaction};
 use crate::symbolic::{Components, Solution};
 
-/// One reaction, as a whole.
-pub struct ReactionExpressions {
-    /// World axes.
-    pub vector: Components,
-}
-
 /// An unknown component: its load, its axis in the frame of the equations, and its place.
 pub struct Unknown<'m> {
     pub load: &'m Reaction,

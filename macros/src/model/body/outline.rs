@@ -2,34 +2,17 @@
 
 use proc_macro2::{Ident, TokenStream};
 
+use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::model::joints::Motion;
 use crate::model::kinematics::Frame;
 use crate::model::words::Dimension;
 use crate::symbolic::Number;
 
-/// What can be asked for beyond the accelerations.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Output {
-    Energy,
-    Momentum,
-    Balance,
-    Reactions,
-    Inverse,
-    Flow,
-    Taylor,
-}
-
-impl Output {
-    pub const ALL: [(&'static str, Self); 7] = [
-        ("energy", Self::Energy),
-        ("momentum", Self::Momentum),
-        ("balance", Self::Balance),
-        ("reactions", Self::Reactions),
-        ("inverse", Self::Inverse),
-        ("flow", Self::Flow),
-        ("taylor", Self::Taylor),
-    ];
+/// An output that is asked for, and where.
+pub struct Asked {
+    pub word: &'static str,
+    pub place: Extent,
 }
 
 /// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it has.
@@ -43,7 +26,7 @@ pub struct Outline {
     pub motion: Motion,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<Asked>,
     /// Loads with unknown components, by name.
     pub reactions: Vec<(Ident, LoadKind)>,
     /// Drives with unknown components, by name.
@@ -60,6 +43,16 @@ pub struct Outline {
 }
 
 impl Outline {
+    /// The place of an output among those that are asked for.
+    pub fn rank(&self, word: &str) -> Option<usize> {
+        self.outputs.iter().position(|asked| asked.word == word)
+    }
+
+    /// Where an output is asked for.
+    pub fn place(&self, word: &str) -> Option<Extent> {
+        Some(self.outputs[self.rank(word)?].place)
+    }
+
     /// Whether the body can be built from the defaults alone.
     pub fn has_default(&self) -> bool {
         self.params.iter().all(|param| param.default.is_some())

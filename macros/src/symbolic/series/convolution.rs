@@ -11,8 +11,8 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use crate::symbolic::graph::{Graph, Id, Node, Stage};
 
-/// The coordinates of a register.
-const LANES: usize = 8;
+/// The numbers of a register, which are computed side by side.
+pub const LANES: usize = 8;
 
 /// A convolution of two series.
 #[derive(Clone, Copy, Debug)]

@@ -5,5 +5,5 @@ mod expansion;
 mod recurrence;
 mod recurrences;
 
-pub use convolution::{Origin, Sum, Term};
+pub use convolution::{LANES, Origin, Sum, Term};
 pub use recurrences::{Coordinate, Recurrences};

@@ -6,7 +6,8 @@
 //! let mut rates = products.times([..], 1.0);
 //! for n in 1..COUNT - 1 {
 //!     let [qx_n, ..] = series.extend(products, n, rates);
-//!     let [qx_rate_n, ..] = products.terms::<0, 8, 3>(n, [[(qy_n, wz_n), (qz_n, wy_n), (qw_n, wx_n)], ..]);
+//!     let [qx_rate_n, ..] =
+//!         products.terms::<0, 8, 3>(n, [[(qy_n, wz_n), (qz_n, wy_n), (qw_n, wx_n)], ..]);
 //!     rates = [..];
 //! }
 //! series.extend(products, COUNT - 1, rates);
@@ -20,23 +21,19 @@ use std::iter::repeat_n;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use crate::emit::code::{Block, Facts, Method, Source, Writer, local, number_literal};
 use crate::mechanics::{Axes, Taylor};
 use crate::symbolic::{Graph, Id, Node, Program, Recurrences, Stage, Term};
 
 use super::batch::{Batch, batches, filled};
-use super::code::{Body, Source, Writer};
-use super::expression::Precedence;
-use super::functions::Function;
-use super::naming::local;
-use super::scalar::{Scalar, number_literal};
-use super::taylor_names::{name_coefficients, name_results, name_sums};
+use super::names::{name_coefficients, name_results, name_sums};
 
 /// Names that the method has beside those of all functions.
 const TAKEN: [&str; 5] = ["n", "products", "series", "rates", "sums"];
 
 /// The method that expands a motion.
 pub struct Expansion {
-    pub function: Function,
+    pub method: Method,
     /// The number of products of series, those that fill registers included.
     pub width: usize,
 }
@@ -48,51 +45,49 @@ impl Expansion {
         let width = batches.last().map_or(0, Batch::end);
         let held = held(&writer.work.graph, recurrences);
 
-        let mut body = Body::new(writer, false);
-        body.taken.extend(TAKEN.map(str::to_owned));
-        let mut statements = start(&mut body, recurrences, &batches, &held);
-        let targets = name_results(&mut body, recurrences);
+        let mut block = Block::new(writer, false);
+        block.taken.extend(TAKEN.map(str::to_owned));
+        let mut statements = start(&mut block, recurrences, &batches, &held);
+        let targets = name_results(&mut block, recurrences);
         let writer = Writer {
             targets: &targets,
-            scalar: Scalar::double(writer.outline),
-            private: writer.private.clone(),
-            ..*writer
+            ..writer.clone()
         };
-        let mut body = Body {
+        let mut block = Block {
             writer: &writer,
-            ..body
+            ..block
         };
-        statements.extend(orders(&mut body, taylor, &batches));
+        statements.extend(orders(&mut block, taylor, &batches));
 
         let graph = &writer.work.graph;
         let has_equality = |id: &Id| matches!(graph.node(*id), Node::Compare(..));
         let roots = graph.reachable(&recurrences.roots(), |id| !graph.is_early(id));
-        body.reads.push(Source::State);
-        let function = Function {
+        block.reads.push(Source::State);
+        let method = Method {
             body: statements,
-            has_notes: !body.noted.is_empty(),
-            has_equality: roots.iter().any(has_equality),
-            reads: body.reads,
-            ..Function::default()
+            facts: Facts {
+                has_notes: !block.noted.is_empty(),
+                has_equality: roots.iter().any(has_equality),
+                reads: block.reads,
+                ..Facts::default()
+            },
         };
-        Self { function, width }
+        Self { method, width }
     }
 }
 
 /// `Axes::despun(time, [0.0, 0.0, 1.0], spin)`
-pub fn write_axes(writer: &Writer<'_>, axes: &Axes) -> Function {
-    let (private, time) = (&writer.private, local("time"));
-    let direction = axes
-        .direction
-        .each_ref()
-        .map(|part| number_literal(part.to_f64()));
-    let mut function = Function::write(
+pub fn write_axes(writer: &Writer<'_>, axes: &Axes) -> Method {
+    let (private, time) = (&writer.shapes.private, local("time"));
+    let direction = axes.direction.each_ref();
+    let direction = direction.map(|part| number_literal(part.to_f64()));
+    let mut method = Method::write(
         writer,
         &[axes.spin],
         |values| quote!(#private::Axes::despun(#time, [#(#direction),*], #(#values)*)),
     );
-    function.reads.push(Source::Time);
-    function
+    method.facts.reads.push(Source::Time);
+    method
 }
 
 /// The symbols that stand for n-th coefficients, and for n.
@@ -147,7 +142,7 @@ fn held(graph: &Graph, recurrences: &Recurrences) -> BTreeSet<Id> {
 
 /// Reads the state, and computes the first coefficients of what is multiplied and of the rates.
 fn start(
-    body: &mut Body<'_>,
+    block: &mut Block<'_>,
     recurrences: &Recurrences,
     batches: &[Batch<'_>],
     held: &BTreeSet<Id>,
@@ -160,14 +155,14 @@ fn start(
         .chain(recurrences.start.iter().copied())
         .chain(held.iter().copied())
         .collect();
-    let program = body.writer.schedule(&outputs);
-    let mut tokens = body.read(&program);
-    tokens.extend(body.statements(&program, |_| true).0);
+    let program = block.writer.schedule(&outputs);
+    let mut tokens = block.read(&program);
+    tokens.extend(block.statements(&program, |_| true).0);
     for id in held {
-        if !body.names.contains_key(id) {
-            let (name, value) = (body.statement_name(*id), body.definition(*id));
+        if !block.names.contains_key(id) {
+            let (name, value) = (block.statement_name(*id), block.definition(*id));
             tokens.extend(quote!(let #name = #value;));
-            body.names.insert(*id, name);
+            block.names.insert(*id, name);
         }
     }
     let products = local("products");
@@ -176,15 +171,15 @@ fn start(
             batch.sizes(),
             batch.rows(&quote!((0.0, 0.0, 0.0)), |term| {
                 let [left, right] = term.factors;
-                let [weight, left, right] = [term.weight, left.start, right.start]
-                    .map(|id| body.expression(id, Precedence::Lowest));
+                let [weight, left, right] =
+                    [term.weight, left.start, right.start].map(|id| block.value(id));
                 quote!((#weight, #left, #right))
             }),
         );
         tokens.extend(quote!(#products.start::<#sizes>(#sums);));
     }
-    let (series, state, rates) = (local("series"), local("state"), local("rates"));
-    let values = coordinates(body, &recurrences.start);
+    let [series, state, rates] = ["series", "state", "rates"].map(local);
+    let values = coordinates(block, &recurrences.start);
     tokens.extend(quote! {
         #series.start(#state);
         let mut #rates = #products.times([#(#values),*], 1.0);
@@ -193,71 +188,46 @@ fn start(
 }
 
 /// The rates of the coordinates, without that of time, and what fills the last register.
-fn coordinates(body: &Body<'_>, rates: &[Id]) -> Vec<TokenStream> {
+fn coordinates(block: &Block<'_>, rates: &[Id]) -> Vec<TokenStream> {
     let rates = rates.split_last().map_or(rates, |(_, rates)| rates);
     let rest = filled(rates.len()) - rates.len();
     rates
         .iter()
-        .map(|rate| body.expression(*rate, Precedence::Lowest))
+        .map(|rate| block.value(*rate))
         .chain(repeat_n(quote!(0.0), rest))
         .collect()
 }
 
 /// The loop over the orders.
-fn orders(body: &mut Body<'_>, taylor: &Taylor, batches: &[Batch<'_>]) -> TokenStream {
+fn orders(block: &mut Block<'_>, taylor: &Taylor, batches: &[Batch<'_>]) -> TokenStream {
     let recurrences = &taylor.recurrences;
-    let graph = &body.writer.work.graph;
+    let graph = &block.writer.work.graph;
     let program = graph.schedule(&of_each_order(recurrences), Stage::State);
     let levels = levels(graph, recurrences, &program);
     let level = |id: Id| levels.get(&id).copied().unwrap_or(0);
-    let (n, series, products, rates) = (
-        local("n"),
-        local("series"),
-        local("products"),
-        local("rates"),
-    );
+    let [n, series, products, rates] = ["n", "series", "products", "rates"].map(local);
 
-    let coefficients = name_coefficients(body, taylor, &program);
-    let mut tokens = read_order(body, recurrences, &program);
+    let coefficients = name_coefficients(block, taylor, &program);
+    let mut tokens = read_order(block, recurrences, &program);
     for batch in batches {
-        let statements = body.statements(&program, |id| level(id) <= batch.level);
+        let statements = block.statements(&program, |id| level(id) <= batch.level);
         tokens.extend(statements.0);
-        let known = |id: Id| {
-            let is_known = level(id) <= batch.level;
-            let value = || body.expression(id, Precedence::Lowest);
-            if is_known { value() } else { quote!(0.0) }
-        };
-        let (sizes, rows) = (
-            batch.sizes(),
-            batch.rows(&quote!((0.0, 0.0)), |term| {
-                let [left, right] = term.factors.map(|factor| known(factor.next));
-                quote!((#left, #right))
-            }),
-        );
-        let mut sums = quote!(#products.terms::<#sizes>(#n, #rows));
-        let linear = batch.linear(|(weight, next)| {
-            let [weight, next] = [*weight, *next].map(|id| body.expression(id, Precedence::Lowest));
-            quote!((#weight, #next))
-        });
-        if let Some(linear) = linear {
-            let name = local("sums");
-            tokens.extend(quote!(let #name = #sums;));
-            sums = quote!(#products.plus(#name, #linear));
-        }
+        let (before, sums) = sums_of_order(block, batch, level);
+        tokens.extend(before);
         if is_of_rates(batch, recurrences) {
             tokens.extend(quote!(#rates = #sums;));
             continue;
         }
-        let (names, gathered) = name_sums(body, taylor, batch);
+        let (names, gathered) = name_sums(block, taylor, batch);
         tokens.extend(quote! {
             let [#names] = #sums;
             #gathered
         });
     }
-    tokens.extend(body.statements(&program, |_| true).0);
-    tokens.extend(complete(body, batches, level));
+    tokens.extend(block.statements(&program, |_| true).0);
+    tokens.extend(complete(block, batches, level));
     if !batches.iter().any(|batch| is_of_rates(batch, recurrences)) {
-        let values = coordinates(body, &recurrences.rates);
+        let values = coordinates(block, &recurrences.rates);
         tokens.extend(quote!(#rates = [#(#values),*];));
     }
     quote! {
@@ -266,6 +236,40 @@ fn orders(body: &mut Body<'_>, taylor: &Taylor, batches: &[Batch<'_>]) -> TokenS
             #tokens
         }
         #series.extend(#products, COUNT - 1, #rates);
+    }
+}
+
+/// The sums of a batch, and what is computed before them.
+fn sums_of_order(
+    block: &Block<'_>,
+    batch: &Batch<'_>,
+    level: impl Fn(Id) -> usize,
+) -> (TokenStream, TokenStream) {
+    let known = |id: Id| {
+        let is_known = level(id) <= batch.level;
+        if is_known {
+            block.value(id)
+        } else {
+            quote!(0.0)
+        }
+    };
+    let rows = batch.rows(&quote!((0.0, 0.0)), |term| {
+        let [left, right] = term.factors.map(|factor| known(factor.next));
+        quote!((#left, #right))
+    });
+    let linear = batch.linear(|(weight, next)| {
+        let [weight, next] = [*weight, *next].map(|id| block.value(id));
+        quote!((#weight, #next))
+    });
+    let [n, products, name] = ["n", "products", "sums"].map(local);
+    let sizes = batch.sizes();
+    let sums = quote!(#products.terms::<#sizes>(#n, #rows));
+    match linear {
+        None => (TokenStream::new(), sums),
+        Some(linear) => (
+            quote!(let #name = #sums;),
+            quote!(#products.plus(#name, #linear)),
+        ),
     }
 }
 
@@ -279,8 +283,8 @@ fn is_of_rates(batch: &Batch<'_>, recurrences: &Recurrences) -> bool {
 }
 
 /// n, its reciprocal, and the coefficient of time, if they are read.
-fn read_order(body: &mut Body<'_>, recurrences: &Recurrences, program: &Program) -> TokenStream {
-    let private = body.writer.private.clone();
+fn read_order(block: &mut Block<'_>, recurrences: &Recurrences, program: &Program) -> TokenStream {
+    let private = block.writer.shapes.private.clone();
     let n = local("n");
     let time = recurrences.coefficients.last().copied();
     let given = [
@@ -293,16 +297,16 @@ fn read_order(body: &mut Body<'_>, recurrences: &Recurrences, program: &Program)
         let Some(symbol) = symbol.filter(|symbol| program.symbols.contains(symbol)) else {
             continue;
         };
-        let (function, name) = (local(word), body.unique(&format!("{word}_n")));
+        let (function, name) = (local(word), block.unique(&format!("{word}_n")));
         tokens.extend(quote!(let #name = #private::order::#function(#n);));
-        body.names.insert(symbol, name);
+        block.names.insert(symbol, name);
     }
     tokens
 }
 
 /// The factors that were not known when they were multiplied by zero.
 fn complete(
-    body: &Body<'_>,
+    block: &Block<'_>,
     batches: &[Batch<'_>],
     level: impl Fn(Id) -> usize,
 ) -> Option<TokenStream> {
@@ -315,7 +319,7 @@ fn complete(
         });
         let pairs = late.map(|(place, next)| {
             let place = Literal::usize_unsuffixed(place);
-            let value = body.expression(next, Precedence::Lowest);
+            let value = block.value(next);
             quote!((#place, #value))
         });
         pairs.collect::<Vec<_>>()

@@ -5,7 +5,7 @@ use quote::{ToTokens, quote};
 
 use crate::symbolic::{Comparison, Function, Id, Node, Number};
 
-use super::code::Body;
+use super::block::Block;
 use super::scalar::number_literal;
 
 /// How tightly an expression binds, from the loosest to the tightest.
@@ -21,13 +21,18 @@ pub enum Precedence {
     Atom,
 }
 
-impl Body<'_> {
+impl Block<'_> {
     /// The right-hand side of a statement.
     pub fn definition(&self, id: Id) -> TokenStream {
         match *self.writer.work.graph.node(id) {
-            Node::Quantity(inner) => self.expression(inner, Precedence::Lowest),
+            Node::Quantity(inner) => self.value(inner),
             _ => self.operation(id).0,
         }
+    }
+
+    /// An expression where anything may stand.
+    pub fn value(&self, id: Id) -> TokenStream {
+        self.expression(id, Precedence::Lowest)
     }
 
     /// An expression where something binding as tightly as `outer` is expected.
@@ -55,57 +60,62 @@ impl Body<'_> {
     }
 
     fn operation(&self, id: Id) -> (TokenStream, Precedence) {
-        let infix =
-            |a: Id, operator: TokenStream, b: Id, precedence: Precedence, tighter: Precedence| {
-                let mut tokens = self.expression(a, precedence);
-                tokens.extend([operator, self.expression(b, tighter)]);
-                (tokens, precedence)
-            };
         let graph = &self.writer.work.graph;
-        if let Some(choice) = self.choice_of_any_scalar(id) {
-            return choice;
+        if let Some(operation) = self.choice_of_any_scalar(id).or_else(|| self.infix(id)) {
+            return operation;
         }
+        let prefix = |operator: TokenStream, a: Id, inner: Precedence| {
+            let a = self.expression(a, inner);
+            (quote!(#operator #a), Precedence::Sign)
+        };
         match *graph.node(id) {
             Node::Number(ref number) => {
                 self.numbers.borrow_mut().insert(id);
                 number_tokens(number)
             }
             Node::Truth(value) => (value.into_token_stream(), Precedence::Atom),
-            Node::Undefined | Node::Symbol(_) => (quote!(f64::NAN), Precedence::Atom),
             Node::Quantity(inner) => self.operand(inner),
+            Node::Negate(a) => prefix(quote!(-), a, Precedence::Sign),
+            Node::Not(a) => prefix(quote!(!), a, Precedence::Atom),
+            Node::Unary(function, a) => (self.call(function, &[a]), Precedence::Atom),
+            Node::Binary(function, a, b) => (self.call(function, &[a, b]), Precedence::Atom),
+            Node::Pivot(divisor, scale) => (self.guarded(id, divisor, scale), Precedence::Atom),
+            Node::Select(condition, a, b) => {
+                let [condition, a, b] = [condition, a, b].map(|id| self.value(id));
+                // alone on the right of a statement, or in parentheses
+                (quote!(if #condition { #a } else { #b }), Precedence::Lowest)
+            }
+            // what has an infix operator is written above
+            _ => (quote!(f64::NAN), Precedence::Atom),
+        }
+    }
+
+    /// `a + b`, and so on.
+    fn infix(&self, id: Id) -> Option<(TokenStream, Precedence)> {
+        let graph = &self.writer.work.graph;
+        let (a, operator, b, precedence, tighter) = match *graph.node(id) {
             Node::Negate(a) => match *graph.node(a) {
                 // -(x - y), written as it is read
                 Node::Subtract(x, y) if !self.names.contains_key(&a) => {
-                    infix(y, quote!(-), x, Precedence::Sum, Precedence::Product)
+                    (y, quote!(-), x, Precedence::Sum, Precedence::Product)
                 }
-                _ => {
-                    let a = self.expression(a, Precedence::Sign);
-                    (quote!(-#a), Precedence::Sign)
-                }
+                _ => return None,
             },
             Node::Add(a, b) => {
-                let (a, b) = if self.comes_second(a, b) {
-                    (b, a)
-                } else {
-                    (a, b)
-                };
-                match graph.as_number(b).filter(|number| number.is_negative()) {
-                    Some(number) if !self.names.contains_key(&b) => {
-                        self.numbers.borrow_mut().insert(b);
-                        let (a, b) = (
-                            self.expression(a, Precedence::Sum),
-                            number_tokens(&number.abs()).0,
-                        );
-                        (quote!(#a - #b), Precedence::Sum)
-                    }
-                    _ => infix(a, quote!(+), b, Precedence::Sum, Precedence::Product),
+                let is_second = self.comes_second(a, b);
+                let (a, b) = if is_second { (b, a) } else { (a, b) };
+                let number = graph.as_number(b).filter(|number| number.is_negative());
+                if let Some(number) = number.filter(|_| !self.names.contains_key(&b)) {
+                    self.numbers.borrow_mut().insert(b);
+                    let a = self.expression(a, Precedence::Sum);
+                    let b = number_tokens(&number.abs()).0;
+                    return Some((quote!(#a - #b), Precedence::Sum));
                 }
+                (a, quote!(+), b, Precedence::Sum, Precedence::Product)
             }
-            Node::Subtract(a, b) => infix(a, quote!(-), b, Precedence::Sum, Precedence::Product),
-            Node::Multiply(a, b) => infix(a, quote!(*), b, Precedence::Product, Precedence::Sign),
-            Node::Divide(a, b) => infix(a, quote!(/), b, Precedence::Product, Precedence::Sign),
-            Node::Unary(function, a) => (self.call(function, &[a]), Precedence::Atom),
-            Node::Binary(function, a, b) => (self.call(function, &[a, b]), Precedence::Atom),
+            Node::Subtract(a, b) => (a, quote!(-), b, Precedence::Sum, Precedence::Product),
+            Node::Multiply(a, b) => (a, quote!(*), b, Precedence::Product, Precedence::Sign),
+            Node::Divide(a, b) => (a, quote!(/), b, Precedence::Product, Precedence::Sign),
             Node::Compare(comparison, a, b) => {
                 let operator = match comparison {
                     Comparison::Less => quote!(<),
@@ -113,37 +123,25 @@ impl Body<'_> {
                     Comparison::Equal => quote!(==),
                     Comparison::NotEqual => quote!(!=),
                 };
-                infix(a, operator, b, Precedence::Comparison, Precedence::Sum)
+                (a, operator, b, Precedence::Comparison, Precedence::Sum)
             }
-            Node::And(a, b) => infix(a, quote!(&&), b, Precedence::And, Precedence::Comparison),
-            Node::Or(a, b) => infix(a, quote!(||), b, Precedence::Or, Precedence::And),
-            Node::Not(a) => {
-                let a = self.expression(a, Precedence::Atom);
-                (quote!(!#a), Precedence::Sign)
-            }
-            Node::Pivot(divisor, scale) => {
-                let private = &self.writer.private;
-                let (divisor, scale) = (
-                    self.expression(divisor, Precedence::Lowest),
-                    self.expression(scale, Precedence::Lowest),
-                );
-                let tokens = if self.writer.is_fallible {
-                    let unknown = self.unknown(id);
-                    quote!(#private::reciprocal(#unknown, #divisor, #scale)?)
-                } else {
-                    quote!(#private::determined(#divisor, #scale))
-                };
-                (tokens, Precedence::Atom)
-            }
-            Node::Select(condition, a, b) => {
-                let condition = self.expression(condition, Precedence::Lowest);
-                let (a, b) = (
-                    self.expression(a, Precedence::Lowest),
-                    self.expression(b, Precedence::Lowest),
-                );
-                // alone on the right of a statement, or in parentheses
-                (quote!(if #condition { #a } else { #b }), Precedence::Lowest)
-            }
+            Node::And(a, b) => (a, quote!(&&), b, Precedence::And, Precedence::Comparison),
+            Node::Or(a, b) => (a, quote!(||), b, Precedence::Or, Precedence::And),
+            _ => return None,
+        };
+        let (a, b) = (self.expression(a, precedence), self.expression(b, tighter));
+        Some((quote!(#a #operator #b), precedence))
+    }
+
+    /// A reciprocal, if its divisor is more than rounding.
+    fn guarded(&self, id: Id, divisor: Id, scale: Id) -> TokenStream {
+        let private = &self.writer.shapes.private;
+        let [divisor, scale] = [divisor, scale].map(|id| self.value(id));
+        if self.writer.is_fallible {
+            let unknown = self.unknown(id);
+            quote!(#private::reciprocal(#unknown, #divisor, #scale)?)
+        } else {
+            quote!(#private::determined(#divisor, #scale))
         }
     }
 
@@ -171,7 +169,7 @@ impl Body<'_> {
             Node::And(a, b) => infix(a, quote!(&), b),
             Node::Or(a, b) => infix(a, quote!(|), b),
             Node::Select(condition, a, b) => {
-                let kind = self.writer.scalar.kind();
+                let kind = self.writer.shapes.scalar.kind();
                 let arguments = self.arguments(&[condition, a, b]);
                 atom(quote!(#kind::select(#(#arguments),*)))
             }
@@ -204,7 +202,7 @@ impl Body<'_> {
         if self.is_generic {
             return self.method(function.name(), arguments);
         }
-        let (private, arguments) = (&self.writer.private, self.arguments(arguments));
+        let (private, arguments) = (&self.writer.shapes.private, self.arguments(arguments));
         let name = Ident::new(function.name(), Span::call_site());
         quote!(#private::math::#name(#(#arguments),*))
     }
@@ -221,9 +219,7 @@ impl Body<'_> {
 
     fn arguments(&self, arguments: &[Id]) -> Vec<TokenStream> {
         let arguments = arguments.iter();
-        arguments
-            .map(|argument| self.expression(*argument, Precedence::Lowest))
-            .collect()
+        arguments.map(|argument| self.value(*argument)).collect()
     }
 }
 

@@ -9,10 +9,10 @@ use crate::model::{AXES, Motion, Outline};
 use crate::symbolic::{Components, Id};
 
 use super::naming::local;
-use super::paths::private;
-use super::scalar::Scalar;
+use super::scalar::{Scalar, private};
 
 /// The shapes of one body.
+#[derive(Clone)]
 pub struct Shapes {
     pub motion: Motion,
     pub scalar: Scalar,
@@ -40,8 +40,7 @@ impl Shapes {
     }
 
     pub fn state_type(&self) -> TokenStream {
-        let name = format_ident!("{}", self.motion.state);
-        self.scalar.holder(&name)
+        self.scalar.holder(self.motion.state)
     }
 
     pub fn vector_type(&self) -> TokenStream {
@@ -63,20 +62,18 @@ impl Shapes {
     }
 
     pub fn acceleration_type(&self) -> TokenStream {
-        let holder = |name: &str| self.scalar.holder(&format_ident!("{name}"));
         match self.motion.acceleration {
-            Some(name) => holder(name),
+            Some(name) => self.scalar.holder(name),
             None if self.motion.is_hinged() => self.scalar.kind(),
             None => self.vector_type(),
         }
     }
 
     pub fn wrench_type(&self) -> TokenStream {
-        let holder = |name: &str| self.scalar.holder(&format_ident!("{name}"));
         match self.motion {
             _ if !self.motion.knows_position => self.moment_type(),
-            _ if self.motion.is_planar => holder("PlanarWrench"),
-            _ => holder("Wrench"),
+            _ if self.motion.is_planar => self.scalar.holder("PlanarWrench"),
+            _ => self.scalar.holder("Wrench"),
         }
     }
 
@@ -86,7 +83,7 @@ impl Shapes {
         } else {
             "Load"
         };
-        self.scalar.holder(&format_ident!("{name}"))
+        self.scalar.holder(name)
     }
 
     /// The components that a vector has.
@@ -172,15 +169,11 @@ impl Shapes {
     pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
         match self.motion.acceleration {
             Some(_) => {
+                let is_rod = self.motion.is_line();
+                let turning = format_ident!("{}", if is_rod { "axis" } else { "angular" });
                 let kind = self.acceleration_type();
-                let linear = self.vector(values);
-                let (name, turning) = if self.motion.is_line() {
-                    ("axis", self.vector(values))
-                } else {
-                    ("angular", self.moment(values))
-                };
-                let name = format_ident!("{name}");
-                quote!(#kind { linear: #linear, #name: #turning })
+                let (linear, change) = (self.vector(values), self.moment(values));
+                quote!(#kind { linear: #linear, #turning: #change })
             }
             None if self.motion.is_hinged() => {
                 let value = values.next();
@@ -190,7 +183,8 @@ impl Shapes {
         }
     }
 
-    /// `State { velocity: .., angular_velocity: .., ..*state }`, of a rod `axis_rate`, with these velocities or at rest.
+    /// `State { velocity: .., angular_velocity: .., ..*state }`, of a rod `axis_rate`, with these
+    /// velocities or at rest.
     pub fn moving_state(&self, values: &mut Values<'_>, moves: bool) -> TokenStream {
         let (kind, state) = (self.state_type(), local("state"));
         let field = |name: &str, value: TokenStream| {

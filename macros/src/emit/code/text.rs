@@ -5,13 +5,7 @@ use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 /// Tokens as a line of text, for documentation.
 pub fn to_text(tokens: &TokenStream) -> String {
     let mut text = String::new();
-    let mut pending: Vec<TokenTree> = tokens
-        .clone()
-        .into_iter()
-        .collect::<Vec<_>>()
-        .into_iter()
-        .rev()
-        .collect();
+    let mut pending = reversed(tokens.clone());
     let mut closing: Vec<(usize, &str)> = Vec::new();
     let mut tight = true;
     while let Some(token) = pending.pop() {
@@ -29,14 +23,7 @@ pub fn to_text(tokens: &TokenStream) -> String {
                 }
                 text.push_str(open);
                 closing.push((pending.len(), close));
-                pending.extend(
-                    group
-                        .stream()
-                        .into_iter()
-                        .collect::<Vec<_>>()
-                        .into_iter()
-                        .rev(),
-                );
+                pending.extend(reversed(group.stream()));
                 tight = true;
             }
             TokenTree::Punct(punct) => {
@@ -66,18 +53,16 @@ pub fn to_text(tokens: &TokenStream) -> String {
         }
     }
     // `$crate::private::math::sin(x)` and `self.inverse_mass` are read better without their paths
-    let text = text
-        .rsplit_once("private::math::")
-        .map_or(text.clone(), |_| {
-            let mut cleaned = String::new();
-            let mut rest = text.as_str();
-            while let Some((before, after)) = rest.split_once("private::math::") {
-                cleaned.push_str(before.trim_end_matches(|c: char| {
-                    c.is_alphanumeric() || matches!(c, '_' | ':' | '$')
-                }));
-                rest = after;
-            }
-            cleaned + rest
-        });
+    let is_path = |c: char| c.is_alphanumeric() || matches!(c, '_' | ':' | '$');
+    let mut parts: Vec<&str> = text.split("private::math::").collect();
+    let last = parts.pop().unwrap_or_default();
+    let before = parts.iter().map(|part| part.trim_end_matches(is_path));
+    let text = before.collect::<String>() + last;
     text.replace("self.", "")
+}
+
+fn reversed(tokens: TokenStream) -> Vec<TokenTree> {
+    let mut tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    tokens.reverse();
+    tokens
 }

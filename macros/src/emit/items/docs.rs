@@ -4,13 +4,13 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use crate::mechanics::Equations;
+use crate::emit::code::{Method, private};
+use crate::mechanics::Report;
 use crate::model::{Declared, Frame, Outline};
 use crate::symbolic::Cost;
 
+use super::addition::Addition;
 use super::constructor::Constructor;
-use super::functions::Functions;
-use super::paths::private;
 
 /// The rustdoc of the type, and its inherent constants.
 pub struct Documentation {
@@ -24,36 +24,32 @@ pub struct Documentation {
 impl Documentation {
     pub fn write(
         outline: &Outline,
-        functions: &Functions,
+        acceleration: &Method,
         constructor: &Constructor,
-        equations: &Equations,
+        report: &Report,
+        addition: &Addition,
     ) -> Self {
-        let by_name = functions.by_name(outline);
-        let mut costs: Vec<(&str, &str, Cost)> = by_name
-            .into_iter()
-            .map(|(name, function)| (name, "state", function.cost))
-            .collect();
-        if !constructor.stored.is_empty() {
-            costs.insert(0, ("new", "parameter", constructor.cost));
-        }
-        let text = equations_text(functions, constructor);
-        let mut lines = lines(outline, &text, &costs, equations);
-        if functions.acceleration.has_pivots {
+        let stored = (!constructor.stored.is_empty()).then_some(("new", constructor.cost));
+        let stored = stored.map(|(name, cost)| (name, "parameter", cost));
+        let evaluated = [("acceleration", acceleration.facts.cost)].into_iter();
+        let evaluated = evaluated.chain(addition.costs.iter().copied());
+        let evaluated = evaluated.map(|(name, cost)| (name, "state", cost));
+        let costs: Vec<_> = stored.into_iter().chain(evaluated).collect();
+        let text = equations_text(acceleration, constructor);
+        let mut lines = lines(outline, &text, &costs, report);
+        if acceleration.facts.has_pivots {
             lines.extend(quote! {
                 #[doc = ""]
                 #[doc = " # Singular configurations"]
                 #[doc = " Where the constraints do not determine their reactions, `acceleration` is not a number; `reactions`, if it is there, returns an error."]
             });
         }
-        if functions.inverse.has_pivots {
-            lines.extend(quote! {
-                #[doc = ""]
-                #[doc = " Where the configuration does not determine the drives, `inverse` returns an error."]
-            });
+        for remark in &addition.remarks {
+            lines.extend(quote!(#[doc = ""] #[doc = #remark]));
         }
         Self {
             lines,
-            constants: constants(outline, &text, &costs, equations),
+            constants: constants(outline, &text, &costs, &report.skipped),
         }
     }
 
@@ -77,7 +73,7 @@ fn lines(
     outline: &Outline,
     text: &[String],
     costs: &[(&str, &str, Cost)],
-    equations: &Equations,
+    report: &Report,
 ) -> TokenStream {
     let motion = outline.motion.word;
     let title = if outline.doc.is_empty() {
@@ -91,37 +87,29 @@ fn lines(
         .iter()
         .map(|(name, _, cost)| format!("`{name}`: {}", describe(*cost)))
         .collect();
-    let inertia = listed("Inertia about G", &equations.inertia_class);
-    let charges = listed("Charges", &equations.charges);
+    let lists = report.lists.iter();
+    let lists = lists.flat_map(|(heading, rows)| listed(heading, rows));
     let operations = listed("Operations", &costs);
-    let flow = equations.flow.as_ref();
-    let flow = flow.map_or_else(Vec::new, |flow| flow.describe(outline.motion));
-    let flow = listed("Closed form", &flow);
-    let skipped = listed("Skipped", &equations.skipped);
+    let skipped = listed("Skipped", &report.skipped);
     quote! {
         #(#[doc = #title])*
         #[cfg_attr(doc, doc = "", doc = " ```text")]
         #(#[cfg_attr(doc, doc = #text)])*
         #[cfg_attr(doc, doc = " ```")]
-        #(#[doc = #inertia])*
-        #(#[doc = #charges])*
-        #(#[doc = #flow])*
+        #(#[doc = #lists])*
         #(#[doc = #operations])*
         #(#[doc = #skipped])*
     }
 }
 
 /// What is computed once, and then the acceleration.
-fn equations_text(functions: &Functions, constructor: &Constructor) -> Vec<String> {
-    let stored = &constructor.text;
-    let heading = (!stored.is_empty()).then(|| "# once, in the constructor".to_owned());
-    let then = (!stored.is_empty()).then(|| "# at every evaluation".to_owned());
-    let lines = heading
-        .iter()
-        .chain(stored)
-        .chain(&then)
-        .chain(&functions.acceleration.text);
-    lines.cloned().collect()
+fn equations_text(acceleration: &Method, constructor: &Constructor) -> Vec<String> {
+    let (stored, evaluated) = (&constructor.text[..], &acceleration.facts.text[..]);
+    if stored.is_empty() {
+        return evaluated.to_vec();
+    }
+    let [once, always] = ["# once, in the constructor", "# at every evaluation"].map(str::to_owned);
+    [&[once], stored, &[always], evaluated].concat()
 }
 
 /// A heading and a list, or nothing.
@@ -143,44 +131,41 @@ fn spaced(line: &str) -> String {
     }
 }
 
-fn describe(cost: Cost) -> String {
-    let parts = [
+fn counts(cost: Cost) -> [(u32, &'static str); 6] {
+    [
         (cost.mul, "mul"),
         (cost.add, "add"),
         (cost.div, "div"),
         (cost.sqrt, "sqrt"),
         (cost.trig, "trig"),
         (cost.other, "other"),
-    ];
-    let words: Vec<String> = parts
-        .into_iter()
-        .filter(|(count, _)| *count > 0)
+    ]
+}
+
+fn describe(cost: Cost) -> String {
+    let counted = counts(cost).into_iter().filter(|(count, _)| *count > 0);
+    let words: Vec<String> = counted
         .map(|(count, name)| format!("{count} {name}"))
         .collect();
     if words.is_empty() {
-        "none".to_owned()
-    } else {
-        words.join(" + ")
+        return "none".to_owned();
     }
+    words.join(" + ")
 }
 
 fn constants(
     outline: &Outline,
     text: &[String],
     costs: &[(&str, &str, Cost)],
-    equations: &Equations,
+    skipped: &[String],
 ) -> TokenStream {
     let private = private(outline);
     let text = text.join("\n");
     let rows = costs.iter().map(|(name, stage, cost)| {
         let stage = Ident::new(stage, Span::call_site());
-        let counts = [
-            cost.mul, cost.add, cost.div, cost.sqrt, cost.trig, cost.other,
-        ]
-        .map(Literal::u32_unsuffixed);
+        let counts = counts(*cost).map(|(count, _)| Literal::u32_unsuffixed(count));
         quote!(#private::Operations::#stage(#name, [#(#counts),*]))
     });
-    let skipped = &equations.skipped;
     quote! {
         /// The equations of motion, as they are evaluated.
         pub const EQUATIONS: &str = #text;

@@ -1,14 +1,22 @@
-//! The scalar of a body: `f64`, or the parameter that its description names.
+//! The scalar of a body: `f64`, or the parameter that its description names; and the one place that
+//! names the runtime.
+
+use std::fmt::{Display, LowerExp};
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use crate::model::Outline;
 use crate::symbolic::Number;
 
-use super::paths::private;
+/// The path of what generated code may name.
+pub fn private(outline: &Outline) -> TokenStream {
+    let runtime = &outline.runtime;
+    quote!(#runtime::private)
+}
 
 /// What the numbers of a body are.
+#[derive(Clone)]
 pub struct Scalar {
     /// Of a generic body.
     name: Option<Ident>,
@@ -59,8 +67,8 @@ impl Scalar {
     }
 
     /// A type of the runtime that holds numbers, in types and in expressions.
-    pub fn holder(&self, name: &Ident) -> TokenStream {
-        let private = &self.private;
+    pub fn holder(&self, name: &str) -> TokenStream {
+        let (private, name) = (&self.private, format_ident!("{name}"));
         self.name.as_ref().map_or_else(
             || quote!(#private::#name),
             |scalar| quote!(#private::generic::#name::<#scalar>),
@@ -82,40 +90,31 @@ impl Scalar {
 pub fn number_literal(value: f64) -> TokenStream {
     let magnitude = value.abs();
     let plain = magnitude == 0.0 || (1e-5..1e16).contains(&magnitude);
-    let text = if plain {
-        format!("{magnitude}")
-    } else {
-        format!("{magnitude:e}")
-    };
-    literal(value < 0.0, text)
+    literal(value < 0.0, plain, magnitude)
 }
 
 /// The same of single precision; what is out of its range is infinite.
 fn single_literal(value: f32) -> TokenStream {
     let magnitude = value.abs();
-    let sign = (value < 0.0).then(|| quote!(-));
     if magnitude.is_infinite() {
+        let sign = (value < 0.0).then(|| quote!(-));
         return quote!(#sign f32::INFINITY);
     }
     let plain = magnitude == 0.0 || (1e-5..1e7).contains(&magnitude);
-    let text = if plain {
+    literal(value < 0.0, plain, magnitude)
+}
+
+fn literal(is_negative: bool, plain: bool, magnitude: impl Display + LowerExp) -> TokenStream {
+    let mut text = if plain {
         format!("{magnitude}")
     } else {
         format!("{magnitude:e}")
     };
-    literal(value < 0.0, text)
-}
-
-fn literal(is_negative: bool, mut text: String) -> TokenStream {
     if !text.contains(['.', 'e']) {
         text.push_str(".0");
     }
-    let literal: Literal = text
-        .parse()
-        .unwrap_or_else(|_| Literal::f64_unsuffixed(0.0));
-    if is_negative {
-        quote!(-#literal)
-    } else {
-        quote!(#literal)
-    }
+    let literal = text.parse();
+    let literal = literal.unwrap_or_else(|_| Literal::f64_unsuffixed(0.0));
+    let sign = is_negative.then(|| quote!(-));
+    quote!(#sign #literal)
 }

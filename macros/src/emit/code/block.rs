@@ -1,81 +1,67 @@
-//! Names of statements: the words of the description and of mechanics where there are some, and
-//! else what is computed.
+//! A block of code while it is written, and the names in it: the words of the description and of
+//! mechanics where there are some, and else what is computed.
 
-use proc_macro2::{Ident, Span};
+use std::cell::RefCell;
+use std::collections::{BTreeSet, HashMap, HashSet};
+
+use proc_macro2::Ident;
 
 use crate::symbolic::{Id, Node, Number};
 
-use super::code::Body;
+use super::naming::unique;
+use super::writer::{Source, Writer};
 
 /// Longer names than this are replaced by the kind of operation.
 const LENGTH: usize = 24;
 
-/// A local of generated code: it does not see, and is not seen by, the names of the user.
-pub fn local(name: &str) -> Ident {
-    Ident::new(name, Span::mixed_site())
+/// The statements of a function, while they are written.
+pub struct Block<'a> {
+    pub writer: &'a Writer<'a>,
+    pub names: HashMap<Id, Ident>,
+    pub taken: HashSet<String>,
+    pub noted: HashSet<&'static str>,
+    pub reads: Vec<Source>,
+    /// Whether it is written for any scalar, whose constants are statements.
+    pub is_generic: bool,
+    /// The numbers that it has.
+    pub numbers: RefCell<BTreeSet<Id>>,
 }
 
-/// The name of a local after a name of the user's: in lower case, since a pattern `J` or `Some`
-/// would mean a constant, if there is one; and no keyword, which `Box` would become.
-pub fn local_name(name: &str) -> String {
-    let name = name.to_lowercase();
-    let is_word = name.bytes().all(|byte| byte.is_ascii_lowercase());
-    if !is_word || syn::parse_str::<Ident>(&name).is_ok() {
-        name
-    } else {
-        name + "_"
+impl<'a> Block<'a> {
+    pub fn new(writer: &'a Writer<'a>, is_generic: bool) -> Self {
+        Self {
+            writer,
+            names: HashMap::new(),
+            taken: writer.taken(),
+            noted: HashSet::new(),
+            reads: Vec::new(),
+            is_generic,
+            numbers: RefCell::default(),
+        }
     }
 }
 
-/// What a plain number is called as a constant of a generic body.
-fn number_name(number: &Number) -> Option<&'static str> {
-    let names = [
-        (Number::ratio(-1, 1), "minus_one"),
-        (Number::zero(), "zero"),
-        (Number::ratio(1, 2), "half"),
-        (Number::ratio(1, 1), "one"),
-        (Number::ratio(2, 1), "two"),
-        (Number::ratio(3, 1), "three"),
-        (Number::ratio(4, 1), "four"),
-    ];
-    let found = names.iter().find(|(known, _)| known == number);
-    found.map(|(_, name)| *name)
-}
-
-impl Body<'_> {
+impl Block<'_> {
     /// A name that no other local has.
     pub fn unique(&mut self, wanted: &str) -> Ident {
-        let wanted = local_name(wanted);
-        let mut name = wanted.clone();
-        let mut suffix = 0;
-        while !self.taken.insert(name.clone()) {
-            suffix += 1;
-            name = format!("{wanted}_{suffix}");
-        }
-        local(&name)
+        unique(&mut self.taken, wanted)
     }
 
     pub fn statement_name(&mut self, id: Id) -> Ident {
-        let frames = &self.writer.work;
-        let inner = match frames.graph.node(id) {
+        let work = &self.writer.work;
+        let inner = match work.graph.node(id) {
             Node::Quantity(inner) => *inner,
             _ => id,
         };
-        if let Some(target) = self
-            .writer
-            .targets
-            .get(id)
-            .or_else(|| self.writer.targets.get(inner))
-        {
+        let targets = self.writer.targets;
+        if let Some(target) = targets.get(id).or_else(|| targets.get(inner)) {
             return target.clone();
         }
-        let plain = frames.graph.as_number(id).and_then(number_name);
-        let label = |id: Id| frames.labels.get(id).map(str::to_owned);
+        let plain = work.graph.as_number(id).and_then(number_name);
+        let label = |id: Id| work.labels.get(id).map(str::to_owned);
         let opposite = || {
-            let mut negations = [id, inner]
-                .map(|id| frames.graph.negation_of(id))
-                .into_iter();
-            let name = negations.find_map(|negation| label(negation?))?;
+            let mut both = [id, inner].into_iter();
+            let name = both.find_map(|id| label(work.graph.negation_of(id)?))?;
             Some(format!("minus_{name}"))
         };
         let wanted = plain
@@ -125,4 +111,19 @@ impl Body<'_> {
         let (group, note) = self.writer.work.labels.note(&name.to_string())?;
         self.noted.insert(group).then_some(note)
     }
+}
+
+/// What a plain number is called as a constant of a generic body.
+fn number_name(number: &Number) -> Option<&'static str> {
+    let names = [
+        (Number::ratio(-1, 1), "minus_one"),
+        (Number::zero(), "zero"),
+        (Number::ratio(1, 2), "half"),
+        (Number::ratio(1, 1), "one"),
+        (Number::ratio(2, 1), "two"),
+        (Number::ratio(3, 1), "three"),
+        (Number::ratio(4, 1), "four"),
+    ];
+    let found = names.iter().find(|(known, _)| known == number);
+    found.map(|(_, name)| *name)
 }

@@ -1,26 +1,86 @@
-//! What is generated for constraints: their violations, whether these are rounding, and the way back.
+//! How far a state is from its constraints, whether that is rounding, and the way back: what a
+//! body has if its motion is under constraints.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::mechanics::{Consistency, Equations, Reach};
+use crate::emit::code::{GIVEN, Method, Site, Source, Values, Writer, local};
+use crate::emit::items::Addition;
+use crate::mechanics::{Consistency, Reach, derive_reach};
+use crate::model::Outline;
 use crate::symbolic::Id;
 
-use super::code::Writer;
-use super::functions::Function;
-use super::naming::local;
-use super::shapes::{Shapes, Values};
+use super::output::{Given, Output, Place};
+
+#[derive(Default)]
+pub struct Constrained(Option<Kept>);
+
+/// The constraints that a motion keeps, and how far rounding reaches in each.
+struct Kept {
+    constraints: Vec<Consistency>,
+    reach: Vec<Reach>,
+}
+
+impl Output for Constrained {
+    fn place(&self, outline: &Outline) -> Option<Place> {
+        outline.is_constrained.then_some(Place::First)
+    }
+
+    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+        let constraints = given.equations.constraints.clone();
+        let reach = derive_reach(given.model, given.work, &constraints);
+        self.0 = Some(Kept { constraints, reach });
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        let kept = self.0.iter();
+        let roots = kept.flat_map(|kept| {
+            let constraints = kept.constraints.iter().flat_map(Consistency::roots);
+            let reach = kept.reach.iter();
+            let reach = reach.flat_map(|reach| reach.position.into_iter().chain([reach.velocity]));
+            constraints.chain(reach)
+        });
+        roots.collect()
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let site = site.double();
+        let shapes = &site.shapes;
+        let [violations, check, project] = [write_violations, write_check, write_project]
+            .map(|write| site.method(self.0.as_ref(), write));
+        let private = &shapes.private;
+        let count = self.0.as_ref().map_or(0, |kept| kept.constraints.len());
+        let count = Literal::usize_unsuffixed(count);
+        let list = quote!([#private::Violation; #count]);
+        let outcome = quote!(::core::result::Result<(), #private::Inconsistent>);
+        let [time, input] =
+            [Source::Time, Source::Input].map(|one| site.arguments(&project, &[one]));
+        let (state, state_type, body) = (local("state"), shapes.state_type(), &project.body);
+        let parts = [
+            quote!(type Violations = #list;),
+            quote!(fn project(&self, #time, #state: &mut #state_type, #input) -> #outcome { #body }),
+        ];
+        let methods = [
+            ("violations", &violations, &GIVEN[..], &list),
+            ("check", &check, &GIVEN, &outcome),
+        ];
+        let mut addition = Addition::implement(&site, "Constrained", parts, &methods);
+        addition.costs.push(("project", project.facts.cost));
+        addition
+    }
+}
 
 /// `[Violation { name, position, velocity }, ..]`
-pub fn write_violations(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) -> Function {
-    let constraints = &equations.constraints;
+fn write_violations(writer: &Writer<'_>, kept: &Kept) -> Method {
+    let (shapes, constraints) = (&writer.shapes, &kept.constraints);
     let values = |constraint: &Consistency| {
         let position = constraint.position.map(|(value, _)| value);
         position.into_iter().chain([constraint.velocity.0])
     };
     let outputs: Vec<Id> = constraints.iter().flat_map(values).collect();
     let private = &shapes.private;
-    Function::write(writer, &outputs, |values| {
+    Method::write(writer, &outputs, |values| {
         let list = constraints.iter().map(|constraint| {
             let name = &constraint.name;
             let position = optional(constraint.position.and_then(|_| values.next().cloned()));
@@ -32,8 +92,8 @@ pub fn write_violations(writer: &Writer<'_>, shapes: &Shapes, equations: &Equati
 }
 
 /// `check([Size { name, position, velocity }, ..])`
-pub fn write_check(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) -> Function {
-    let constraints = || equations.constraints.iter().zip(&equations.reach);
+fn write_check(writer: &Writer<'_>, kept: &Kept) -> Method {
+    let (shapes, constraints) = (&writer.shapes, || kept.constraints.iter().zip(&kept.reach));
     let sized = |(constraint, reach): (&Consistency, &Reach)| {
         let position = constraint.position.zip(reach.position);
         let position = position
@@ -45,7 +105,7 @@ pub fn write_check(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) 
     };
     let outputs: Vec<Id> = constraints().flat_map(sized).collect();
     let private = &shapes.private;
-    Function::write(writer, &outputs, |values| {
+    Method::write(writer, &outputs, |values| {
         let list = constraints().map(|(constraint, _)| {
             let name = &constraint.name;
             let position = optional(constraint.position.map(|_| pair(values)));
@@ -57,8 +117,8 @@ pub fn write_check(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) 
 }
 
 /// `project(state, |state| [Row { name, position, velocity, shift, push, coupling }, ..])`
-pub fn write_project(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations) -> Function {
-    let constraints = &equations.constraints;
+fn write_project(writer: &Writer<'_>, kept: &Kept) -> Method {
+    let (shapes, constraints) = (&writer.shapes, &kept.constraints);
     let direction =
         |constraint: &Consistency| shapes.pair_part(&constraint.linear, &constraint.angular);
     let values = |constraint: &Consistency| {
@@ -72,7 +132,7 @@ pub fn write_project(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations
     };
     let outputs: Vec<Id> = constraints.iter().flat_map(values).collect();
     let (private, state, kind) = (&shapes.private, local("state"), shapes.state_type());
-    let mut function = Function::write(writer, &outputs, |values| {
+    let mut method = Method::write(writer, &outputs, |values| {
         let list = constraints.iter().map(|constraint| {
             let name = &constraint.name;
             let position = optional(constraint.position.map(|_| pair(values)));
@@ -97,9 +157,9 @@ pub fn write_project(writer: &Writer<'_>, shapes: &Shapes, equations: &Equations
         });
         quote!([#(#list),*])
     });
-    let (lints, rows) = (function.lints(), function.body);
-    function.body = quote!(#private::project(#state, #lints |#state: &#kind| { #rows }));
-    function
+    let (lints, rows) = (method.lints(), method.body);
+    method.body = quote!(#private::project(#state, #lints |#state: &#kind| { #rows }));
+    method
 }
 
 fn optional(value: Option<TokenStream>) -> TokenStream {

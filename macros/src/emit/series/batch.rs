@@ -5,10 +5,8 @@ use std::iter::{once, repeat_n};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::symbolic::{Id, Sum, Term};
+use crate::symbolic::{Id, LANES, Sum, Term};
 
-/// Numbers in a register.
-const REGISTER: usize = 8;
 /// Half the order of a series: how many products of coefficients a term has, on the whole.
 const PRODUCTS: usize = 8;
 /// The most products of one call: their sums stay in registers.
@@ -48,7 +46,7 @@ pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
                 first: if lanes < 4 {
                     end
                 } else {
-                    end.next_multiple_of(REGISTER)
+                    end.next_multiple_of(LANES)
                 },
                 lanes,
                 count,
@@ -59,12 +57,13 @@ pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
     batches
 }
 
-/// The count of products in a lane that costs least: products in registers, and sums of parts. Of equal ones the largest.
+/// The count of products in a lane that costs least: products in registers, and sums of parts. Of
+/// equal ones the largest.
 fn best_count(sums: &[Sum]) -> usize {
     let most = sums.iter().map(|sum| sum.terms.len()).max().unwrap_or(1);
     let cost = |count: &usize| {
         let lanes = parts(sums, *count).count();
-        lanes.div_ceil(REGISTER) * count * PRODUCTS + (lanes - sums.len())
+        lanes.div_ceil(LANES) * count * PRODUCTS + (lanes - sums.len())
     };
     (1..=most).rev().min_by_key(cost).unwrap_or(1)
 }
@@ -90,7 +89,7 @@ fn parts(sums: &[Sum], count: usize) -> impl Iterator<Item = Part<'_>> {
 pub fn filled(lanes: usize) -> usize {
     match lanes {
         1 | 2 => lanes,
-        _ => lanes.next_multiple_of(REGISTER / 2),
+        _ => lanes.next_multiple_of(LANES / 2),
     }
 }
 
@@ -113,7 +112,8 @@ impl Batch<'_> {
         self.filled(rows, self.count, fill)
     }
 
-    /// `[[(weight, coefficient), ..], ..]`, lane by lane, of what is added to the products, if there is anything.
+    /// `[[(weight, coefficient), ..], ..]`, lane by lane, of what is added to the products, if
+    /// there is anything.
     pub fn linear(&self, term: impl Fn(&(Id, Id)) -> TokenStream) -> Option<TokenStream> {
         let most = self.parts.iter().map(|part| part.linear.len()).max()?;
         let rows = self.parts.iter().map(|part| part.linear.iter().map(&term));

@@ -3,75 +3,61 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use crate::emit::code::{Scalar, Shapes, allow_constants, local_name, private};
 use crate::families::LoadKind;
 use crate::model::Declared;
 use crate::model::Outline;
 
 use super::constructor::Constructor;
 use super::docs::{Documentation, declared_doc};
-use super::lints::allow_constants;
-use super::naming::local_name;
-use super::paths::private;
-use super::scalar::Scalar;
-use super::shapes::Shapes;
 
-/// The type of a declared quantity.
-fn declared_type(outline: &Outline, declared: &Declared) -> TokenStream {
-    let shapes = Shapes::of(outline);
-    match declared.frame {
-        None => shapes.scalar.kind(),
-        Some(_) => shapes.vector_type(),
-    }
-}
+/// A field: its name, what is said of it, and its type.
+type Field<'a> = (&'a Ident, String, TokenStream);
 
 fn emit_struct(
     outline: &Outline,
     suffix: &str,
     doc: &str,
     derives: &TokenStream,
-    declared: &[Declared],
+    fields: &[Field<'_>],
 ) -> TokenStream {
     let name = format_ident!("{}{suffix}", outline.name);
-    let docs = declared.iter().map(declared_doc);
-    let names = declared.iter().map(|declared| &declared.name);
-    let types = declared
-        .iter()
-        .map(|declared| declared_type(outline, declared));
-    let lints = lints(declared.iter().map(|declared| &declared.name));
+    let lints = lints(fields.iter().map(|(name, ..)| *name));
+    let fields = fields.iter();
+    let fields = fields.map(|(name, doc, kind)| quote!(#[doc = #doc] pub #name: #kind));
     let generics = Scalar::of(outline).declared();
     quote! {
         #[doc = #doc]
         #lints
         #derives
-        pub struct #name #generics { #(#[doc = #docs] pub #names: #types),* }
+        pub struct #name #generics { #(#fields),* }
     }
 }
 
-/// One field for each load with unknown components.
-fn emit_open(
-    outline: &Outline,
-    suffix: &str,
-    doc: &str,
-    open: &[(Ident, LoadKind)],
-) -> TokenStream {
+/// One field for each quantity that is declared.
+fn declared_fields<'a>(outline: &Outline, declared: &'a [Declared]) -> Vec<Field<'a>> {
     let shapes = Shapes::of(outline);
-    let name = format_ident!("{}{suffix}", outline.name);
+    let kind = |declared: &Declared| match declared.frame {
+        None => shapes.scalar.kind(),
+        Some(_) => shapes.vector_type(),
+    };
+    let declared = declared.iter();
+    declared
+        .map(|declared| (&declared.name, declared_doc(declared), kind(declared)))
+        .collect()
+}
+
+/// One field for each load with unknown components.
+fn open_fields<'a>(outline: &Outline, open: &'a [(Ident, LoadKind)]) -> Vec<Field<'a>> {
+    let shapes = Shapes::of(outline);
     let fields = open.iter().map(|(field, kind)| {
         let (kind, unit) = match kind {
             LoadKind::Force => (shapes.vector_type(), "N"),
             LoadKind::Moment => (shapes.moment_type(), "N * m"),
         };
-        let doc = format!(" `{field}` in {unit}.");
-        quote!(#[doc = #doc] pub #field: #kind)
+        (field, format!(" `{field}` in {unit}."), kind)
     });
-    let lints = lints(open.iter().map(|(field, _)| field));
-    let generics = shapes.scalar.declared();
-    quote! {
-        #[doc = #doc]
-        #lints
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
-        pub struct #name #generics { #(#fields),* }
-    }
+    fields.collect()
 }
 
 /// Users may call a parameter `J`, a reaction `R_v`, and inputs `thrust_1`, `thrust_2`, ...
@@ -100,69 +86,72 @@ pub fn emit_items(
     constructor: &Constructor,
     documentation: &Documentation,
 ) -> TokenStream {
-    let name = &outline.name;
-    let documentation_lines = &documentation.lines;
-    let constants = &documentation.constants;
-    let inputs = (!outline.inputs.is_empty()).then(|| {
-        let derives = quote!(#[derive(Clone, Copy, Debug, Default, PartialEq)]);
-        emit_struct(
-            outline,
+    let (name, scalar) = (&outline.name, Scalar::of(outline));
+    let Documentation { lines, constants } = documentation;
+    let given = [
+        (
             "Input",
-            &format!(" What [`{name}`] is given at each evaluation, in SI units."),
-            &derives,
-            &outline.inputs,
-        )
-    });
-    let reactions = (!outline.reactions.is_empty()).then(|| {
-        let doc = format!(" The unknown reactions of [`{name}`], world axes.");
-        emit_open(outline, "Reactions", &doc, &outline.reactions)
-    });
-    let drives = (!outline.drives.is_empty()).then(|| {
-        let doc =
-            format!(" The unknown drives of [`{name}`], in the axes in which they are written.");
-        emit_open(outline, "Drives", &doc, &outline.drives)
-    });
-    let scalar = Scalar::of(outline);
+            declared_fields(outline, &outline.inputs),
+            format!(" What [`{name}`] is given at each evaluation, in SI units."),
+        ),
+        (
+            "Reactions",
+            open_fields(outline, &outline.reactions),
+            format!(" The unknown reactions of [`{name}`], world axes."),
+        ),
+        (
+            "Drives",
+            open_fields(outline, &outline.drives),
+            format!(" The unknown drives of [`{name}`], in the axes in which they are written."),
+        ),
+    ];
+    let derives = quote!(#[derive(Clone, Copy, Debug, Default, PartialEq)]);
+    let given = given.iter().filter(|(_, fields, _)| !fields.is_empty());
+    let given =
+        given.map(|(suffix, fields, doc)| emit_struct(outline, suffix, doc, &derives, fields));
+    let given: TokenStream = given.collect();
     let (declared, applied, kind) = (scalar.declared(), scalar.applied(), scalar.kind());
-    if outline.params.is_empty() {
-        let marker = scalar
-            .is_generic()
-            .then(|| quote!(scalar: ::core::marker::PhantomData<#kind>));
-        return quote! {
-            #documentation_lines
-            #[derive(Clone, Debug, Default)]
-            pub struct #name #declared { #marker }
-            #inputs
-            #reactions
-            #drives
-            impl #declared #name #applied { #constants }
-        };
+    if !outline.params.is_empty() {
+        return emit_built(outline, constructor, documentation, &given);
     }
-    let params = format_ident!("{name}Params");
-    let derives = quote!(#[derive(Clone, Copy, Debug, PartialEq)]);
-    let param_struct = emit_struct(
-        outline,
-        "Params",
-        &format!(" Parameters of [`{name}`], in SI units."),
-        &derives,
-        &outline.params,
-    );
-    let private = private(outline);
+    let marker = scalar.is_generic();
+    let marker = marker.then(|| quote!(scalar: ::core::marker::PhantomData<#kind>));
+    quote! {
+        #lines
+        #[derive(Clone, Debug, Default)]
+        pub struct #name #declared { #marker }
+        #given
+        impl #declared #name #applied { #constants }
+    }
+}
+
+/// A body that is built from parameters; `given` are the structs beside them.
+fn emit_built(
+    outline: &Outline,
+    constructor: &Constructor,
+    documentation: &Documentation,
+    given: &TokenStream,
+) -> TokenStream {
+    let (name, scalar, private) = (&outline.name, Scalar::of(outline), private(outline));
+    let (declared, applied, kind) = (scalar.declared(), scalar.applied(), scalar.kind());
+    let Documentation { lines, constants } = documentation;
     let Constructor {
         stored, axes, body, ..
     } = constructor;
-    let axes = axes.iter();
+    let (params, axes) = (format_ident!("{name}Params"), axes.iter());
+    let doc = format!(" Parameters of [`{name}`], in SI units.");
+    let derives = quote!(#[derive(Clone, Copy, Debug, PartialEq)]);
+    let fields = declared_fields(outline, &outline.params);
+    let param_struct = emit_struct(outline, "Params", &doc, &derives, &fields);
     let constants_of_new = allow_constants(body);
     let default = outline.has_default().then(|| emit_default(outline));
     let new_doc = " Checks the parameters, and computes what depends on them alone.";
     quote! {
-        #documentation_lines
+        #lines
         #[derive(Clone, Debug)]
         pub struct #name #declared { params: #params #applied, #(#stored: #kind,)* #(#axes: #private::PrincipalAxes)* }
         #param_struct
-        #inputs
-        #reactions
-        #drives
+        #given
         impl #declared #name #applied {
             #constants
             #[doc = #new_doc]
@@ -179,8 +168,8 @@ pub fn emit_items(
     }
 }
 
-/// What a body stores goes together: where there is something, its items stand in a module of their own, and nobody
-/// beside the call can change a part of it.
+/// What a body stores goes together: where there is something, its items stand in a module of their
+/// own, and nobody beside the call can change a part of it.
 pub fn with_private_fields(outline: &Outline, items: TokenStream) -> TokenStream {
     if outline.params.is_empty() {
         return items;

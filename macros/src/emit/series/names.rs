@@ -3,42 +3,42 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
+use crate::emit::code::{Block, Fields};
 use crate::mechanics::Taylor;
 use crate::symbolic::{Id, Node, Origin, Program, Recurrences, Sum};
 
 use super::batch::{Batch, filled};
-use super::code::{Body, Fields};
 
 /// The n-th coefficients of quotients and functions are called after these.
-pub fn name_results(body: &mut Body<'_>, recurrences: &Recurrences) -> Fields {
-    let graph = &body.writer.work.graph;
+pub fn name_results(block: &mut Block<'_>, recurrences: &Recurrences) -> Fields {
+    let graph = &block.writer.work.graph;
     let results = recurrences.results.iter();
     let computed = results.filter(|(_, next)| !matches!(graph.node(*next), Node::Symbol(_)));
-    let named = computed.map(|(result, next)| (*next, name_after(body, *result, "n")));
+    let named = computed.map(|(result, next)| (*next, name_after(block, *result, "n")));
     Fields(named.collect())
 }
 
 /// A name after that of an expression at the start, or after what it is.
-fn name_after(body: &mut Body<'_>, id: Id, suffix: &str) -> Ident {
-    let known = body.names.get(&id).map(ToString::to_string);
-    let base = known.unwrap_or_else(|| body.describe(id));
-    body.unique(&format!("{base}_{suffix}"))
+fn name_after(block: &mut Block<'_>, id: Id, suffix: &str) -> Ident {
+    let known = block.names.get(&id).map(ToString::to_string);
+    let base = known.unwrap_or_else(|| block.describe(id));
+    block.unique(&format!("{base}_{suffix}"))
 }
 
 /// `let [qx_n, _, ..] =`
-pub fn name_coefficients(body: &mut Body<'_>, taylor: &Taylor, program: &Program) -> TokenStream {
+pub fn name_coefficients(block: &mut Block<'_>, taylor: &Taylor, program: &Program) -> TokenStream {
     let pairs = taylor.symbols.iter().zip(&taylor.recurrences.coefficients);
     let count = taylor.symbols.len() - 1;
     let mut pattern = Vec::new();
     for (symbol, coefficient) in pairs.take(count) {
         let is_read = program.symbols.contains(coefficient);
-        let base = body.names.get(symbol).filter(|_| is_read);
+        let base = block.names.get(symbol).filter(|_| is_read);
         let Some(base) = base.map(|base| format!("{base}_n")) else {
             pattern.push(quote!(_));
             continue;
         };
-        let name = body.unique(&base);
-        body.names.insert(*coefficient, name.clone());
+        let name = block.unique(&base);
+        block.names.insert(*coefficient, name.clone());
         pattern.push(name.into_token_stream());
     }
     let is_read = taylor.recurrences.coefficients[..count]
@@ -54,20 +54,20 @@ pub fn name_coefficients(body: &mut Body<'_>, taylor: &Taylor, program: &Program
 
 /// The names of what a batch gives, and the sums of those that are in parts.
 pub fn name_sums(
-    body: &mut Body<'_>,
+    block: &mut Block<'_>,
     taylor: &Taylor,
     batch: &Batch<'_>,
 ) -> (TokenStream, TokenStream) {
     let (mut names, mut gathered) = (Vec::new(), TokenStream::new());
     for parts in batch.parts.chunk_by(|a, b| a.sum.value == b.sum.value) {
-        let name = name_sum(body, taylor, parts[0].sum);
+        let name = name_sum(block, taylor, parts[0].sum);
         if parts.len() == 1 {
             names.push(name);
             continue;
         }
         let places = 1..=parts.len();
         let parts: Vec<Ident> = places
-            .map(|place| body.unique(&format!("{name}_{place}")))
+            .map(|place| block.unique(&format!("{name}_{place}")))
             .collect();
         gathered.extend(quote!(let #name = #(#parts)+*;));
         names.extend(parts);
@@ -77,9 +77,9 @@ pub fn name_sums(
 }
 
 /// A sum is called after the coordinate that it is the rate of, or after what it was written for.
-fn name_sum(body: &mut Body<'_>, taylor: &Taylor, sum: &Sum) -> Ident {
+fn name_sum(block: &mut Block<'_>, taylor: &Taylor, sum: &Sum) -> Ident {
     let Recurrences { rates, results, .. } = &taylor.recurrences;
-    let graph = &body.writer.work.graph;
+    let graph = &block.writer.work.graph;
     let (of, word, is_whole) = match sum.of {
         Origin::Rate(place) => (taylor.symbols[place], "rate_", rates[place] == sum.value),
         Origin::Result(of) => (of, "", results.contains(&(of, sum.value))),
@@ -89,7 +89,7 @@ fn name_sum(body: &mut Body<'_>, taylor: &Taylor, sum: &Sum) -> Ident {
         }
     };
     let rest = if is_whole { "n" } else { "terms_n" };
-    let name = name_after(body, of, &format!("{word}{rest}"));
-    body.names.insert(sum.value, name.clone());
+    let name = name_after(block, of, &format!("{word}{rest}"));
+    block.names.insert(sum.value, name.clone());
     name
 }

@@ -1,28 +1,38 @@
-//! The structure of a body, as the constant of a trait.
+//! The structure of a body, as the constant of a trait: what every body has.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use crate::emit::code::{Site, allow_constants, number_literal};
+use crate::emit::items::Addition;
 use crate::mechanics::{Dependence, QUANTITIES, Structure, Symmetry};
 use crate::model::Outline;
 
-use super::implementations::header;
-use super::lints::allow_constants;
-use super::paths::private;
-use super::scalar::{Scalar, number_literal};
+use super::output::{Given, Output, Place};
 
-/// `impl Structured for Body { const STRUCTURE: Structure = Structure { .. }; }`, with what holds of it.
-pub fn emit_structure(outline: &Outline, structure: Option<&Structure>) -> TokenStream {
-    let (header, private) = (
-        header(outline, &Scalar::of(outline), "Structured"),
-        private(outline),
-    );
-    let value = structure.map_or_else(
-        || quote!(#private::Structure::GENERAL),
-        |structure| whole(structure, &private),
-    );
-    let constants = allow_constants(&value);
-    quote!(#header { #constants const STRUCTURE: #private::Structure = #value; })
+#[derive(Default)]
+pub struct Structured(Option<Structure>);
+
+impl Output for Structured {
+    fn place(&self, _: &Outline) -> Option<Place> {
+        Some(Place::Last)
+    }
+
+    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+        self.0 = Some(given.equations.structure(given.model, given.work).clone());
+        Some(())
+    }
+
+    /// `impl Structured for Body { const STRUCTURE: Structure = Structure { .. }; }`, with what
+    /// holds of it.
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let private = &site.shapes.private;
+        let known = self.0.as_ref().map(|structure| whole(structure, private));
+        let value = known.unwrap_or_else(|| quote!(#private::Structure::GENERAL));
+        let constants = allow_constants(&value);
+        let constant = quote!(#constants const STRUCTURE: #private::Structure = #value;);
+        Addition::implement(site, "Structured", [constant, quote!()], &[])
+    }
 }
 
 fn whole(structure: &Structure, private: &TokenStream) -> TokenStream {

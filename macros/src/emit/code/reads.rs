@@ -13,20 +13,15 @@ use crate::model::Meaning;
 use crate::model::Motion;
 use crate::symbolic::{Id, Number, Program, Stage};
 
-use super::code::{Body, Source, Writer};
+use super::block::Block;
 use super::naming::local;
+use super::writer::{Source, Writer};
 
 /// The component that a meaning stands for, if it is one of those of a place.
 type Component = fn(Meaning) -> Option<usize>;
 
-/// Components that are read together.
-struct Place {
-    source: Source,
-    path: TokenStream,
-    /// The name of each component; a scalar has one.
-    names: Vec<String>,
-    component: Component,
-}
+/// Components that are read together: where, and the name of each; a scalar has one.
+type Place = (Source, TokenStream, Vec<String>, Component);
 
 /// The component that a meaning of this kind has.
 macro_rules! component_of {
@@ -42,101 +37,69 @@ macro_rules! component_of {
 fn places(motion: Motion) -> Vec<Place> {
     let (state, acceleration) = (local("state"), local("acceleration"));
     let axes = &AXES[..motion.axes()];
-    let vector = |prefix: &str| {
-        axes.iter()
-            .map(|axis| format!("{prefix}{axis}"))
-            .collect::<Vec<_>>()
-    };
+    let vector = |prefix: &str| axes.iter().map(|axis| format!("{prefix}{axis}")).collect();
+    let has_angle = motion.is_planar || motion.is_hinged();
     let angular = |name: &str, prefix: &str| {
-        if motion.is_planar || motion.is_hinged() {
-            vec![name.to_owned()]
-        } else {
-            vector(prefix)
-        }
+        let one = has_angle.then(|| vec![name.to_owned()]);
+        one.unwrap_or_else(|| vector(prefix))
+    };
+    let of_state = |path: TokenStream, names: Vec<String>, component: Component| {
+        (Source::State, quote!(#state.#path), names, component)
     };
     // the acceleration of a motion with one kind of coordinates is not a struct
-    let part = |name: &str| {
-        let name = format_ident!("{name}");
-        if motion.translates && motion.has_attitude() {
-            quote!(#acceleration.#name)
-        } else {
-            quote!((*#acceleration))
-        }
-    };
-    let place =
-        |source: Source, path: TokenStream, names: Vec<String>, component: Component| Place {
-            source,
-            path,
-            names,
-            component,
-        };
-    let of_state = |path: TokenStream, names: Vec<String>, component: Component| {
-        place(Source::State, quote!(#state.#path), names, component)
-    };
+    let is_struct = motion.translates && motion.has_attitude();
     let of_acceleration = |name: &str, names: Vec<String>, component: Component| {
-        place(Source::Acceleration, part(name), names, component)
+        let name = format_ident!("{name}");
+        let part = is_struct.then(|| quote!(#acceleration.#name));
+        let path = part.unwrap_or_else(|| quote!((*#acceleration)));
+        (Source::Acceleration, path, names, component)
     };
     let quaternion = ["qx", "qy", "qz", "qw"].map(str::to_owned).to_vec();
+    let of_quaternion: Component = |meaning| match meaning {
+        Meaning::Quaternion(part) => Some((part + 3) % 4),
+        _ => None,
+    };
+    let of_angle: Component = |meaning| (meaning == Meaning::Angle).then_some(0);
+    let (rate, turning) = (angular("w", "w"), component_of!(AngularVelocity));
+    let (alpha, change) = (
+        angular("alpha", "alpha_"),
+        component_of!(AngularAcceleration),
+    );
     vec![
         of_state(quote!(position), vector(""), component_of!(Position)),
-        of_state(quote!(angle), vec!["angle".to_owned()], |meaning| {
-            (meaning == Meaning::Angle).then_some(0)
-        }),
-        of_state(
-            quote!(attitude.coords),
-            quaternion,
-            |meaning| match meaning {
-                Meaning::Quaternion(part) => Some((part + 3) % 4),
-                _ => None,
-            },
-        ),
+        of_state(quote!(angle), vec!["angle".to_owned()], of_angle),
+        of_state(quote!(attitude.coords), quaternion, of_quaternion),
         of_state(quote!(axis.into_inner()), vector("u"), component_of!(Axis)),
         of_state(quote!(velocity), vector("v"), component_of!(Velocity)),
-        of_state(
-            quote!(angular_velocity),
-            angular("w", "w"),
-            component_of!(AngularVelocity),
-        ),
+        of_state(quote!(angular_velocity), rate, turning),
         of_state(quote!(axis_rate), vector("rate_"), component_of!(AxisRate)),
         of_acceleration("linear", vector("a"), component_of!(LinearAcceleration)),
-        of_acceleration(
-            "angular",
-            angular("alpha", "alpha_"),
-            component_of!(AngularAcceleration),
-        ),
+        of_acceleration("angular", alpha, change),
         of_acceleration("axis", vector("axis_"), component_of!(AxisAcceleration)),
     ]
 }
 
-impl Body<'_> {
+impl Block<'_> {
     /// Reads the symbols of `program`, and gives them names.
     pub fn read(&mut self, program: &Program) -> TokenStream {
         let Writer { model, work, .. } = self.writer;
-        let meaning = |id: Id| Some((id, work.meaning(id)?));
-        let symbols: Vec<(Id, Meaning)> = program
-            .symbols
-            .iter()
-            .filter_map(|id| meaning(*id))
+        let symbols = program.symbols.iter();
+        let symbols: Vec<(Id, Meaning)> = symbols
+            .filter_map(|id| Some((*id, work.meaning(*id)?)))
             .collect();
         let outline = self.writer.outline;
         let mut tokens = self.read_declared(&symbols, Source::Params, &outline.params);
         tokens.extend(self.read_declared(&symbols, Source::Input, &outline.inputs));
-        for (id, _) in symbols
-            .iter()
-            .filter(|(_, meaning)| *meaning == Meaning::Time)
-        {
+        for (_, id) in found(&symbols, |meaning| (meaning == Meaning::Time).then_some(0)) {
             self.reads.push(Source::Time);
-            self.names.insert(*id, local("time"));
+            self.names.insert(id, local("time"));
         }
         tokens.extend(self.read_reactions(&symbols));
-        for place in places(model.motion) {
-            let found: Vec<(usize, Id)> = symbols
-                .iter()
-                .filter_map(|(id, meaning)| Some(((place.component)(*meaning)?, *id)))
-                .collect();
+        for (source, path, names, component) in places(model.motion) {
+            let found = found(&symbols, component);
             if !found.is_empty() {
-                self.reads.push(place.source);
-                tokens.extend(self.read_components(&found, &place.path, &place.names));
+                self.reads.push(source);
+                tokens.extend(self.read_components(&found, &path, &names));
             }
         }
         tokens
@@ -152,7 +115,7 @@ impl Body<'_> {
         if numbers.is_empty() {
             return TokenStream::new();
         }
-        let (at_hand, scalar) = (self.value_at_hand(), &self.writer.scalar);
+        let (at_hand, scalar) = (self.value_at_hand(), &self.writer.shapes.scalar);
         let mut tokens = TokenStream::new();
         for (id, number) in numbers {
             let name = self.statement_name(id);
@@ -166,15 +129,14 @@ impl Body<'_> {
     /// A value that every function of this stage is given.
     fn value_at_hand(&mut self) -> TokenStream {
         let (motion, state) = (self.writer.model.motion, local("state"));
+        let outline = self.writer.outline;
         if self.writer.stage == Stage::Parameter {
-            let first = self.writer.outline.params.first();
             let params = Ident::new("params", Span::call_site());
-            return first.map_or_else(TokenStream::new, |first| component_at_hand(&params, first));
+            return component_at_hand(&params, outline.params.first());
         }
         if !self.writer.has_state {
             self.reads.push(Source::Input);
-            let (first, input) = (self.writer.outline.inputs.first(), local("input"));
-            return first.map_or_else(TokenStream::new, |first| component_at_hand(&input, first));
+            return component_at_hand(&local("input"), outline.inputs.first());
         }
         self.reads.push(Source::State);
         if motion.translates {
@@ -194,10 +156,7 @@ impl Body<'_> {
                 Meaning::Reaction(reaction, axis) if reaction == index => Some(axis),
                 _ => None,
             };
-            let found: Vec<(usize, Id)> = symbols
-                .iter()
-                .filter_map(|(id, meaning)| Some((component(*meaning)?, *id)))
-                .collect();
+            let found = found(symbols, component);
             if found.is_empty() {
                 continue;
             }
@@ -239,7 +198,7 @@ impl Body<'_> {
             pattern.push(name.into_token_stream());
         }
         let count = Literal::usize_unsuffixed(names.len());
-        let kind = self.writer.scalar.kind();
+        let kind = self.writer.shapes.scalar.kind();
         quote!(let [#(#pattern),*]: [#kind; #count] = #path.into();)
     }
 
@@ -259,10 +218,7 @@ impl Body<'_> {
         };
         let (mut pattern, mut components) = (Vec::new(), TokenStream::new());
         for (index, declaration) in declared.iter().enumerate() {
-            let used: Vec<(usize, Id)> = symbols
-                .iter()
-                .filter_map(|(id, meaning)| Some((component(*meaning, index)?, *id)))
-                .collect();
+            let used = found(symbols, |meaning| component(meaning, index));
             if used.is_empty() {
                 continue;
             }
@@ -300,9 +256,22 @@ impl Body<'_> {
     }
 }
 
+/// The symbols that are components of something, and which.
+fn found(
+    symbols: &[(Id, Meaning)],
+    component: impl Fn(Meaning) -> Option<usize>,
+) -> Vec<(usize, Id)> {
+    let symbols = symbols.iter();
+    symbols
+        .filter_map(|(id, meaning)| Some((component(*meaning)?, *id)))
+        .collect()
+}
+
 /// The first component of a parameter or an input.
-fn component_at_hand(of: &Ident, declared: &Declared) -> TokenStream {
-    let name = &declared.name;
-    let component = declared.frame.map(|_| quote!(.x));
-    quote!(#of.#name #component)
+fn component_at_hand(of: &Ident, declared: Option<&Declared>) -> TokenStream {
+    let component = declared.map(|declared| {
+        let (name, x) = (&declared.name, declared.frame.map(|_| quote!(.x)));
+        quote!(#of.#name #x)
+    });
+    component.unwrap_or_default()
 }

@@ -1,20 +1,76 @@
-//! The motion in closed form: a path of the runtime, begun at a state.
+//! `flow`: the motion in closed form, as a path of the runtime that begins at a state. Elliptic
+//! functions are those of doubles.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::mechanics::{Flow, Free, Turning};
-use crate::model::{Orientation, Outline};
+use crate::emit::code::{Method, PRINCIPAL_AXES, Shapes, Site, Values, Writer, local};
+use crate::emit::items::{Addition, Best};
+use crate::lower::Offer;
+use crate::mechanics::{self, Free, Report, Turning, derive_flow};
+use crate::model::{Model, Orientation, Outline, Workspace};
 use crate::symbolic::Id;
 
-use super::code::Writer;
-use super::constructor::PRINCIPAL_AXES;
-use super::functions::Function;
-use super::naming::local;
-use super::shapes::{Shapes, Values};
+use super::output::{Given, Output};
+
+const OFFER: Offer = Offer::new("flow");
+
+#[derive(Default)]
+pub struct Flow(Option<mechanics::Flow>);
+
+impl Output for Flow {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+        let (place, model) = (given.outline.place(OFFER.word)?, given.model);
+        let (linear, angular) = (&given.equations.linear, &given.equations.angular);
+        self.0 = Some(derive_flow(
+            model,
+            given.work,
+            place,
+            linear,
+            angular,
+            given.errors,
+        )?);
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        self.0.iter().flat_map(mechanics::Flow::roots).collect()
+    }
+
+    fn tensor(&self) -> Option<[Id; 6]> {
+        self.0.as_ref()?.tensor()
+    }
+
+    fn describe(&self, model: &Model, _: &Workspace, report: &mut Report) {
+        let flow = self.0.iter();
+        report
+            .lists
+            .extend(flow.map(|flow| ("Closed form", flow.describe(model.motion))));
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let (site, flow) = (site.double(), self.0.as_ref());
+        let shapes = &site.shapes;
+        let kind = match flow {
+            Some(flow) => path_type(shapes, &flow.turning),
+            None => any_path(shapes),
+        };
+        let path = site.method(flow, write_path);
+        let (state, state_type) = (local("state"), shapes.state_type());
+        let path = path.declared("path", &quote!(#state: &#state_type), &kind);
+        Addition {
+            best: Best::ClosedForm,
+            ..Addition::implement(&site, "Flow", [quote!(type Path = #kind;), path], &[])
+        }
+    }
+}
 
 /// `Flight<FreeRotation, 3>`, `Pendulum`, ...
-pub fn path_type(shapes: &Shapes, turning: &Turning) -> TokenStream {
+fn path_type(shapes: &Shapes, turning: &Turning) -> TokenStream {
     let private = &shapes.private;
     with_center(
         shapes,
@@ -31,8 +87,7 @@ pub fn path_type(shapes: &Shapes, turning: &Turning) -> TokenStream {
 }
 
 /// A path of this kind of motion, for a body that has none.
-pub fn any_path(outline: &Outline) -> TokenStream {
-    let shapes = Shapes::double(outline);
+fn any_path(shapes: &Shapes) -> TokenStream {
     let private = &shapes.private;
     let rotation = match shapes.motion.orientation {
         Orientation::Fixed => None,
@@ -40,7 +95,7 @@ pub fn any_path(outline: &Outline) -> TokenStream {
         Orientation::Line => Some(quote!(#private::GreatCircle)),
         Orientation::Angle => Some(quote!(#private::Parabola<1>)),
     };
-    with_center(&shapes, rotation)
+    with_center(shapes, rotation)
 }
 
 fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
@@ -55,15 +110,17 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
     }
 }
 
-/// `Flight { center: Parabola { .. }, rotation: FreeRotation::principal(..) }`, or the one part that there is.
-pub fn write_path(writer: &Writer<'_>, shapes: &Shapes, flow: &Flow) -> Function {
+/// `Flight { center: Parabola { .. }, rotation: FreeRotation::principal(..) }`, or the one part
+/// that there is.
+fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
+    let shapes = &writer.shapes;
     let linear = if shapes.motion.translates {
         shapes.vector_part(&flow.linear)
     } else {
         &[]
     };
     let outputs = [linear, &path_roots(writer.outline, &flow.turning)].concat();
-    Function::write(writer, &outputs, |values| {
+    Method::write(writer, &outputs, |values| {
         let center = shapes.motion.translates.then(|| center(shapes, values));
         let rotation = rotation(shapes, &flow.turning, values);
         match (center, rotation) {
@@ -109,12 +166,21 @@ fn rotation(shapes: &Shapes, turning: &Turning, values: &mut Values<'_>) -> Opti
             quote!(#private::Pendulum::new(#rate, #hanging, #state))
         }
         Turning::Free(free) => free_rotation(shapes, free, values),
-        Turning::Top(_) => lagrange_top(shapes, values),
-        Turning::Axial(_) => axial_torque(shapes, values),
+        Turning::Top(_) => {
+            let (moments, axis, couple) = (list(values, 2), list(values, 3), list(values, 3));
+            let state = turning_state(shapes, "Rotation", "attitude");
+            quote!(#private::lagrange_top(#moments, #axis, #couple, #state))
+        }
+        Turning::Axial(_) => {
+            let (moments, axis, torque) = (list(values, 2), list(values, 3), values.next());
+            let state = turning_state(shapes, "Rotation", "attitude");
+            quote!(#private::axial_torque(#moments, #axis, #torque, #state))
+        }
     })
 }
 
-/// `state`, or of a body that moves too `&Rotation { attitude: state.attitude, angular_velocity: state.angular_velocity }`
+/// `state`, or of a body that moves too `&Rotation { attitude: state.attitude, angular_velocity:
+/// state.angular_velocity }`
 fn turning_state(shapes: &Shapes, kind: &str, coordinate: &str) -> TokenStream {
     let (private, state) = (&shapes.private, local("state"));
     let (kind, coordinate) = (format_ident!("{kind}"), format_ident!("{coordinate}"));
@@ -154,22 +220,6 @@ fn free_rotation(shapes: &Shapes, free: &Free, values: &mut Values<'_>) -> Token
             quote!(#private::rotation_about(&#private::principal_axes(#entries), #state))
         }
     }
-}
-
-/// `lagrange_top([..], [..], [..], state)`
-fn lagrange_top(shapes: &Shapes, values: &mut Values<'_>) -> TokenStream {
-    let private = &shapes.private;
-    let state = turning_state(shapes, "Rotation", "attitude");
-    let (moments, axis, couple) = (list(values, 2), list(values, 3), list(values, 3));
-    quote!(#private::lagrange_top(#moments, #axis, #couple, #state))
-}
-
-/// `axial_torque([..], [..], torque, state)`
-fn axial_torque(shapes: &Shapes, values: &mut Values<'_>) -> TokenStream {
-    let private = &shapes.private;
-    let state = turning_state(shapes, "Rotation", "attitude");
-    let (moments, axis, torque) = (list(values, 2), list(values, 3), values.next());
-    quote!(#private::axial_torque(#moments, #axis, #torque, #state))
 }
 
 /// `[..]` of the values that follow.

@@ -1,0 +1,25 @@
+//! Straight-line code: expressions of the graph as statements of Rust, in methods of a body.
+
+mod block;
+mod expression;
+mod lints;
+mod method;
+mod naming;
+mod reads;
+mod scalar;
+mod shapes;
+mod site;
+mod statements;
+mod text;
+mod writer;
+
+pub use block::Block;
+pub use lints::allow_constants;
+pub use method::Method;
+pub use naming::{PRINCIPAL_AXES, local, local_name, unique};
+pub use scalar::{Scalar, number_literal, private};
+pub use shapes::{Shapes, Values};
+pub use site::Site;
+pub use statements::Facts;
+pub use text::to_text;
+pub use writer::{Fields, GIVEN, Source, Writer};

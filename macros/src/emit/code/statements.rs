@@ -1,0 +1,147 @@
+//! Straight-line code: the statements of one generated function, and what it returns.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::symbolic::{Comparison, Cost, Function, Id, Node, Program};
+
+use super::block::Block;
+use super::text::to_text;
+use super::writer::{Source, Writer};
+
+/// The code of one function.
+pub struct Code {
+    /// Reads what is given, and computes.
+    pub statements: TokenStream,
+    /// What was asked for.
+    pub outputs: Vec<TokenStream>,
+    pub facts: Facts,
+}
+
+/// What is known of code.
+#[derive(Default)]
+pub struct Facts {
+    /// What it reads: to name arguments that it does not.
+    pub reads: Vec<Source>,
+    pub cost: Cost,
+    /// Whether statements carry notes.
+    pub has_notes: bool,
+    /// Whether numbers are compared for equality.
+    pub has_equality: bool,
+    /// Whether it divides by what may vanish.
+    pub has_pivots: bool,
+    /// The statements as text, for documentation.
+    pub text: Vec<String>,
+    /// What was asked for as text.
+    pub output_text: Vec<String>,
+}
+
+impl Writer<'_> {
+    /// The code that computes `outputs`. That of a generic body has a line for each constant; its
+    /// text is that of the same code for `f64`.
+    pub fn function(&self, outputs: &[Id]) -> Code {
+        let program = self.schedule(outputs);
+        let (plain, numbers) = self.write(&program, None);
+        if !self.shapes.scalar.is_generic() {
+            return plain;
+        }
+        let (mut generic, _) = self.write(&program, Some(&numbers));
+        generic.facts.text = plain.facts.text;
+        generic.facts.output_text = plain.facts.output_text;
+        generic
+    }
+
+    /// The code of a program, and the numbers in it; with `constants`, for any scalar.
+    fn write(&self, program: &Program, constants: Option<&BTreeSet<Id>>) -> (Code, BTreeSet<Id>) {
+        let mut block = Block::new(self, constants.is_some());
+        let mut statements = block.read(program);
+        if let Some(constants) = constants {
+            statements.extend(block.constants(constants));
+        }
+        let (computed, text) = block.statements(program, |_| true);
+        statements.extend(computed);
+        let graph = &self.work.graph;
+        let has =
+            |wanted: fn(&Node) -> bool| program.nodes.iter().any(|id| wanted(graph.node(*id)));
+        let outputs = program.outputs.iter();
+        let outputs: Vec<TokenStream> = outputs.map(|id| block.value(*id)).collect();
+        let facts = Facts {
+            output_text: outputs.iter().map(to_text).collect(),
+            cost: graph.cost(&program.nodes),
+            has_notes: !block.noted.is_empty(),
+            has_pivots: has(|node| matches!(node, Node::Pivot(..))),
+            has_equality: has(|node| {
+                matches!(
+                    node,
+                    Node::Compare(Comparison::Equal | Comparison::NotEqual, ..)
+                )
+            }),
+            reads: block.reads,
+            text,
+        };
+        let code = Code {
+            statements,
+            outputs,
+            facts,
+        };
+        (code, block.numbers.into_inner())
+    }
+}
+
+impl Block<'_> {
+    /// The statements of `program` that are due and have no name yet, as code and as text.
+    pub fn statements(
+        &mut self,
+        program: &Program,
+        is_due: impl Fn(Id) -> bool,
+    ) -> (TokenStream, Vec<String>) {
+        let (mut statements, mut text) = (TokenStream::new(), Vec::new());
+        for &id in program.statements.iter().filter(|id| is_due(**id)) {
+            if self.names.contains_key(&id) {
+                continue;
+            }
+            let name = self.statement_name(id);
+            let note = self.note(&name);
+            text.extend(note.iter().map(|note| format!("# {note}")));
+            let (left, right) = self.statement(id, name, program);
+            text.push(format!("{} = {}", to_text(&left), to_text(&right)));
+            let note = note.map(|note| format!(" {note}"));
+            let note = note.iter();
+            statements.extend(quote!(#(#[doc = #note])* let #left = #right;));
+        }
+        (statements, text)
+    }
+
+    /// What is assigned, and its value; a sine and a cosine of the same angle are computed
+    /// together.
+    fn statement(&mut self, id: Id, name: Ident, program: &Program) -> (TokenStream, TokenStream) {
+        let graph = &self.writer.work.graph;
+        let pair = graph
+            .other_half(id)
+            .filter(|other| program.statements.contains(other));
+        let (Some(other), Node::Unary(function, angle)) = (pair, graph.node(id)) else {
+            let value = self.definition(id);
+            let left = quote!(#name);
+            self.names.insert(id, name);
+            return (left, value);
+        };
+        let second = self.statement_name(other);
+        let value = if self.is_generic {
+            self.method("sin_cos", &[*angle])
+        } else {
+            let private = &self.writer.shapes.private;
+            let angle = self.value(*angle);
+            quote!(#private::math::sin_cos(#angle))
+        };
+        let (sine, cosine) = if *function == Function::Sin {
+            (&name, &second)
+        } else {
+            (&second, &name)
+        };
+        let tokens = (quote!((#sine, #cosine)), value);
+        self.names.extend([(id, name), (other, second)]);
+        tokens
+    }
+}

@@ -1,0 +1,197 @@
+//! How a body is built: its parameters are checked, and what depends on them alone is computed and
+//! stored.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use crate::emit::code::{Fields, PRINCIPAL_AXES, Writer, local, to_text, unique};
+use crate::model::{AXES, Inertia, Meaning, Model, Outline, Workspace};
+use crate::symbolic::{Cost, Id, Node, Stage};
+
+/// All expressions that code is generated for.
+pub struct Roots {
+    /// Those that have to be finite.
+    pub finite: Vec<Id>,
+    /// When the equations change: a switch that is at no time is none.
+    pub switches: Vec<Id>,
+    /// The entries of a tensor of which a body of doubles keeps the principal axes.
+    pub tensor: Option<[Id; 6]>,
+}
+
+/// What a body is built from and keeps.
+#[derive(Default)]
+pub struct Constructor {
+    /// Fields beside `params`: what depends on the parameters alone.
+    pub stored: Vec<Ident>,
+    /// The field of principal axes, where a closed form needs them.
+    pub axes: Option<Ident>,
+    /// Checks and computations of `new`.
+    pub body: TokenStream,
+    pub cost: Cost,
+    /// The computations as text.
+    pub text: Vec<String>,
+}
+
+/// The expressions that depend on parameters alone, each with the name of its field.
+pub fn stored_fields(outline: &Outline, meant: (&Model, &Workspace), roots: &Roots) -> Fields {
+    let work = meant.1;
+    let mut all = [&roots.finite[..], &roots.switches].concat();
+    // for any scalar there are no principal axes to be stored
+    if outline.scalar.is_some() {
+        all.extend(roots.tensor.into_iter().flatten());
+    }
+    let hoisted = Writer::new(outline, meant, Fields::NONE)
+        .schedule(&all)
+        .hoisted;
+    let mut taken = ["params", PRINCIPAL_AXES].map(str::to_owned).into();
+    let fields = hoisted.into_iter().map(|id| {
+        let label = |id: Id| work.labels.get(id).map(str::to_owned);
+        let opposite = || Some(format!("minus_{}", label(work.graph.negation_of(id)?)?));
+        let wanted = label(id).or_else(opposite);
+        let wanted = wanted.unwrap_or_else(|| field_name(outline, work, id));
+        (id, unique(&mut taken, &wanted))
+    });
+    Fields(fields.collect())
+}
+
+/// What is known early of expressions, as it is stored.
+fn reached(work: &Workspace, roots: &[Id]) -> Vec<Id> {
+    let graph = &work.graph;
+    graph.reachable(roots, |id| !graph.is_early(id))
+}
+
+/// A constant is called after the parameters that it is computed from.
+fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
+    let graph = &work.graph;
+    let mut words: Vec<String> = Vec::new();
+    for symbol in graph.reachable(&[id], |_| true) {
+        let Node::Symbol(symbol) = graph.node(symbol) else {
+            continue;
+        };
+        if let Meaning::Param(index, _) = work.meanings.of(*symbol) {
+            words.push(outline.params[index].name.to_string());
+        }
+    }
+    words.dedup();
+    words.truncate(3);
+    format!("from_{}", words.join("_"))
+}
+
+impl Constructor {
+    /// `new` checks the parameters, and computes and stores what depends on them alone.
+    pub fn write(
+        outline: &Outline,
+        (model, work): (&Model, &Workspace),
+        roots: &Roots,
+        fields: &Fields,
+    ) -> Self {
+        let writer = Writer {
+            targets: fields,
+            stage: Stage::Parameter,
+            has_state: false,
+            ..Writer::new(outline, (model, work), Fields::NONE)
+        };
+        let is_open = |id: &Id| work.graph.stage(*id) == Stage::Parameter;
+        let mass: Vec<Id> = model.mass.into_iter().filter(is_open).collect();
+        let mut inertia = model.inertia_entries();
+        if !inertia.iter().any(is_open) {
+            inertia.clear();
+        }
+        let tensor = roots.tensor.filter(|_| outline.scalar.is_none());
+        let tensor: Vec<Id> = tensor.into_iter().flatten().collect();
+        let stored = fields.0.iter().map(|(id, _)| *id).collect();
+        let code =
+            writer.function(&[mass.clone(), inertia.clone(), tensor.clone(), stored].concat());
+        let (mass, values) = code.outputs.split_at(mass.len());
+        let (inertia, values) = values.split_at(inertia.len());
+        let (tensor, values) = values.split_at(tensor.len());
+
+        let (mut text, mut rest) = (code.facts.text, TokenStream::new());
+        let value_text = &code.facts.output_text[code.outputs.len() - values.len()..];
+        let stored: Vec<Ident> = fields.0.iter().map(|(_, name)| name.clone()).collect();
+        for ((name, value), value_text) in stored.iter().zip(values).zip(value_text) {
+            // what is a statement has its name already
+            if *name != to_text(value) {
+                text.push(format!("{name} = {value_text}"));
+                rest.extend(quote!(let #name = #value;));
+            }
+        }
+        let private = &writer.shapes.private;
+        let (given, statements) = (finite_checks(outline, model), code.statements);
+        let possible = check_possible(model, mass, inertia, private);
+        let derived = check_derived(work, roots, fields, private);
+        let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
+        let set_axes = axes
+            .iter()
+            .map(|axes| quote!(let #axes = #private::principal_axes([#(#tensor),*]);));
+        let body = quote! {
+            #private::check_finite(&[#(#given),*])?;
+            #statements
+            #possible
+            #rest
+            #derived
+            #(#set_axes)*
+            ::core::result::Result::Ok(Self { params, #(#stored,)* #axes })
+        };
+        Self {
+            stored,
+            axes,
+            body,
+            cost: code.facts.cost,
+            text,
+        }
+    }
+
+    pub fn stub() -> Self {
+        Self {
+            body: quote!(::core::result::Result::Ok(Self { params })),
+            ..Self::default()
+        }
+    }
+}
+
+/// Whether there is a body of this mass and inertia, as far as parameters decide it.
+fn check_possible(
+    model: &Model,
+    mass: &[TokenStream],
+    inertia: &[TokenStream],
+    private: &TokenStream,
+) -> TokenStream {
+    let inertia = match (model.inertia, inertia) {
+        (_, []) => TokenStream::new(),
+        (Inertia::Scalar(_), [moment, ..]) => quote!(#private::check_planar_inertia(#moment)?;),
+        (_, entries) => quote!(#private::check_inertia([#(#entries),*])?;),
+    };
+    quote!(#(#private::check_mass(#mass)?;)* #inertia)
+}
+
+/// Whether what is stored is finite, where it has to be.
+fn check_derived(
+    work: &Workspace,
+    roots: &Roots,
+    fields: &Fields,
+    private: &TokenStream,
+) -> Option<TokenStream> {
+    let finite = reached(work, &roots.finite);
+    let checked = fields.0.iter().filter(|(id, _)| finite.contains(id));
+    let checked: Vec<&Ident> = checked.map(|(_, name)| name).collect();
+    let words = checked.iter().map(ToString::to_string);
+    (!checked.is_empty()).then(|| quote!(#private::check_finite(&[#((#words, #checked)),*])?;))
+}
+
+/// `("arm", params.arm)` of every parameter, by component.
+fn finite_checks(outline: &Outline, model: &Model) -> Vec<TokenStream> {
+    let axes = AXES[..model.motion.axes()].iter();
+    let axes = axes.map(|axis| Ident::new(axis, Span::call_site()));
+    let parts: Vec<TokenStream> = axes.map(|axis| quote!(.#axis)).collect();
+    let checks = outline.params.iter().flat_map(|param| {
+        let (name, word) = (&param.name, param.name.to_string());
+        let parts = param
+            .frame
+            .map_or(vec![TokenStream::new()], |_| parts.clone());
+        parts
+            .into_iter()
+            .map(move |part| quote!((#word, params.#name #part)))
+    });
+    checks.collect()
+}

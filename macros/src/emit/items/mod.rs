@@ -1,0 +1,17 @@
+//! The items of a body: its structs, how it is built, what it implements and what is said of it.
+
+mod addition;
+mod columns;
+mod constructor;
+mod docs;
+mod open;
+mod rigid_body;
+mod structs;
+
+pub use addition::Addition;
+pub use columns::emit_columns;
+pub use constructor::{Constructor, Roots, stored_fields};
+pub use docs::Documentation;
+pub use open::write_open;
+pub use rigid_body::{Best, emit_integrate, emit_rigid_body, write_acceleration};
+pub use structs::{emit_checks, emit_items, with_private_fields};

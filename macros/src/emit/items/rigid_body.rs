@@ -1,0 +1,193 @@
+//! What every body implements: its accelerations, when they change, and how it is integrated.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use crate::emit::code::{GIVEN, Method, Site, Source, Writer, local, number_literal};
+use crate::mechanics::{Equations, Partial, Switch};
+use crate::symbolic::{Id, Number};
+
+/// The method that integrates a body best, from the one that every body has.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Best {
+    #[default]
+    RungeKutta,
+    Series,
+    ClosedForm,
+}
+
+/// `fn acceleration(..)`, whose cost and text are documented.
+pub fn write_acceleration(site: &Site<'_>, equations: Option<&Equations>) -> Method {
+    let shapes = &site.shapes;
+    site.method(equations, |writer, equations| {
+        let outputs = shapes.pair_part(&equations.linear, &equations.angular);
+        let mut method = Method::write(writer, &outputs, |values| shapes.acceleration(values));
+        // what is known early is no statement, and stands in the text all the same
+        let results = shapes
+            .pair_names()
+            .into_iter()
+            .zip(&method.facts.output_text);
+        let stated = results.filter(|(name, value)| name != *value);
+        let text: Vec<String> = stated
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect();
+        method.facts.text.extend(text);
+        method
+    })
+}
+
+/// `impl RigidBody for Body { .. }`
+pub fn emit_rigid_body(
+    site: &Site<'_>,
+    acceleration: &Method,
+    equations: Option<&Equations>,
+) -> TokenStream {
+    let (shapes, header) = (&site.shapes, site.header("RigidBody"));
+    let (state, input, scalar) = (shapes.state_type(), site.input_type(), shapes.scalar.kind());
+    let acceleration = acceleration.declared(
+        "acceleration",
+        &site.arguments(acceleration, &GIVEN),
+        &shapes.acceleration_type(),
+    );
+    let switches = equations.map(|equations| emit_switches(site, &equations.switches));
+    let input_after = emit_input_after(site);
+    let lost_load = equations.map(|equations| emit_lost_load(site, &equations.partial));
+    // in lanes, all of it has to be compiled for the register
+    let inline = if shapes.scalar.is_generic() {
+        quote!(#[allow(clippy::inline_always)] #[inline(always)])
+    } else {
+        quote!(#[inline])
+    };
+    quote! {
+        #header {
+            type Scalar = #scalar;
+            type State = #state;
+            type Input = #input;
+            #inline
+            #acceleration
+            #switches
+            #input_after
+            #lost_load
+        }
+    }
+}
+
+/// `lost_load(&[("drag", &[drag_x, drag_y]), ..])`, if there are loads that may have no value.
+fn emit_lost_load(site: &Site<'_>, partial: &[Partial]) -> Option<TokenStream> {
+    if partial.is_empty() {
+        return None;
+    }
+    let method = site.method(Some(partial), |writer, partial| {
+        let outputs: Vec<Id> = partial.iter().flat_map(|load| load.parts.clone()).collect();
+        let writer = Writer {
+            is_whole: true,
+            ..writer.clone()
+        };
+        let private = &writer.shapes.private;
+        Method::write(&writer, &outputs, |values| {
+            let loads = partial.iter().map(|load| {
+                let (name, parts) = (&load.name, values.take(load.parts.len()));
+                quote!((#name, &[#(#parts),*]))
+            });
+            let loads: Vec<TokenStream> = loads.collect();
+            quote!(#private::lost_load(&[#(#loads),*]))
+        })
+    });
+    let name = quote!(::core::option::Option<&'static str>);
+    let method = method.declared("lost_load", &site.arguments(&method, &GIVEN), &name);
+    Some(quote!(#[cold] #method))
+}
+
+/// `fn switches(..)`, if there are times at which the equations change.
+fn emit_switches(site: &Site<'_>, switches: &[Switch]) -> Option<TokenStream> {
+    if switches.is_empty() {
+        return None;
+    }
+    let method = site.method(Some(switches), write_switches);
+    let (private, times) = (&site.shapes.private, local("times"));
+    let input = site.arguments(&method, &[Source::Input]);
+    let (lints, body) = (method.lints(), &method.body);
+    Some(quote!(#lints fn switches(&self, #input, #times: &mut #private::Switches) { #body }))
+}
+
+/// `times.at(50.0); times.every(self.start, self.period);`
+fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Method {
+    // numbers need no scalar to be made of
+    let graph = &writer.work.graph;
+    let number = |id: &Id| {
+        graph
+            .as_number(*id)
+            .map(|number| number_literal(number.to_f64()))
+    };
+    let outputs = switches.iter().flat_map(Switch::roots);
+    let open: Vec<Id> = outputs.filter(|id| number(id).is_none()).collect();
+    let times = local("times");
+    let writer = Writer {
+        has_state: false,
+        ..writer.clone()
+    };
+    Method::write(&writer, &open, |values| {
+        let calls = switches.iter().map(|switch| {
+            let name = match switch {
+                Switch::At(..) => quote!(at),
+                Switch::Near(..) => quote!(near),
+                Switch::Every(..) => quote!(every),
+            };
+            let roots = switch.roots();
+            let arguments = roots
+                .iter()
+                .filter_map(|id| number(id).or_else(|| values.next().cloned()));
+            let arguments: Vec<TokenStream> = arguments.collect();
+            quote!(#times.#name(#(#arguments),*);)
+        });
+        quote!(#(#calls)*)
+    })
+}
+
+/// An input that moves goes on with its rate and acceleration.
+fn emit_input_after(site: &Site<'_>) -> Option<TokenStream> {
+    let (outline, scalar) = (site.outline, &site.shapes.scalar);
+    let kind = scalar.kind();
+    let (input, duration, half) = (local("input"), local("duration"), local("half"));
+    let moving: Vec<_> = outline
+        .inputs
+        .windows(3)
+        .filter(|inputs| inputs[0].moves)
+        .map(|inputs| {
+            let [value, rate, acceleration] = [&inputs[0].name, &inputs[1].name, &inputs[2].name];
+            quote! {
+                #value: #input.#value + (#input.#rate + #input.#acceleration * #half) * #duration,
+                #rate: #input.#rate + #input.#acceleration * #duration,
+            }
+        })
+        .collect();
+    if moving.is_empty() {
+        return None;
+    }
+    let (name, all) = (format_ident!("{}Input", outline.name), site.input_type());
+    let one_half = scalar.constant(&Number::ratio(1, 2), &quote!(#duration));
+    Some(quote! {
+        #[inline]
+        fn input_after(&self, #input: &#all, #duration: #kind) -> ::core::option::Option<#all> {
+            let #half = #one_half * #duration;
+            ::core::option::Option::Some(#name { #(#moving)* ..*#input })
+        }
+    })
+}
+
+/// `impl Integrate for Body { type Best = ..; }`
+pub fn emit_integrate(site: &Site<'_>, best: Best) -> TokenStream {
+    let site = site.double();
+    let (header, private) = (site.header("Integrate"), &site.shapes.private);
+    let method = match best {
+        Best::ClosedForm => quote!(#private::ClosedForm),
+        Best::Series => quote!(#private::TaylorSeries),
+        Best::RungeKutta => quote!(#private::DormandPrince),
+    };
+    let method = if site.outline.is_constrained {
+        quote!(#private::Projected<#method>)
+    } else {
+        method
+    };
+    quote!(#header { type Best = #method; })
+}

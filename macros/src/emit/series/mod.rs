@@ -1,0 +1,7 @@
+//! The recurrences of Taylor series as code: a loop over the orders, its sums in registers.
+
+mod batch;
+mod expansion;
+mod names;
+
+pub use expansion::{Expansion, write_axes};

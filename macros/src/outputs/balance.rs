@@ -1,0 +1,105 @@
+//! `balance`: the balances as they are written, given loads, resultants and residuals.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::emit::code::{GIVEN, Method, Site, Source, Writer};
+use crate::emit::items::Addition;
+use crate::families::Family;
+use crate::lower::Offer;
+use crate::mechanics::{self, LoadExpressions, Resultant, derive_balance};
+use crate::symbolic::Id;
+
+use super::output::{Given, Output};
+
+const OFFER: Offer = Offer {
+    is_missed: |_| true,
+    ..Offer::new("balance")
+};
+
+#[derive(Default)]
+pub struct Balance(Option<mechanics::Balance>);
+
+impl Output for Balance {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+        self.0 = Some(derive_balance(
+            given.model,
+            given.work,
+            &given.equations.reactions,
+        ));
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        self.0.iter().flat_map(mechanics::Balance::roots).collect()
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let shapes = &site.shapes;
+        let wrench = |of: fn(&mechanics::Balance) -> &Resultant| {
+            site.method(self.0.as_ref(), |writer, balance| {
+                let Resultant { force, moment } = of(balance);
+                let outputs = shapes.wrench_part(force, moment);
+                Method::write(writer, &outputs, |values| shapes.wrench(values))
+            })
+        };
+        let (applied, residual) = (
+            wrench(|balance| &balance.applied),
+            wrench(|balance| &balance.residual),
+        );
+        let loads = site.method(self.0.as_ref(), |writer, balance| {
+            write_loads(writer, &balance.loads)
+        });
+        let (wrench, load) = (shapes.wrench_type(), shapes.load_type());
+        let count = Literal::usize_unsuffixed(site.outline.loads);
+        let (reactions, list) = (site.reactions_type(), quote!([#load; #count]));
+        let written = [
+            Source::Time,
+            Source::State,
+            Source::Acceleration,
+            Source::Reactions,
+            Source::Input,
+        ];
+        let methods = [
+            ("applied", &applied, &GIVEN[..], &wrench),
+            ("residual", &residual, &written, &wrench),
+            ("loads", &loads, &GIVEN, &list),
+        ];
+        let types = quote!(type Wrench = #wrench; type Reactions = #reactions; type Loads = #list;);
+        Addition::implement(site, "Balance", [types, quote!()], &methods)
+    }
+}
+
+/// `[Load { name, family, force, point, moment }, ..]`
+fn write_loads(writer: &Writer<'_>, loads: &[LoadExpressions]) -> Method {
+    let shapes = &writer.shapes;
+    let parts = |load: &LoadExpressions| {
+        let (force, point, moment) = (
+            shapes.vector_part(&load.force),
+            shapes.vector_part(&load.point),
+            shapes.moment_part(&load.moment),
+        );
+        [force, point, moment].concat()
+    };
+    let outputs: Vec<Id> = loads.iter().flat_map(parts).collect();
+    let (private, kind) = (&shapes.private, shapes.load_type());
+    Method::write(writer, &outputs, |values| {
+        let loads = loads.iter().map(|load| {
+            let name = &load.name;
+            let family = match load.family {
+                Family::Reaction => quote!(Reaction),
+                Family::Joint => quote!(Joint),
+                Family::External => quote!(External),
+                Family::Field => quote!(Field),
+            };
+            let (force, point, moment) = (shapes.vector(values), shapes.vector(values), shapes.moment(values));
+            quote!(#kind { name: #name, family: #private::Family::#family, force: #force, point: #point, moment: #moment })
+        });
+        let loads: Vec<TokenStream> = loads.collect();
+        quote!([#(#loads),*])
+    })
+}

@@ -1,0 +1,73 @@
+//! `energy`: the kinetic energy, and that of potentials and uniform fields.
+
+use quote::quote;
+
+use crate::emit::code::{GIVEN, Method, Site, Source};
+use crate::emit::items::Addition;
+use crate::families::Family;
+use crate::lower::Offer;
+use crate::mechanics::{self, Report, derive_energy, uniform_field};
+use crate::model::{Load, Model, Workspace};
+use crate::symbolic::Id;
+
+use super::output::{Given, Output};
+
+const OFFER: Offer = Offer {
+    is_missed: |_| true,
+    ..Offer::new("energy")
+};
+
+#[derive(Default)]
+pub struct Energy(Option<mechanics::Energy>);
+
+impl Output for Energy {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+        self.0 = Some(derive_energy(given.model, given.work));
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        let energy = self.0.iter();
+        energy
+            .flat_map(|energy| [energy.kinetic, energy.potential])
+            .collect()
+    }
+
+    fn describe(&self, model: &Model, work: &Workspace, report: &mut Report) {
+        let has_energy =
+            |load: &Load| load.potential.is_some() || uniform_field(model, work, load).is_some();
+        let fields = model
+            .loads
+            .iter()
+            .filter(|load| load.family == Family::Field);
+        let others = fields.filter(|load| !has_energy(load));
+        report.skipped.extend(others.map(|load| {
+            format!(
+                "`{}` in the potential energy: it is not a uniform field on a point of the body",
+                load.name
+            )
+        }));
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let method = |of: fn(&mechanics::Energy) -> Id| {
+            site.method(self.0.as_ref(), |writer, energy| {
+                Method::write(writer, &[of(energy)], |values| quote!(#(#values)*))
+            })
+        };
+        let (kinetic, potential) = (
+            method(|energy| energy.kinetic),
+            method(|energy| energy.potential),
+        );
+        let scalar = site.shapes.scalar.kind();
+        let methods = [
+            ("kinetic_energy", &kinetic, &[Source::State][..], &scalar),
+            ("potential_energy", &potential, &GIVEN, &scalar),
+        ];
+        Addition::implement(site, "Energy", [quote!(), quote!()], &methods)
+    }
+}

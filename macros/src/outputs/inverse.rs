@@ -1,0 +1,78 @@
+//! `inverse`: the drives that go with a given motion.
+
+use quote::quote;
+
+use crate::emit::code::{Site, Source, Writer};
+use crate::emit::items::{Addition, write_open};
+use crate::lower::{INVERSE, Offer, is_drive};
+use crate::mechanics::derive_inverse;
+use crate::symbolic::{Components, Id, Node};
+
+use super::output::{Given, Output};
+
+const OFFER: Offer = Offer {
+    obstacle: |description| {
+        let is_there = description.loads.iter().any(is_drive);
+        (!is_there).then_some(
+            "there are no unknown drives: leave components open, as in `moments: [motor = \
+             body(0, 0, _)]`",
+        )
+    },
+    ..Offer::new(INVERSE)
+};
+
+#[derive(Default)]
+pub struct Inverse(Option<Vec<Components>>);
+
+impl Output for Inverse {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+        self.0 = Some(derive_inverse(given.model, given.work, given.errors)?);
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        let drives = self.0.iter().flatten();
+        drives.flatten().copied().collect()
+    }
+
+    /// A `Result` where the configuration may leave drives undetermined.
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let outline = site.outline;
+        let mut method = site.method(self.0.as_ref(), |writer, solved| {
+            let (graph, roots) = (&writer.work.graph, self.roots());
+            let is_pivot = |id: &Id| matches!(graph.node(*id), Node::Pivot(..));
+            let guarded = Writer {
+                is_fallible: graph.reachable(&roots, |_| true).iter().any(is_pivot),
+                ..writer.clone()
+            };
+            write_open(&guarded, "Drives", &outline.drives, solved)
+        });
+        if self.0.is_none() {
+            method.facts.has_pivots = outline.has_turning_drive;
+        }
+        let has_pivots = method.facts.has_pivots;
+        let kind = site.fallible(site.own_type("Drives"), has_pivots);
+        let given = [
+            Source::Time,
+            Source::State,
+            Source::Acceleration,
+            Source::Input,
+        ];
+        let methods = [("inverse", &method, &given[..], &kind)];
+        let remark =
+            " Where the configuration does not determine the drives, `inverse` returns an error.";
+        Addition {
+            remarks: has_pivots.then_some(remark).into_iter().collect(),
+            ..Addition::implement(
+                site,
+                "Inverse",
+                [quote!(type Drives = #kind;), quote!()],
+                &methods,
+            )
+        }
+    }
+}

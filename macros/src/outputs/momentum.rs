@@ -1,0 +1,79 @@
+//! `momentum`: linear and angular momentum, in world axes.
+
+use quote::quote;
+
+use crate::emit::code::{Method, Site, Source};
+use crate::emit::items::Addition;
+use crate::lower::Offer;
+use crate::mechanics::{self, derive_momentum};
+use crate::symbolic::{Components, Id};
+
+use super::output::{Given, Output};
+
+const OFFER: Offer = Offer {
+    is_missed: |_| true,
+    ..Offer::new("momentum")
+};
+
+#[derive(Default)]
+pub struct Momentum(Option<mechanics::Momentum>);
+
+impl Output for Momentum {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+        self.0 = Some(derive_momentum(given.model, given.work));
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        let momentum = self.0.iter();
+        let vectors =
+            momentum.flat_map(|momentum| [momentum.linear, momentum.angular, momentum.about_pole]);
+        vectors.flatten().collect()
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let shapes = &site.shapes;
+        let moment = |of: fn(&mechanics::Momentum) -> &Components| {
+            site.method(self.0.as_ref(), |writer, momentum| {
+                let outputs = shapes.moment_part(of(momentum));
+                Method::write(writer, outputs, |values| shapes.moment(values))
+            })
+        };
+        let (angular, about_pole) = (
+            moment(|momentum| &momentum.angular),
+            moment(|momentum| &momentum.about_pole),
+        );
+        // the momentum of a body whose motion of G is not modelled is not known
+        let is_known = shapes.motion.knows_position;
+        let linear = site.method(self.0.as_ref(), |writer, momentum| {
+            if !is_known {
+                return Method::default();
+            }
+            let outputs = shapes.vector_part(&momentum.linear);
+            Method::write(writer, outputs, |values| shapes.vector(values))
+        });
+        let of_angular = shapes.moment_type();
+        let of_linear = if is_known {
+            shapes.vector_type()
+        } else {
+            quote!(())
+        };
+        let (state, both) = (&[Source::State][..], [Source::Time, Source::State]);
+        let methods = [
+            ("linear_momentum", &linear, state, &of_linear),
+            ("angular_momentum", &angular, state, &of_angular),
+            (
+                "angular_momentum_about_pole",
+                &about_pole,
+                &both,
+                &of_angular,
+            ),
+        ];
+        let types = quote!(type Linear = #of_linear; type Angular = #of_angular;);
+        Addition::implement(site, "Momentum", [types, quote!()], &methods)
+    }
+}

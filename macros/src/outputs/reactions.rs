@@ -1,0 +1,62 @@
+//! `reactions`: the unknown loads that go with the accelerations.
+
+use quote::quote;
+
+use crate::emit::code::{GIVEN, Site, Writer};
+use crate::emit::items::{Addition, write_open};
+use crate::lower::{Offer, is_unknown};
+use crate::symbolic::{Components, Id};
+
+use super::output::{Given, Output};
+
+const OFFER: Offer = Offer {
+    word: "reactions",
+    obstacle: |description| {
+        let is_there = description.loads.iter().any(is_unknown);
+        (!is_there).then_some(
+            "there are no unknown reactions: leave components open, as in `reactions: \
+             [pin = world(_, _).at(P)]`",
+        )
+    },
+    is_missed: |outline| !outline.reactions.is_empty(),
+};
+
+#[derive(Default)]
+pub struct Reactions(Option<Vec<Components>>);
+
+impl Output for Reactions {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+        self.0 = Some(given.equations.reactions.clone());
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        let reactions = self.0.iter().flatten();
+        reactions.flatten().copied().collect()
+    }
+
+    /// Under constraints, an error where they do not determine their reactions.
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let outline = site.outline;
+        let is_fallible = outline.is_constrained;
+        let method = site.method(self.0.as_ref(), |writer, solved| {
+            let writer = Writer {
+                is_fallible,
+                ..writer.clone()
+            };
+            write_open(&writer, "Reactions", &outline.reactions, solved)
+        });
+        let kind = site.fallible(site.reactions_type(), is_fallible);
+        let methods = [("reactions", &method, &GIVEN[..], &kind)];
+        Addition::implement(
+            site,
+            "Reactions",
+            [quote!(type Reactions = #kind;), quote!()],
+            &methods,
+        )
+    }
+}

@@ -1,0 +1,75 @@
+//! `taylor`: series of the motion, by the recurrences that its coefficients follow. In doubles, of
+//! a generic body too.
+
+use proc_macro2::Literal;
+use quote::quote;
+
+use crate::emit::code::{Site, Source, local};
+use crate::emit::items::{Addition, Best};
+use crate::emit::series::{Expansion, write_axes};
+use crate::lower::Offer;
+use crate::mechanics::{self, derive_taylor};
+use crate::symbolic::Id;
+
+use super::output::{Given, Output};
+
+const OFFER: Offer = Offer::new("taylor");
+
+#[derive(Default)]
+pub struct Taylor(Option<mechanics::Taylor>);
+
+impl Output for Taylor {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+        let (place, model) = (given.outline.place(OFFER.word)?, given.model);
+        let structure = given.equations.structure(model, given.work);
+        let motion = (&given.equations.linear, &given.equations.angular);
+        self.0 = derive_taylor(model, given.work, place, motion, structure, given.errors);
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        self.0.iter().flat_map(mechanics::Taylor::roots).collect()
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let (site, mut width) = (site.double(), 0);
+        let expand = site.method(self.0.as_ref(), |writer, taylor| {
+            let expansion = Expansion::write(writer, taylor);
+            width = expansion.width;
+            expansion.method
+        });
+        let axes = self.0.as_ref().and_then(|taylor| taylor.axes.as_ref());
+        let axes = axes.map(|axes| {
+            let method = site.method(Some(axes), write_axes);
+            let private = &site.shapes.private;
+            let arguments = site.arguments(&method, &[Source::Time, Source::State]);
+            method.declared("axes", &arguments, &quote!(#private::Axes))
+        });
+        let private = &site.shapes.private;
+        let [time, input] =
+            [Source::Time, Source::Input].map(|one| site.arguments(&expand, &[one]));
+        let [state, series, products] = ["state", "series", "products"].map(local);
+        let (state_type, width) = (site.shapes.state_type(), Literal::usize_unsuffixed(width));
+        let (lints, body) = (expand.lints(), &expand.body);
+        let types = quote! {
+            type Products<A: #private::Arithmetic, const COUNT: usize> = #private::Products<A, #width, COUNT>;
+        };
+        let methods = quote! {
+            #axes
+            #lints
+            #[allow(clippy::inline_always)]
+            #[inline(always)]
+            fn expand<A: #private::Arithmetic, const COUNT: usize>(&self, #time, #state: &#state_type, #input, #products: &mut Self::Products<A, COUNT>, #series: &mut #private::Series<#state_type, COUNT>) {
+                #body
+            }
+        };
+        Addition {
+            best: Best::Series,
+            ..Addition::implement(&site, "Taylor", [types, methods], &[])
+        }
+    }
+}

@@ -97,7 +97,7 @@ pub use mechanics::{attitude, field, gyroscopic, inertia, load, principal, wrenc
 pub use numbers::lanes;
 pub use numbers::scalar;
 #[doc(hidden)]
-pub use private::schema;
+pub mod schema;
 pub use tops::{precession, top};
 
 pub use nalgebra;

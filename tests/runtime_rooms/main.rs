@@ -32,6 +32,7 @@ const ROOMS: [(&str, &str); 14] = [
     ),
     ("private", "numbers mechanics state bodies exact"),
     ("prelude", ""),
+    ("schema", ""),
 ];
 
 fn files(folder: &Path) -> Vec<PathBuf> {

@@ -38,7 +38,6 @@ pub mod order;
 mod path;
 mod pivots;
 mod projection;
-pub mod schema;
 
 pub use crate::mechanics::principal::PrincipalAxes;
 pub use checks::{check_finite, check_inertia, check_mass, check_planar_inertia, lost_load};

@@ -141,8 +141,8 @@ fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, 
     Some((description, body.stream()))
 }
 
-/// `::<T>` between the name and its brace: the scalar that the body is generic over, by some name if
-/// it is meant to be.
+/// `::<T>` between the name and its brace: the scalar that the body is generic over, by some name
+/// if it is meant to be.
 fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
     let first = between.first()?;
     if !is_punct(first, '<') && !is_punct(first, ':') {

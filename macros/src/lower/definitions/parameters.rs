@@ -157,7 +157,8 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// A vector in body axes that is given from outside may have any direction, and one of a rod not.
+    /// A vector in body axes that is given from outside may have any direction, and one of a rod
+    /// not.
     fn check_not_in_rod(&mut self, frame: Option<Frame>, value: &Expression) -> Option<()> {
         if frame == Some(Frame::Body) && self.motion.is_line() {
             return self.report(

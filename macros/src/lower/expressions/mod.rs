@@ -1,4 +1,5 @@
-//! Expressions: names, operators, functions, vectors and points, with frames and dimensions checked.
+//! Expressions: names, operators, functions, vectors and points, with frames and dimensions
+//! checked.
 
 mod along_axis;
 mod arithmetic;

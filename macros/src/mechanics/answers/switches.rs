@@ -8,8 +8,9 @@
 //! f sin(k t + c) + b, and with cos: twice in every 2 pi / k
 //! ```
 //!
-//! k, c, m, f, b being numbers, parameters and inputs. Of `abs`, `min`, `max` and `if` the pieces are those of both sides, of `floor` and
-//! `ceil` a whole number: what is found may be no switch, and then ends a step for nothing; none of these forms is passed over.
+//! k, c, m, f, b being numbers, parameters and inputs. Of `abs`, `min`, `max` and `if` the pieces
+//! are those of both sides, of `floor` and `ceil` a whole number: what is found may be no switch,
+//! and then ends a step for nothing; none of these forms is passed over.
 
 use std::collections::HashMap;
 

@@ -7,9 +7,10 @@
 //! the body     w' = e x w    q' = -q (0, e) / 2
 //! ```
 //!
-//! and an acceleration is symmetric about e if it changes as the axes do in which it is written. That is
-//! linear in e: directions that the changes at some random states leave, and those at one more random
-//! state leave again, on every branch, are left in all states. Nothing of this is emitted but the answer.
+//! and an acceleration is symmetric about e if it changes as the axes do in which it is written.
+//! That is linear in e: directions that the changes at some random states leave, and those at one
+//! more random state leave again, on every branch, are left in all states. Nothing of this is
+//! emitted but the answer.
 
 use std::collections::HashMap;
 
@@ -179,9 +180,9 @@ fn axis_of_tensor(model: &Model, work: &mut Workspace) -> Option<[Number; 3]> {
     }
 }
 
-/// What decides between branches, the arguments of functions that are made of pieces, and what is divided
-/// by, of a tangent too: where these stay as they are, nothing jumps. Without them what has no slope would
-/// be taken for what does not change: `atan(tan x) - x`, `x / |x|`.
+/// What decides between branches, the arguments of functions that are made of pieces, and what is
+/// divided by, of a tangent too: where these stay as they are, nothing jumps. Without them what has
+/// no slope would be taken for what does not change: `atan(tan x) - x`, `x / |x|`.
 fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     let mut guards = Vec::new();
     for id in graph.reachable(roots, |_| true) {
@@ -225,8 +226,9 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// What the changes at some random states leave, and those at another one leave whole: axes that do
-    /// not depend on the state. Of axes whose directions are long numbers nothing is claimed.
+    /// What the changes at some random states leave, and those at another one leave whole: axes
+    /// that do not depend on the state. Of axes whose directions are long numbers nothing is
+    /// claimed.
     fn space(&self) -> Space {
         let none = Space { basis: Vec::new() };
         if self.axes.is_empty() {

@@ -113,8 +113,8 @@ fn constraint_row(
     (coefficients, graph.negate(known))
 }
 
-/// The balances that the free accelerations leave over: the moments about G, of a body that does not turn;
-/// those that a support meets, if its reactions are asked for.
+/// The balances that the free accelerations leave over: the moments about G, of a body that does
+/// not turn; those that a support meets, if its reactions are asked for.
 fn rows_left(
     model: &Model,
     work: &mut Workspace,
@@ -286,7 +286,8 @@ fn name_accelerations(
     labels.vector("angular", angular);
 }
 
-/// The reactions of a body with constraints: what is given, and the unknowns along their directions.
+/// The reactions of a body with constraints: what is given, and the unknowns along their
+/// directions.
 fn assemble(
     model: &Model,
     work: &mut Workspace,

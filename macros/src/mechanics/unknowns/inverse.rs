@@ -1,9 +1,9 @@
 //! Inverse dynamics: the drives that go with a given motion.
 //!
-//! The same balances as in [`super::reactions`], with the accelerations given and the drives unknown
-//! beside the reactions. A motion is taken to be one that the drives can make: a balance in which no
-//! unknown has a part is not looked at. Where coefficients depend on the configuration, or drives are
-//! fewer than the balances they have a part in, [`super::drives`] solves for them.
+//! The same balances as in [`super::reactions`], with the accelerations given and the drives
+//! unknown beside the reactions. A motion is taken to be one that the drives can make: a balance in
+//! which no unknown has a part is not looked at. Where coefficients depend on the configuration, or
+//! drives are fewer than the balances they have a part in, [`super::drives`] solves for them.
 
 use crate::errors::Errors;
 use crate::families::LoadKind;
@@ -90,7 +90,8 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
     rows
 }
 
-/// The symbols of the accelerations; that of a hinge stands in the place of z, and of a rod there is `u x u''`.
+/// The symbols of the accelerations; that of a hinge stands in the place of z, and of a rod there
+/// is `u x u''`.
 fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Components) {
     let state = &model.state;
     let roots = [

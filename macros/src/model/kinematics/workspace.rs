@@ -6,8 +6,8 @@ use crate::symbolic::{Components, Graph, Id, Node, Stage};
 use super::frame::{Attitude, Frame, Vector};
 use super::turned_vector::{Turn, Turns};
 
-/// What a description is worked out in: its graph, seen through the two frames of its body, and the words for what is in it. Lowering
-/// begins it, mechanics goes on in it.
+/// What a description is worked out in: its graph, seen through the two frames of its body, and the
+/// words for what is in it. Lowering begins it, mechanics goes on in it.
 pub struct Workspace {
     pub graph: Graph,
     pub labels: Labels,

@@ -23,8 +23,8 @@ pub struct Program {
 
 impl Graph {
     /// Schedules `outputs` for evaluation at `stage`. An expression becomes a statement if it is
-    /// a quantity, if it is used more than once, or if the statement it stands in would grow too long.
-    /// A condition is no number, so that none is kept from an earlier stage.
+    /// a quantity, if it is used more than once, or if the statement it stands in would grow too
+    /// long. A condition is no number, so that none is kept from an earlier stage.
     pub fn schedule(&self, outputs: &[Id], stage: Stage) -> Program {
         self.schedule_where(outputs, |id| self.stage(id) == stage)
     }

@@ -1,11 +1,12 @@
-//! Convolutions gathered into sums: where coefficients are linear in convolutions that nothing else reads,
+//! Convolutions gathered into sums: where coefficients are linear in convolutions that nothing else
+//! reads,
 //!
 //! ```text
 //! z[n] = w1 (a * b) + w2 (c * d) + .. + rest
 //! ```
 //!
-//! with weights that are held along a step, those of one level are one sum, which is computed in one lane. What is linear in coefficients is
-//! added there too.
+//! with weights that are held along a step, those of one level are one sum, which is computed in
+//! one lane. What is linear in coefficients is added there too.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -97,7 +98,8 @@ impl Graph {
             .chain(factors.map(|factor| factor.next))
             .collect();
         let found = self.weighted(products, &roots, symbols.clone());
-        // what is added to a sum was gathered before it; rates in a row are the next coefficients in a row
+        // what is added to a sum was gathered before it; rates in a row are the next coefficients
+        // in a row
         let mut found: Vec<(Id, Weighted)> = found.into_iter().collect();
         let place = |id: Id| rates.iter().position(|rate| *rate == id);
         found.sort_by_key(|(id, sum)| (sum.level, place(*id).unwrap_or(rates.len())));
@@ -172,8 +174,8 @@ impl Graph {
         }
     }
 
-    /// A sum for each coordinate, where there are products and all that changes is a sum or linear in coefficients: these rates are computed
-    /// side by side. Otherwise the sums as they are.
+    /// A sum for each coordinate, where there are products and all that changes is a sum or linear
+    /// in coefficients: these rates are computed side by side. Otherwise the sums as they are.
     fn all_rates(
         &mut self,
         rates: &mut [Id],
@@ -209,7 +211,8 @@ impl Graph {
         all
     }
 
-    /// An expression as a sum of symbols with weights that are held, if it is one: neither these symbols are in them nor `values`, those of sums.
+    /// An expression as a sum of symbols with weights that are held, if it is one: neither these
+    /// symbols are in them nor `values`, those of sums.
     fn linear_in(&mut self, id: Id, symbols: &[Id], values: &HashSet<Id>) -> Option<Vec<(Id, Id)>> {
         let zero = self.zero();
         let found = self.reachable(&[id], |_| true);
@@ -291,7 +294,8 @@ impl Graph {
                 Node::Subtract(a, b) => vec![(one, a), (minus_one, b)],
                 _ => continue,
             };
-            // what waits longest is gathered, unless it is read elsewhere; to this the rest is added
+            // what waits longest is gathered, unless it is read elsewhere; to this the rest is
+            // added
             let gathered = |part: &Id| found.contains_key(part) && readers.get(part) == Some(&1);
             let is_late = |part: &Id| levels.get(part) == Some(&waits);
             let mut late = parts.iter().filter(|(_, part)| is_late(part));

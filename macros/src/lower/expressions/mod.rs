@@ -4,6 +4,7 @@
 mod along_axis;
 mod arithmetic;
 mod built_in;
+mod choice;
 mod domains;
 mod functions;
 mod lowering;

@@ -24,6 +24,19 @@ pub struct Workspace {
 }
 
 impl Workspace {
+    pub fn new(graph: Graph, meanings: Meanings, attitude: Attitude) -> Self {
+        Self {
+            graph,
+            labels: Labels::default(),
+            meanings,
+            attitude,
+            turns: None,
+            turned: Vec::new(),
+            swept: Vec::new(),
+            doubtful: Vec::new(),
+        }
+    }
+
     /// A new symbol that stands for this, known from `stage` on.
     pub fn symbol(&mut self, stage: Stage, meaning: Meaning) -> Id {
         self.meanings.symbol(&mut self.graph, stage, meaning)

@@ -8,6 +8,12 @@ use super::Description;
 use super::tokens::{is_punct, skip_attributes, start, stream};
 use super::words::check_name;
 
+/// Types, which are no names of parameters.
+const TYPES: [&str; 19] = [
+    "f16", "f32", "f64", "f128", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32",
+    "u64", "u128", "usize", "bool", "char", "str",
+];
+
 /// The runtime's path, the name of the body, and what stands in the braces.
 pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, TokenStream)> {
     let all: Vec<TokenTree> = tokens.into_iter().collect();
@@ -117,7 +123,7 @@ fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Opt
 
 fn check_scalar(name: &Ident, scalar: &Ident, errors: &mut Errors) -> Option<()> {
     check_name(scalar, "a scalar", errors)?;
-    let message = if is_number_type(&scalar.to_string()) {
+    let message = if TYPES.contains(&&*scalar.to_string()) {
         format!(
             "a parameter stands here, and no type: write `{name}::<T> {{ .. }}`, and \
              `{name}::<{scalar}>` where the body is used"
@@ -129,30 +135,4 @@ fn check_scalar(name: &Ident, scalar: &Ident, errors: &mut Errors) -> Option<()>
     };
     errors.push(scalar.span(), message);
     None
-}
-
-/// Types of numbers, which are no names of parameters.
-fn is_number_type(word: &str) -> bool {
-    matches!(
-        word,
-        "f16"
-            | "f32"
-            | "f64"
-            | "f128"
-            | "i8"
-            | "i16"
-            | "i32"
-            | "i64"
-            | "i128"
-            | "isize"
-            | "u8"
-            | "u16"
-            | "u32"
-            | "u64"
-            | "u128"
-            | "usize"
-            | "bool"
-            | "char"
-            | "str"
-    )
 }

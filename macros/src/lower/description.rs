@@ -6,7 +6,7 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Lowering, Scope, is_drive, is_unknown};
 use crate::model::{
-    Declared, Labels, Load, Meanings, Model, Outline, Reaction, Workspace, state_symbols,
+    Declared, ENTRIES, Labels, Load, Meanings, Model, Outline, Reaction, Workspace, state_symbols,
 };
 use crate::symbolic::Graph;
 use crate::syntax::{self, Description};
@@ -94,22 +94,11 @@ fn loads_by_kind(description: &Description) -> [Vec<&syntax::Load>; 3] {
 
 /// Mass and inertia are called what they are, where they are computed.
 fn name_properties(model: &Model, labels: &mut Labels) {
-    let names = [
-        "inertia_xx",
-        "inertia_yy",
-        "inertia_zz",
-        "inertia_xy",
-        "inertia_yz",
-        "inertia_zx",
-    ];
     let entries = model.inertia_entries();
-    let names = if entries.len() == 1 {
-        &["inertia"][..]
-    } else {
-        &names[..]
-    };
-    for (id, name) in entries.into_iter().zip(names) {
-        labels.name(id, *name);
+    let is_one = entries.len() == 1;
+    for (id, (entry, ..)) in entries.into_iter().zip(ENTRIES) {
+        let name = format!("inertia_{entry}");
+        labels.name(id, if is_one { "inertia" } else { &name });
     }
     if let Some(mass) = model.mass {
         labels.name(mass, "mass");

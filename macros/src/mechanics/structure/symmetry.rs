@@ -37,15 +37,8 @@ pub struct Space<V = Number> {
 
 impl Space<Residue> {
     fn spanned_by(axes: &[usize]) -> Self {
-        let unit = |axis: usize| {
-            [0, 1, 2].map(|i| {
-                if i == axis {
-                    Residue::ONE
-                } else {
-                    Residue::ZERO
-                }
-            })
-        };
+        let unit =
+            |axis: usize| [0, 1, 2].map(|i| [Residue::ZERO, Residue::ONE][usize::from(i == axis)]);
         Self {
             basis: axes.iter().map(|axis| unit(*axis)).collect(),
         }
@@ -299,7 +292,7 @@ impl Case<'_> {
 /// How the state changes as the world is turned about an axis.
 fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
     let (graph, state) = (&mut work.graph, &model.state);
-    let e = unit_vector(graph, axis);
+    let e = graph.unit_vectors()[axis];
     let mut rates = Rates::new();
     let vectors = if model.motion.translates {
         vec![state.position.world, state.velocity.world]
@@ -330,7 +323,7 @@ fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
 /// How the state changes as the axes of the body are turned back about one of them.
 fn turn_of_body(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
     let (graph, state) = (&mut work.graph, &model.state);
-    let e = unit_vector(graph, axis);
+    let e = graph.unit_vectors()[axis];
     let w = state.angular_velocity;
     let mut rates: Rates = w.into_iter().zip(graph.cross(e, w)).collect();
     match work.attitude {
@@ -347,10 +340,6 @@ fn turn_of_body(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
         Attitude::Fixed | Attitude::Line { .. } => {}
     }
     of_symbols(graph, rates)
-}
-
-fn unit_vector(graph: &mut Graph, axis: usize) -> Components {
-    [0, 1, 2].map(|i| graph.integer(i64::from(i == axis)))
 }
 
 /// What a motion does not have is zero and stays so.

@@ -17,8 +17,7 @@ use crate::mechanics::variation::Rates;
 use crate::model::{Frame, Load, Model, Vector, Workspace};
 use crate::symbolic::{Components, Elimination, Function, Id, Residue, Row, Sample, Size};
 
-use super::active::active;
-use super::constrained::{Constrained, differentiate};
+use super::constrained::{Constrained, active, differentiate};
 use super::inertial::{balances_of, inertial_change};
 use super::left_over::balances_left;
 use super::pushes::{Push, given_loads, pushes};

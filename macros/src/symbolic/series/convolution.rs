@@ -159,7 +159,8 @@ impl Graph {
         }
     }
 
-    /// What is added to a sum: what is linear in coefficients is returned, the rest goes into `whole`.
+    /// What is added to a sum: returned if it is linear in coefficients, the rest goes into
+    /// `whole`.
     fn added(
         &mut self,
         rest: Vec<(Id, Id)>,

@@ -6,10 +6,10 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Lowering, Scope, is_drive, is_unknown};
 use crate::model::{
-    Declared, Labels, Load, Meanings, Model, Outline, Reaction, Workspace, state_symbols,
+    Declared, ENTRIES, Labels, Load, Meanings, Model, Outline, Reaction, Workspace, state_symbols,
 };
 use crate::symbolic::Graph;
-use crate::syntax::Description;
+use crate::syntax::{self, Description};
 
 /// Gives a description its meaning. `None` if anything was wrong with it.
 pub fn lower_description(
@@ -21,17 +21,10 @@ pub fn lower_description(
     let mut graph = Graph::default();
     let mut meanings = Meanings::default();
     let (mut state, attitude) = state_symbols(outline.motion, &mut graph, &mut meanings);
-    let mut work = Workspace {
-        graph,
-        labels: Labels::default(),
-        meanings,
-        attitude,
-        turns: None,
-        turned: Vec::new(),
-        swept: Vec::new(),
-        doubtful: Vec::new(),
-    };
+    let mut work = Workspace::new(graph, meanings, attitude);
     let mut scope = Scope::new(description, repeated);
+    let named = outline.reactions.iter();
+    let named = named.filter(|_| outline.is_constrained);
     let mut lowering = Lowering {
         work: &mut work,
         scope: &mut scope,
@@ -40,24 +33,14 @@ pub fn lower_description(
         state: &mut state,
         composed: None,
         has_parts: description.composition.is_some(),
-        reactions: if outline.is_constrained {
-            let names = outline.reactions.iter().map(|(name, _)| name.to_string());
-            names.collect()
-        } else {
-            Vec::new()
-        },
+        reactions: named.map(|(name, _)| name.to_string()).collect(),
     };
 
     let defaults = lowering.declarations(description, outline);
     let mass = lowering.definitions(description, &defaults);
     let inertia = lowering.inertia(description, mass, &defaults);
     let potentials = lowering.potentials(description);
-    let plain = description
-        .loads
-        .iter()
-        .filter(|load| load.charges.is_none());
-    let (unknown, given): (Vec<_>, Vec<_>) = plain.partition(|load| is_unknown(load));
-    let (driving, given): (Vec<_>, Vec<_>) = given.into_iter().partition(|load| is_drive(load));
+    let [unknown, driving, given] = loads_by_kind(description);
     let is_asked_for = outline.rank(INVERSE).is_some();
     let drives: Vec<Option<Reaction>> = driving
         .into_iter()
@@ -74,48 +57,48 @@ pub fn lower_description(
     let pole = lowering.pole(description.pole.as_ref());
 
     outline.unused = unused(description, &scope);
-    let loads = loads.into_iter().collect::<Option<Vec<_>>>();
-    let reactions = reactions.into_iter().collect::<Option<Vec<_>>>();
-    let (inertia, loads, reactions, pole) = (inertia?, loads?, reactions?, pole?);
-    let (potentials, constraints) = (potentials?, constraints?);
     let motion = outline.motion;
     let model = Model {
         motion,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         state,
         mass: mass.known(),
-        inertia,
+        inertia: inertia?,
         has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
-        loads,
-        potentials,
-        reactions,
-        drives: drives.into_iter().collect::<Option<Vec<_>>>()?,
-        constraints,
-        pole,
+        loads: loads.into_iter().collect::<Option<_>>()?,
+        potentials: potentials?,
+        reactions: reactions.into_iter().collect::<Option<_>>()?,
+        drives: drives.into_iter().collect::<Option<_>>()?,
+        constraints: constraints?,
+        pole: pole?,
         defaults,
     };
     name_properties(&model, &mut work.labels);
     Some((model, work))
 }
 
+/// The loads that are no fields: unknown reactions, unknown drives, and what is given.
+fn loads_by_kind(description: &Description) -> [Vec<&syntax::Load>; 3] {
+    let mut kinds = [Vec::new(), Vec::new(), Vec::new()];
+    let loads = description.loads.iter();
+    for load in loads.filter(|load| load.charges.is_none()) {
+        let kind = match (is_unknown(load), is_drive(load)) {
+            (true, _) => 0,
+            (_, true) => 1,
+            _ => 2,
+        };
+        kinds[kind].push(load);
+    }
+    kinds
+}
+
 /// Mass and inertia are called what they are, where they are computed.
 fn name_properties(model: &Model, labels: &mut Labels) {
-    let names = [
-        "inertia_xx",
-        "inertia_yy",
-        "inertia_zz",
-        "inertia_xy",
-        "inertia_yz",
-        "inertia_zx",
-    ];
     let entries = model.inertia_entries();
-    let names = if entries.len() == 1 {
-        &["inertia"][..]
-    } else {
-        &names[..]
-    };
-    for (id, name) in entries.into_iter().zip(names) {
-        labels.name(id, *name);
+    let is_one = entries.len() == 1;
+    for (id, (entry, ..)) in entries.into_iter().zip(ENTRIES) {
+        let name = format!("inertia_{entry}");
+        labels.name(id, if is_one { "inertia" } else { &name });
     }
     if let Some(mass) = model.mass {
         labels.name(mass, "mass");

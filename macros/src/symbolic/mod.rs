@@ -2,8 +2,8 @@
 //!
 //! This room knows no mechanics and no words: symbols are numbers, and what they stand for is the
 //! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
-//! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter, and the
-//! proof that an expression is zero.
+//! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter, and
+//! the proof that an expression is zero.
 
 mod algebra;
 mod calculus;

@@ -230,18 +230,8 @@ fn parse_load(
     let mut at: Option<Ident> = None;
     loop {
         match value.kind {
-            Kind::Method(inner, method, mut arguments) if method == "at" => {
-                if at.is_some() {
-                    errors.push(
-                        method.span(),
-                        "a load acts at one point: leave one `.at(..)` out",
-                    );
-                } else if arguments.len() == 1 {
-                    load.point = Some(arguments.pop());
-                } else {
-                    errors.push(method.span(), "`.at` takes one point: write `.at(P)`");
-                    load.point = Some(None);
-                }
+            Kind::Method(inner, method, arguments) if method == "at" => {
+                parse_place(&mut load, at.is_some(), &method, arguments, errors);
                 at = Some(method);
                 value = *inner;
             }
@@ -261,18 +251,13 @@ fn parse_load(
             Kind::Call(function, mut arguments)
                 if function == "moment" && load.kind == LoadKind::Force =>
             {
-                if kind.is_some() {
-                    errors.push(
-                        function.span(),
-                        "a force is expected here: moments stand in `moments` or `joint_moments`",
-                    );
-                    return load;
-                }
-                if arguments.len() != 1 {
-                    errors.push(
-                        function.span(),
-                        "`moment` takes one vector: write `moment(body(0, 0, 1))`",
-                    );
+                let message = if kind.is_some() {
+                    "a force is expected here: moments stand in `moments` or `joint_moments`"
+                } else {
+                    "`moment` takes one vector: write `moment(body(0, 0, 1))`"
+                };
+                if kind.is_some() || arguments.len() != 1 {
+                    errors.push(function.span(), message);
                     return load;
                 }
                 load.kind = LoadKind::Moment;
@@ -281,19 +266,46 @@ fn parse_load(
             _ => break,
         }
     }
-    if let (Some(_), Some(at)) = (&load.charges, &at) {
+    if let Some(at) = at {
+        check_place(&mut load, &at, errors);
+    }
+    load.vector = Some(value);
+    load
+}
+
+/// Reads what `.at(..)` says, once.
+fn parse_place(
+    load: &mut Load,
+    is_repeated: bool,
+    method: &Ident,
+    mut arguments: Vec<Expression>,
+    errors: &mut Errors,
+) {
+    let message = if is_repeated {
+        "a load acts at one point: leave one `.at(..)` out"
+    } else if arguments.len() == 1 {
+        load.point = Some(arguments.pop());
+        return;
+    } else {
+        load.point = Some(None);
+        "`.at` takes one point: write `.at(P)`"
+    };
+    errors.push(method.span(), message);
+}
+
+/// Whether it matters at which point a load acts.
+fn check_place(load: &mut Load, at: &Ident, errors: &mut Errors) {
+    if load.charges.is_some() {
         errors.push(
             at.span(),
             "a field acts where its charges are: leave this `.at(..)` out",
         );
     }
-    if let (LoadKind::Moment, Some(at)) = (load.kind, at) {
+    if load.kind == LoadKind::Moment {
         errors.push(
             at.span(),
             "a moment is the same about every point: leave `.at(..)` out",
         );
         load.point = None;
     }
-    load.vector = Some(value);
-    load
 }

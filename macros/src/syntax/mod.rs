@@ -8,6 +8,7 @@ mod charges;
 mod composition;
 mod entries;
 mod expression;
+mod head;
 mod motion;
 mod parse;
 mod read;

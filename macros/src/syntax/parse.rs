@@ -1,6 +1,6 @@
 //! From tokens to a [`Description`]: its head and its keys.
 
-use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use syn::{Lit, LitStr};
 
 use crate::errors::{Errors, Extent, similar};
@@ -8,12 +8,12 @@ use crate::errors::{Errors, Extent, similar};
 use super::composition::Composition;
 use super::entries::parse_entry;
 use super::expression::Expression;
+use super::head::parse_head;
 use super::motion::parse_motion;
 use super::tokens::{
-    Entry, after_sign, is_punct, skip_attributes, split, start, stream, token_beyond,
-    without_attributes,
+    Entry, after_sign, is_punct, split, start, stream, token_beyond, without_attributes,
 };
-use super::words::{check_name, is_keyword};
+use super::words::is_keyword;
 use super::{Description, Written};
 
 /// Keys whose value is a list, each with an entry to show.
@@ -64,151 +64,6 @@ pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Des
         }
     }
     Some(description)
-}
-
-/// The runtime's path, the name of the body, and what stands in the braces.
-fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, TokenStream)> {
-    let all: Vec<TokenTree> = tokens.into_iter().collect();
-    let [TokenTree::Group(runtime), rest @ ..] = all.as_slice() else {
-        errors.push(
-            Span::call_site(),
-            "call this macro as `newton_euler::rigid_body!`",
-        );
-        return None;
-    };
-    let mut rest = rest;
-    match rest.first() {
-        Some(hash) if is_punct(hash, '#') => {
-            errors.push(
-                hash.span(),
-                "documentation of the generated type stands inside: `doc: \"..\"`",
-            );
-            rest = skip_attributes(rest);
-        }
-        Some(TokenTree::Ident(word)) if word == "pub" => {
-            errors.push(
-                word.span(),
-                "generated items are `pub`: wrap the call in a module to hide them",
-            );
-            rest = &rest[1..];
-            if let [TokenTree::Group(_), tail @ ..] = rest {
-                rest = tail;
-            }
-        }
-        Some(_) => {}
-        None => {
-            errors.push(
-                Span::call_site(),
-                "write a description: `rigid_body!(Name { motion: spatial, mass: 1[kg], .. })`",
-            );
-            return None;
-        }
-    }
-    let [TokenTree::Ident(name), rest @ ..] = rest else {
-        let place = rest.first().map_or_else(Span::call_site, start);
-        errors.push(place, "expected the name of the body, as in `Name { .. }`");
-        return None;
-    };
-    check_name(name, "the name of the body", errors)?;
-    let is_group = |token: &TokenTree| matches!(token, TokenTree::Group(_));
-    let Some(position) = rest.iter().position(is_group) else {
-        let place = rest.first().map_or(name.span(), start);
-        errors.push(
-            place,
-            format!("expected the description in braces: `{name} {{ .. }}`"),
-        );
-        return None;
-    };
-    let (between, after) = (&rest[..position], &rest[position + 1..]);
-    let scalar = parse_scalar(name, between, errors);
-    let TokenTree::Group(body) = &rest[position] else {
-        return None;
-    };
-    if body.delimiter() != Delimiter::Brace {
-        errors.push(
-            body.span_open(),
-            format!("a description stands in braces: `{name} {{ .. }}`"),
-        );
-    }
-    if let Some(extra) = after.first() {
-        errors.push(
-            start(extra),
-            "one description in one call: nothing follows its braces",
-        );
-    }
-    let mut description = Description::new(name.clone(), runtime.stream());
-    description.scalar = scalar;
-    Some((description, body.stream()))
-}
-
-/// `::<T>` between the name and its brace: the scalar that the body is generic over, by some name if
-/// it is meant to be.
-fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
-    let first = between.first()?;
-    if !is_punct(first, '<') && !is_punct(first, ':') {
-        errors.push(first.span(), format!("expected a brace: `{name} {{ .. }}`"));
-        return None;
-    }
-    let scalar = match between {
-        [a, b, open, TokenTree::Ident(scalar), close]
-            if is_punct(a, ':')
-                && is_punct(b, ':')
-                && is_punct(open, '<')
-                && is_punct(close, '>') =>
-        {
-            check_scalar(name, scalar, errors).map(|()| scalar.clone())
-        }
-        _ => {
-            errors.push(
-                Extent::of(stream(between)),
-                format!("a body that is generic over its scalar is `{name}::<T> {{ .. }}`"),
-            );
-            None
-        }
-    };
-    Some(scalar.unwrap_or_else(|| Ident::new("AnyScalar", Span::call_site())))
-}
-
-fn check_scalar(name: &Ident, scalar: &Ident, errors: &mut Errors) -> Option<()> {
-    check_name(scalar, "a scalar", errors)?;
-    let message = if is_number_type(&scalar.to_string()) {
-        format!(
-            "a parameter stands here, and no type: write `{name}::<T> {{ .. }}`, and \
-             `{name}::<{scalar}>` where the body is used"
-        )
-    } else if scalar == name {
-        format!("`{name}` is the body: give its scalar another name")
-    } else {
-        return Some(());
-    };
-    errors.push(scalar.span(), message);
-    None
-}
-
-/// Types of numbers, which are no names of parameters.
-fn is_number_type(word: &str) -> bool {
-    matches!(
-        word,
-        "f16"
-            | "f32"
-            | "f64"
-            | "f128"
-            | "i8"
-            | "i16"
-            | "i32"
-            | "i64"
-            | "i128"
-            | "isize"
-            | "u8"
-            | "u16"
-            | "u32"
-            | "u64"
-            | "u128"
-            | "usize"
-            | "bool"
-            | "char"
-            | "str"
-    )
 }
 
 /// The key that `word` is, or was probably meant to be.

@@ -126,8 +126,8 @@ impl Lowering<'_> {
         Some(self.named(value, &name))
     }
 
-    /// Reads again, now that G is known, what the parts refer to; and, now that the axis is, what the
-    /// direction of a rod refers to.
+    /// Reads again, now that G is known, what the parts refer to; and, now that the axis is, what
+    /// the direction of a rod refers to.
     fn read_again(&mut self, definition: Definition, description: &Description) {
         let (name, _) = definition.of(description);
         if self.scope.peek(&name).is_some() {

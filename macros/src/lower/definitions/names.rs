@@ -55,28 +55,25 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
     for local in &description.locals {
         check(&local.name, "local", errors);
     }
-    let mut loads = HashSet::new();
     let named = description.loads.iter().map(|load| &load.name);
     let potentials = description.potentials.iter();
-    for name in named.chain(potentials.map(|potential| &potential.name)) {
-        if !loads.insert(name.to_string()) {
+    let loads = named.chain(potentials.map(|potential| &potential.name));
+    check_distinct("load", loads, errors);
+    let constraints = description.constraints.iter();
+    check_distinct("constraint", constraints.map(|one| &one.name), errors);
+    repeated
+}
+
+fn check_distinct<'n>(what: &str, names: impl Iterator<Item = &'n Ident>, errors: &mut Errors) {
+    let mut seen = HashSet::new();
+    for name in names {
+        if !seen.insert(name) {
             errors.push(
                 name.span(),
-                format!("there is a load `{name}` already: loads are told apart by their names"),
-            );
-        }
-    }
-    let mut constraints = HashSet::new();
-    for constraint in &description.constraints {
-        if !constraints.insert(constraint.name.to_string()) {
-            errors.push(
-                constraint.name.span(),
                 format!(
-                    "there is a constraint `{}` already: constraints are told apart by their names",
-                    constraint.name
+                    "there is a {what} `{name}` already: {what}s are told apart by their names"
                 ),
             );
         }
     }
-    repeated
 }

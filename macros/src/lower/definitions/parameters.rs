@@ -30,48 +30,15 @@ impl Lowering<'_> {
                 Meaning::Param(index, Some(axis))
             });
         }
-        if let Some(open) = value.names().into_iter().find(|name| {
-            let word = name.to_string();
-            self.scope.is_open(&word)
-        }) {
+        let default = self.default_value(value, declared.frame)?;
+        let Some(found) = dimension(default) else {
+            let kind = default.kind();
             return self.report(
-                open.span(),
-                format!(
-                    "a default is a constant, and `{open}` is not: what follows from other names \
-                     is a local"
-                ),
+                value.extent,
+                format!("a default is a scalar or a vector, and this is {kind}"),
             );
-        }
-        let default =
-            if declared.frame.is_some() && matches!(strip_unit(value).kind, Kind::Tuple(_)) {
-                self.point(value).and_then(|point| match point {
-                    Point::Body(components) => Some(Value::Components(
-                        Frame::Body,
-                        components,
-                        Dimension::LENGTH,
-                    )),
-                    Point::World(components) => Some(Value::Components(
-                        Frame::World,
-                        components,
-                        Dimension::LENGTH,
-                    )),
-                    Point::Moving(_) => None,
-                })?
-            } else {
-                self.value(value)?
-            };
-        declared.dimension = match dimension(default) {
-            Some(dimension) => dimension,
-            None => {
-                return self.report(
-                    value.extent,
-                    format!(
-                        "a default is a scalar or a vector, and this is {}",
-                        default.kind()
-                    ),
-                );
-            }
         };
+        declared.dimension = found;
         if let Value::Scalar(id, _) = default {
             declared.default = Some(vec![self.constant(id, value)?]);
             let symbol = self
@@ -105,6 +72,29 @@ impl Lowering<'_> {
             self.work.vector(frame, symbols),
             declared.dimension,
         ))
+    }
+
+    /// What is written of a default, in `frame` if it is a vector.
+    fn default_value(&mut self, value: &Expression, frame: Option<Frame>) -> Option<Value> {
+        let mut names = value.names().into_iter();
+        if let Some(open) = names.find(|name| self.scope.is_open(&name.to_string())) {
+            return self.report(
+                open.span(),
+                format!(
+                    "a default is a constant, and `{open}` is not: what follows from other names \
+                     is a local"
+                ),
+            );
+        }
+        if frame.is_none() || !matches!(strip_unit(value).kind, Kind::Tuple(_)) {
+            return self.value(value);
+        }
+        let (frame, components) = match self.point(value)? {
+            Point::Body(components) => (Frame::Body, components),
+            Point::World(components) => (Frame::World, components),
+            Point::Moving(_) => return None,
+        };
+        Some(Value::Components(frame, components, Dimension::LENGTH))
     }
 
     /// An input: `thrust`, `thrust[N]`, `wind = world(_, _, _)[m / s]`.
@@ -157,7 +147,8 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// A vector in body axes that is given from outside may have any direction, and one of a rod not.
+    /// A vector in body axes that is given from outside may have any direction, and one of a rod
+    /// not.
     fn check_not_in_rod(&mut self, frame: Option<Frame>, value: &Expression) -> Option<()> {
         if frame == Some(Frame::Body) && self.motion.is_line() {
             return self.report(

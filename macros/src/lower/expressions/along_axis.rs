@@ -1,8 +1,9 @@
 //! Rods: of the attitude there is the axis u alone, a unit vector in world axes.
 //!
-//! How a rod is turned about its axis is not known, so that a vector v of the body is known only if it
-//! is along the direction e of the axis in the body: it is `(e . v) u`. It becomes this vector in world
-//! axes where it is read. Only the offsets of points stay in body axes, from which inertia is made.
+//! How a rod is turned about its axis is not known, so that a vector v of the body is known only if
+//! it is along the direction e of the axis in the body: it is `(e . v) u`. It becomes this vector
+//! in world axes where it is read. Only the offsets of points stay in body axes, from which inertia
+//! is made.
 
 use crate::errors::Extent;
 use crate::model::{Attitude, Defaults, Point, Vector};

@@ -116,30 +116,10 @@ impl Lowering<'_> {
             return self.point_beside(point, vector, dimension(right)?, sides);
         }
         let (Some(a), Some(b)) = (dimension(left), dimension(right)) else {
-            let operand = Some(&sides.step.operand);
-            let both = [
-                (left, sides.left.extent, sides.left.written),
-                (right, sides.step.operand.extent, operand),
-            ];
-            for (value, place, written) in both {
-                if dimension(value).is_none() {
-                    let verb = if is_sum { "added" } else { "subtracted" };
-                    let instead = self.instead(value, written);
-                    self.errors
-                        .push(place, format!("{} cannot be {verb}{instead}", value.kind()));
-                }
-            }
-            return None;
+            return self.no_summands(left, right, sides);
         };
-        let same_kind = matches!(left, Value::Scalar(..)) == matches!(right, Value::Scalar(..));
-        if !same_kind {
-            let (place, this, other) = if sides.left.size < sides.step.operand.size() {
-                (sides.left.extent, left.kind(), right.kind())
-            } else {
-                (sides.step.operand.extent, right.kind(), left.kind())
-            };
-            let message = format!("this is {this}, and the other side of the sum is {other}");
-            return self.report(place, message);
+        if matches!(left, Value::Scalar(..)) != matches!(right, Value::Scalar(..)) {
+            return self.unlike(left, right, sides);
         }
         let Some(dimension) = a.unify(b) else {
             let what = if is_sum {
@@ -174,6 +154,38 @@ impl Lowering<'_> {
         let (a, b) = (self.as_vector(left)?, self.as_vector(right)?);
         let b = if is_sum { b } else { self.work.negate(b) };
         Some(Value::Vector(self.work.add(a, b), dimension))
+    }
+
+    /// Reports each side of a sum that is neither a scalar nor a vector.
+    fn no_summands(&mut self, left: Value, right: Value, sides: Sides<'_>) -> Option<Value> {
+        let operand = &sides.step.operand;
+        let both = [
+            (left, sides.left.extent, sides.left.written),
+            (right, operand.extent, Some(operand)),
+        ];
+        let verb = match sides.step.operator {
+            Operator::Add => "added",
+            _ => "subtracted",
+        };
+        for (value, place, written) in both {
+            if dimension(value).is_none() {
+                let instead = self.instead(value, written);
+                self.errors
+                    .push(place, format!("{} cannot be {verb}{instead}", value.kind()));
+            }
+        }
+        None
+    }
+
+    /// A scalar and a vector have no sum: the error stands on the smaller side.
+    fn unlike(&mut self, left: Value, right: Value, sides: Sides<'_>) -> Option<Value> {
+        let (place, this, other) = if sides.left.size < sides.step.operand.size() {
+            (sides.left.extent, left.kind(), right.kind())
+        } else {
+            (sides.step.operand.extent, right.kind(), left.kind())
+        };
+        let message = format!("this is {this}, and the other side of the sum is {other}");
+        self.report(place, message)
     }
 
     /// What to write where a point is not meant, but a vector.
@@ -344,57 +356,6 @@ impl Lowering<'_> {
             Operator::Equal => graph.compare(Comparison::Equal, a, b),
             _ => graph.compare(Comparison::NotEqual, a, b),
         }))
-    }
-
-    pub fn choice(&mut self, [condition, first, second]: &[Expression; 3]) -> Option<Value> {
-        let (chosen_by, a, b) = (self.value(condition), self.value(first), self.value(second));
-        let Value::Condition(chosen_by) = chosen_by? else {
-            return self.report(condition.extent, "expected a condition, such as `t < 1[s]`");
-        };
-        let (a, b) = (a?, b?);
-        let (Some(of_a), Some(of_b)) = (dimension(a), dimension(b)) else {
-            let (wrong, branch) = if dimension(a).is_none() {
-                (a, first)
-            } else {
-                (b, second)
-            };
-            return self.report(
-                branch.extent,
-                format!(
-                    "a branch is a scalar or a vector, and this is {}",
-                    wrong.kind()
-                ),
-            );
-        };
-        let Some(dimension) = of_a.unify(of_b) else {
-            let (branch, this, other) = if first.size() < second.size() {
-                (first, of_a, of_b)
-            } else {
-                (second, of_b, of_a)
-            };
-            let place = self.culprit(branch, other);
-            let (this, other) = (this.described(), other.described());
-            return self.report(
-                place,
-                format!(
-                    "both branches have one dimension: this is {this}, and the other is {other}"
-                ),
-            );
-        };
-        let graph = &mut self.work.graph;
-        if let (Value::Scalar(a, _), Value::Scalar(b, _)) = (a, b) {
-            return Some(Value::Scalar(graph.select(chosen_by, a, b), dimension));
-        }
-        let (Some(a), Some(b)) = (self.as_vector(a), self.as_vector(b)) else {
-            return self.report(
-                second.extent,
-                "both branches are scalars, or both are vectors",
-            );
-        };
-        let graph = &mut self.work.graph;
-        let body = [0, 1, 2].map(|i| graph.select(chosen_by, a.body[i], b.body[i]));
-        let world = [0, 1, 2].map(|i| graph.select(chosen_by, a.world[i], b.world[i]));
-        Some(Value::Vector(Vector { body, world }, dimension))
     }
 }
 

@@ -55,30 +55,28 @@ impl Lowering<'_> {
                 let vector = self.work.vector(Frame::Body, self.state.angular_velocity);
                 Some(Value::Vector(vector, Dimension::FREQUENCY))
             }
-            "mass" => self.report(name.span(), "this body has no mass: write `mass: ..`"),
-            keyword if keyword.starts_with("r#") => self.report(
-                name.span(),
-                format!("`{}` is a keyword of Rust, and no name here", &keyword[2..]),
-            ),
-            "body" | "world" => self.report(
-                name.span(),
-                format!("`{word}` makes a vector: write `{word}(..)` with components"),
-            ),
-            _ if self.reactions.contains(&word) => self.report(
-                name.span(),
-                format!(
-                    "`{word}` is an unknown reaction, and only given loads can depend on it: write \
-                     this out in the load"
-                ),
-            ),
-            _ => {
-                let hint = self.scope.hint(&word);
-                self.report(
-                    name.span(),
-                    format!("nothing here is called `{word}`{hint}"),
-                )
-            }
+            _ => self.unknown_name(name),
         }
+    }
+
+    /// A name that has no value, or none here.
+    fn unknown_name(&mut self, name: &Ident) -> Option<Value> {
+        let word = name.to_string();
+        let message = match word.as_str() {
+            "mass" => "this body has no mass: write `mass: ..`".to_owned(),
+            keyword if keyword.starts_with("r#") => {
+                format!("`{}` is a keyword of Rust, and no name here", &keyword[2..])
+            }
+            "body" | "world" => {
+                format!("`{word}` makes a vector: write `{word}(..)` with components")
+            }
+            _ if self.reactions.contains(&word) => format!(
+                "`{word}` is an unknown reaction, and only given loads can depend on it: write \
+                 this out in the load"
+            ),
+            _ => format!("nothing here is called `{word}`{}", self.scope.hint(&word)),
+        };
+        self.report(name.span(), message)
     }
 
     fn absent(&mut self, name: &Ident, what: &str) -> Option<Value> {

@@ -193,18 +193,7 @@ impl Lowering<'_> {
         if function == Function::Powf {
             return self.powf(x, of_x, receiver, &arguments[0]);
         }
-        let needs_number = !matches!(
-            function,
-            Function::Sqrt
-                | Function::Cbrt
-                | Function::Abs
-                | Function::Signum
-                | Function::Atan2
-                | Function::Hypot
-                | Function::Min
-                | Function::Max
-        );
-        if needs_number && !of_x.fits(Dimension::NONE) {
+        if !takes_dimensions(function) && !of_x.fits(Dimension::NONE) {
             let place = self.culprit(receiver, Dimension::NONE);
             let found = of_x.described();
             return self.report(
@@ -215,20 +204,7 @@ impl Lowering<'_> {
         let mut operands = vec![x];
         let mut of_all = of_x;
         if let [second] = arguments {
-            let Value::Scalar(y, of_y) = self.value(second)? else {
-                return self.report(second.extent, "expected a scalar");
-            };
-            let Some(unified) = of_x.unify(of_y) else {
-                let place = self.culprit(second, of_x);
-                let (this, other) = (of_y.described(), of_x.described());
-                return self.report(
-                    place,
-                    format!(
-                        "both arguments of `{word}` have one dimension: this is {this}, and the \
-                         other is {other}"
-                    ),
-                );
-            };
+            let (y, unified) = self.second_operand(of_x, second, &word)?;
             operands.push(y);
             of_all = unified;
         }
@@ -247,6 +223,30 @@ impl Lowering<'_> {
             self.work.graph.apply(function, &operands),
             of_value,
         ))
+    }
+
+    /// The other argument of a function of two, and the dimension that both have.
+    fn second_operand(
+        &mut self,
+        of_x: Dimension,
+        second: &Expression,
+        word: &str,
+    ) -> Option<(Id, Dimension)> {
+        let Value::Scalar(y, of_y) = self.value(second)? else {
+            return self.report(second.extent, "expected a scalar");
+        };
+        let Some(unified) = of_x.unify(of_y) else {
+            let place = self.culprit(second, of_x);
+            let (this, other) = (of_y.described(), of_x.described());
+            return self.report(
+                place,
+                format!(
+                    "both arguments of `{word}` have one dimension: this is {this}, and the other \
+                     is {other}"
+                ),
+            );
+        };
+        Some((y, unified))
     }
 
     fn clamp(
@@ -355,4 +355,18 @@ impl Lowering<'_> {
             of_value,
         ))
     }
+}
+
+fn takes_dimensions(function: Function) -> bool {
+    matches!(
+        function,
+        Function::Sqrt
+            | Function::Cbrt
+            | Function::Abs
+            | Function::Signum
+            | Function::Atan2
+            | Function::Hypot
+            | Function::Min
+            | Function::Max
+    )
 }

@@ -1,8 +1,10 @@
-//! Expressions: names, operators, functions, vectors and points, with frames and dimensions checked.
+//! Expressions: names, operators, functions, vectors and points, with frames and dimensions
+//! checked.
 
 mod along_axis;
 mod arithmetic;
 mod built_in;
+mod choice;
 mod domains;
 mod functions;
 mod lowering;

@@ -80,26 +80,13 @@ impl Lowering<'_> {
         let mut entries = Vec::new();
         let mut complete = true;
         for (index, (name, value)) in fields.iter().enumerate() {
-            let known = name.to_string();
-            let Some((_, row, column)) = ENTRIES.iter().find(|(entry, ..)| *entry == known) else {
-                let reversed: String = known.chars().rev().collect();
-                let hint = if ENTRIES.iter().any(|(entry, ..)| *entry == reversed) {
-                    format!(": the matrix is symmetric, write `{reversed}`")
-                } else {
-                    String::new()
-                };
-                self.errors.push(
-                    name.span(),
-                    format!(
-                        "no entry is called `{known}`; there are `xx`, `yy`, `zz`, `xy`, `yz` and `zx`{hint}"
-                    ),
-                );
+            let Some((row, column)) = self.place_of_entry(name) else {
                 complete = false;
                 continue;
             };
             if fields[..index].iter().any(|(other, _)| other == name) {
                 self.errors
-                    .push(name.span(), format!("`{known}` is given twice"));
+                    .push(name.span(), format!("`{name}` is given twice"));
                 complete = false;
             }
             let Some(entry) = self.scalar(value, Dimension::INERTIA, "an entry of the inertia")
@@ -112,9 +99,9 @@ impl Lowering<'_> {
             } else {
                 entry
             };
-            rows[*row][*column] = entry;
-            rows[*column][*row] = entry;
-            entries.push(Entry::new(*row, *column, value, entry));
+            rows[row][column] = entry;
+            rows[column][row] = entry;
+            entries.push(Entry::new(row, column, value, entry));
         }
         let missing: Vec<&str> = ["xx", "yy", "zz"]
             .into_iter()
@@ -136,5 +123,27 @@ impl Lowering<'_> {
             entries,
             extent,
         })
+    }
+
+    fn place_of_entry(&mut self, name: &Ident) -> Option<(usize, usize)> {
+        let place = |word: &str| {
+            let entry = ENTRIES.iter().find(|(entry, ..)| *entry == word);
+            entry.map(|(_, row, column)| (*row, *column))
+        };
+        let word = name.to_string();
+        let reversed: String = word.chars().rev().collect();
+        if let Some(place) = place(&word) {
+            return Some(place);
+        }
+        let hint = match place(&reversed) {
+            Some(_) => format!(": the matrix is symmetric, write `{reversed}`"),
+            None => String::new(),
+        };
+        self.report(
+            name.span(),
+            format!(
+                "no entry is called `{word}`; there are `xx`, `yy`, `zz`, `xy`, `yz` and `zx`{hint}"
+            ),
+        )
     }
 }

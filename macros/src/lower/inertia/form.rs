@@ -6,7 +6,7 @@ use crate::errors::similar;
 use crate::lower::expressions::{Lowering, base, is_of_solid, lower_unit, written_motion};
 use crate::model::{Defaults, Dimension, Inertia, Mass, is_solid, words};
 use crate::symbolic::Id;
-use crate::syntax::{Description, Expression, Kind};
+use crate::syntax::{Description, Expression, Kind, UnitExpression};
 
 use super::across_axis::FORMS_OF_ROD;
 use super::draft::{Draft, Entry, Given};
@@ -91,26 +91,7 @@ impl Lowering<'_> {
 
     fn draft(&mut self, written: &Expression, given: Given<'_>) -> Option<Draft> {
         match &written.kind {
-            Kind::Unit(inner, unit) if !is_scalar(inner) => {
-                let draft = self.draft(inner, given);
-                if is_of_solid(inner) {
-                    return self.report(
-                        unit.extent,
-                        "the lengths of a solid have the units: write `sphere(0.1[m])`",
-                    );
-                }
-                let (factor, dimension) = lower_unit(unit, self.errors)?;
-                let draft = draft?;
-                if !dimension.fits(Dimension::INERTIA) {
-                    let (expected, found) = (Dimension::INERTIA, dimension.described());
-                    return self.report(
-                        unit.extent,
-                        format!("an inertia is in {expected}, and this is {found}"),
-                    );
-                }
-                let factor = self.work.graph.number(factor);
-                Some(self.scale_draft(factor, draft))
-            }
+            Kind::Unit(inner, unit) if !is_scalar(inner) => self.in_unit(inner, unit, given),
             Kind::Method(inner, method, arguments) if method == "about" => {
                 let draft = self.draft(inner, given);
                 let [point] = arguments.as_slice() else {
@@ -160,6 +141,40 @@ impl Lowering<'_> {
                     extent: written.extent,
                 })
             }
+            _ => self.not_in_space(written),
+        }
+    }
+
+    /// A form of inertia with a unit behind it.
+    fn in_unit(
+        &mut self,
+        inner: &Expression,
+        unit: &UnitExpression,
+        given: Given<'_>,
+    ) -> Option<Draft> {
+        let draft = self.draft(inner, given);
+        if is_of_solid(inner) {
+            return self.report(
+                unit.extent,
+                "the lengths of a solid have the units: write `sphere(0.1[m])`",
+            );
+        }
+        let (factor, dimension) = lower_unit(unit, self.errors)?;
+        let draft = draft?;
+        if !dimension.fits(Dimension::INERTIA) {
+            let (expected, found) = (Dimension::INERTIA, dimension.described());
+            return self.report(
+                unit.extent,
+                format!("an inertia is in {expected}, and this is {found}"),
+            );
+        }
+        let factor = self.work.graph.number(factor);
+        Some(self.scale_draft(factor, draft))
+    }
+
+    /// What is no inertia of a body in space.
+    fn not_in_space(&mut self, written: &Expression) -> Option<Draft> {
+        match &written.kind {
             Kind::Call(word, _) if word == "tensor" || word == "products" => self.report(
                 word.span(),
                 format!("entries have names: write `{word} {{ xx: .., yy: .., zz: .. }}`"),

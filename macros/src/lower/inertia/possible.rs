@@ -1,8 +1,8 @@
 //! Which inertias a body can have, and the decimal point that one may have lost.
 //!
 //! A tensor is possible if it is symmetric and half its trace minus itself is positive
-//! semidefinite, which is the triangle inequality in every frame (`docs/statements.md`, F08). Numbers are
-//! checked exactly; equality, a flat body, is allowed.
+//! semidefinite, which is the triangle inequality in every frame (`docs/statements.md`, F08).
+//! Numbers are checked exactly; equality, a flat body, is allowed.
 
 use proc_macro2::Ident;
 

@@ -1,8 +1,9 @@
 //! Potentials: scalars U whose forces and moments are derived.
 //!
-//! They are read with turned vectors kept apart ([`crate::model::kinematics::turned_vector`]), and so are the locals that they
-//! are made of. Where a length is taken of a vector with parts in both axes, either of them can be
-//! turned: there are two forms then, and mechanics takes the cheaper one.
+//! They are read with turned vectors kept apart ([`crate::model::kinematics::turned_vector`]), and
+//! so are the locals that they are made of. Where a length is taken of a vector with parts in both
+//! axes, either of them can be turned: there are two forms then, and mechanics takes the cheaper
+//! one.
 
 use std::collections::HashSet;
 
@@ -81,7 +82,8 @@ impl Lowering<'_> {
         Some((form, turns.met_mixed))
     }
 
-    /// The position of G, where it is a coordinate; else a virtual displacement, which is added to it.
+    /// The position of G, where it is a coordinate; else a virtual displacement, which is added to
+    /// it.
     fn displacement(&mut self) -> Components {
         if self.motion.translates {
             return self.state.position.world;

@@ -1,6 +1,8 @@
 //! Loads with unknown components, `body(_, _, 0).at(P)` and `moment(body(_, _, 0))`, or along a
 //! direction of their own, `_ * direction`: reactions, and drives that inverse dynamics solves for.
 
+use proc_macro2::Ident;
+
 use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::lower::expressions::{
@@ -8,7 +10,7 @@ use crate::lower::expressions::{
 };
 use crate::model::{Dimension, Frame, Meaning, Point, Reaction};
 use crate::symbolic::{Components, Id, Stage};
-use crate::syntax::{self, Description, Expression, Kind};
+use crate::syntax::{self, Description, Expression, Kind, UnitExpression};
 
 impl Lowering<'_> {
     /// A reaction with unknown components; `index` is its place among them.
@@ -133,20 +135,7 @@ impl Lowering<'_> {
         };
         let factor = match unit {
             None => self.work.graph.one(),
-            Some(unit) => {
-                let (factor, found) = lower_unit(unit, self.errors)?;
-                if !found.fits(expected) {
-                    let found = found.described();
-                    return self.report(
-                        unit.extent,
-                        format!(
-                            "a reaction is {}, and this is {found}",
-                            expected.described()
-                        ),
-                    );
-                }
-                self.work.graph.number(factor)
-            }
+            Some(unit) => self.unit_of_reaction(unit, expected)?,
         };
         let zeros = self.work.graph.zeros();
         let Kind::Call(word, parts) = &inner.kind else {
@@ -161,47 +150,26 @@ impl Lowering<'_> {
                 )
             };
         };
-        let frame = if word == "body" {
-            if self.motion.is_line() {
-                return self.report(
-                    word.span(),
-                    format!("{UNTURNED}: write `world(_, _, _)`, or `_ * axis` along it"),
-                );
-            }
-            Frame::Body
-        } else {
-            Frame::World
-        };
+        let frame = self.frame_of_reaction(word)?;
         let axes = self.motion.axes();
-        if parts.len() != axes || (kind == LoadKind::Moment && self.motion.is_planar) {
-            let form = if kind == LoadKind::Moment {
-                "a moment is one scalar"
-            } else {
-                "a vector has two components"
-            };
-            let form = if self.motion.is_planar {
-                form
-            } else {
-                "a vector has three components"
+        let is_moment = kind == LoadKind::Moment;
+        if parts.len() != axes || (is_moment && self.motion.is_planar) {
+            let form = match (self.motion.is_planar, is_moment) {
+                (true, true) => "a moment is one scalar",
+                (true, false) => "a vector has two components",
+                (false, _) => "a vector has three components",
             };
             return self.report(
                 inner.extent,
                 format!("{form} under `motion: {}`", self.motion.word),
             );
         }
+        let of_component = unit.map_or(expected, |_| Dimension::NONE);
         let known: Vec<Option<Id>> = parts
             .iter()
             .map(|part| match part.kind {
                 Kind::Placeholder => Some(zeros[0]),
-                _ => self.scalar(
-                    part,
-                    if unit.is_some() {
-                        Dimension::NONE
-                    } else {
-                        expected
-                    },
-                    "a component",
-                ),
+                _ => self.scalar(part, of_component, "a component"),
             })
             .collect();
         let mut given = zeros;
@@ -209,6 +177,31 @@ impl Lowering<'_> {
             *component = self.work.graph.multiply(factor, known?);
         }
         Some((frame, given))
+    }
+
+    fn unit_of_reaction(&mut self, unit: &UnitExpression, expected: Dimension) -> Option<Id> {
+        let (factor, found) = lower_unit(unit, self.errors)?;
+        if !found.fits(expected) {
+            let (expected, found) = (expected.described(), found.described());
+            return self.report(
+                unit.extent,
+                format!("a reaction is {expected}, and this is {found}"),
+            );
+        }
+        Some(self.work.graph.number(factor))
+    }
+
+    fn frame_of_reaction(&mut self, word: &Ident) -> Option<Frame> {
+        if word != "body" {
+            return Some(Frame::World);
+        }
+        if self.motion.is_line() {
+            return self.report(
+                word.span(),
+                format!("{UNTURNED}: write `world(_, _, _)`, or `_ * axis` along it"),
+            );
+        }
+        Some(Frame::Body)
     }
 
     /// Under constraints, loads may depend on the unknown reactions, by their names: friction does.

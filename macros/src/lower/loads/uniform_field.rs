@@ -37,7 +37,8 @@ impl Lowering<'_> {
         let net: Vec<Id> = charges.iter().map(|(charge, _)| *charge).collect();
         let net = graph.sum(&net);
         let dipole = moment(graph, &charges);
-        // where the motion of G is not modelled, positions count from G; where a point of the body is held, they do from there
+        // where the motion of G is not modelled, positions count from G; where a point of the body
+        // is held, they do from there
         let Vector { body, world } = self.state.position;
         let from_held = charges
             .iter()

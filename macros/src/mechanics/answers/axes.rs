@@ -1,15 +1,17 @@
 //! Axes that do not spin with a symmetric body, for its series (EQUATIONS 5(e)).
 //!
-//! If the axes of a body may be turned about e, and its spin `s = e . w` is constant, the motion in axes that turn against the body
-//! at `-sigma` about e, with the components of the whole angular velocity in them, is
+//! If the axes of a body may be turned about e, and its spin `s = e . w` is constant, the motion in
+//! axes that turn against the body at `-sigma` about e, with the components of the whole angular
+//! velocity in them, is
 //!
 //! ```text
 //! q' = q (0, w - sigma e) / 2      w' = alpha(q, w) + sigma e x w
 //! ```
 //!
-//! Any sigma is right. In axes without spin, `sigma = s`, the angular velocity of a free body turns at `beta = s J_e / J_t`, of the
-//! moments along e and across; in those with `sigma = s - beta` it stands still, and the attitude turns faster.
-//! Halfway the steps are longest, or nearly so, for tops that are flat or slender, fast or slow:
+//! Any sigma is right. In axes without spin, `sigma = s`, the angular velocity of a free body turns
+//! at `beta = s J_e / J_t`, of the moments along e and across; in those with `sigma = s - beta` it
+//! stands still, and the attitude turns faster. Halfway the steps are longest, or nearly so, for
+//! tops that are flat or slender, fast or slow:
 //!
 //! ```text
 //! sigma = s - beta / 2 = s (1 - J_e / (tr J - J_e))

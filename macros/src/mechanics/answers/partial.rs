@@ -1,5 +1,6 @@
-//! Loads that may have no value: those that read what is given at each evaluation, and those that divide by what moves, or have a function
-//! that is not there for all numbers, or soon out of range.
+//! Loads that may have no value: those that read what is given at each evaluation, and those that
+//! divide by what moves, or have a function that is not there for all numbers, or soon out of
+//! range.
 
 use crate::model::{Meaning, Model, Workspace};
 use crate::symbolic::{Function, Graph, Id, Node};

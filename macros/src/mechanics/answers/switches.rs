@@ -8,8 +8,9 @@
 //! f sin(k t + c) + b, and with cos: twice in every 2 pi / k
 //! ```
 //!
-//! k, c, m, f, b being numbers, parameters and inputs. Of `abs`, `min`, `max` and `if` the pieces are those of both sides, of `floor` and
-//! `ceil` a whole number: what is found may be no switch, and then ends a step for nothing; none of these forms is passed over.
+//! k, c, m, f, b being numbers, parameters and inputs. Of `abs`, `min`, `max` and `if` the pieces
+//! are those of both sides, of `floor` and `ceil` a whole number: what is found may be no switch,
+//! and then ends a step for nothing; none of these forms is passed over.
 
 use std::collections::HashMap;
 
@@ -130,6 +131,26 @@ impl Piece {
                 ..wave
             }),
         }
+    }
+
+    /// `slope t + sum of terms`
+    fn is_line(&self) -> bool {
+        self.whole.is_none() && self.wave.is_none()
+    }
+
+    /// The sine or the cosine of a line.
+    fn waved(&self, graph: &mut Graph, function: Function) -> Option<Self> {
+        let wave = Wave {
+            function,
+            factor: graph.one(),
+            slope: self.slope,
+            rest: graph.sum(&self.terms),
+        };
+        let zero = graph.zero();
+        self.is_line().then(|| Self {
+            wave: Some(wave),
+            ..Self::constant(graph, zero)
+        })
     }
 
     /// None if there are two whole numbers, or two waves.
@@ -255,29 +276,23 @@ fn sums(graph: &mut Graph, a: &[Piece], b: &[Piece]) -> Option<Vec<Piece>> {
     pairs.map(|(a, b)| a.plus(graph, b)).collect()
 }
 
+/// What one piece that is a single term is.
+fn held(graph: &Graph, pieces: Option<&[Piece]>) -> Option<Id> {
+    let [piece] = pieces? else {
+        return None;
+    };
+    match piece.terms[..] {
+        [term] if piece.is_line() && graph.is_zero(piece.slope) => Some(term),
+        _ => None,
+    }
+}
+
 /// The pieces of one operation, from those of its operands.
 fn pieces_of(graph: &mut Graph, pieces: &Pieces, id: Id) -> Option<Vec<Piece>> {
     let known = |id: Id| pieces.get(&id).cloned().flatten();
     let scaled = |graph: &mut Graph, pieces: &[Piece], factor: Id| -> Vec<Piece> {
         let pieces = pieces.iter();
         pieces.map(|piece| piece.scaled(graph, factor)).collect()
-    };
-    // one piece that is a single term
-    let held = |pieces: &Option<Vec<Piece>>, graph: &Graph| match pieces.as_deref() {
-        Some(
-            [
-                Piece {
-                    slope,
-                    terms,
-                    whole: None,
-                    wave: None,
-                },
-            ],
-        ) if graph.is_zero(*slope) => match terms[..] {
-            [term] => Some(term),
-            _ => None,
-        },
-        _ => None,
     };
     let minus = graph.integer(-1);
     match *graph.node(id) {
@@ -290,14 +305,14 @@ fn pieces_of(graph: &mut Graph, pieces: &Pieces, id: Id) -> Option<Vec<Piece>> {
         }
         Node::Multiply(a, b) => {
             let (a, b) = (known(a), known(b));
-            match (held(&a, graph), held(&b, graph)) {
+            match (held(graph, a.as_deref()), held(graph, b.as_deref())) {
                 (Some(factor), _) => Some(scaled(graph, &b?, factor)),
                 (_, Some(factor)) => Some(scaled(graph, &a?, factor)),
                 _ => None,
             }
         }
         Node::Divide(a, b) => {
-            let divisor = held(&known(b), graph)?;
+            let divisor = held(graph, known(b).as_deref())?;
             let one = graph.one();
             let factor = graph.divide(one, divisor);
             Some(scaled(graph, &known(a)?, factor))
@@ -309,11 +324,8 @@ fn pieces_of(graph: &mut Graph, pieces: &Pieces, id: Id) -> Option<Vec<Piece>> {
         }
         Node::Unary(Function::Signum, _) => {
             let one = graph.one();
-            Some(
-                [one, minus]
-                    .map(|sign| Piece::constant(graph, sign))
-                    .to_vec(),
-            )
+            let signs = [one, minus].map(|sign| Piece::constant(graph, sign));
+            Some(signs.to_vec())
         }
         Node::Unary(Function::Floor | Function::Ceil, a) => {
             known(a)?;
@@ -324,21 +336,8 @@ fn pieces_of(graph: &mut Graph, pieces: &Pieces, id: Id) -> Option<Vec<Piece>> {
             }])
         }
         Node::Unary(function @ (Function::Sin | Function::Cos), a) => {
-            let waves = known(a)?.into_iter().map(|piece| {
-                let is_line = piece.whole.is_none() && piece.wave.is_none();
-                let wave = Wave {
-                    function,
-                    factor: graph.one(),
-                    slope: piece.slope,
-                    rest: graph.sum(&piece.terms),
-                };
-                let zero = graph.zero();
-                is_line.then(|| Piece {
-                    wave: Some(wave),
-                    ..Piece::constant(graph, zero)
-                })
-            });
-            waves.collect()
+            let pieces = known(a)?.into_iter();
+            pieces.map(|piece| piece.waved(graph, function)).collect()
         }
         Node::Binary(Function::Min | Function::Max, a, b) | Node::Select(_, a, b) => {
             Some([known(a)?, known(b)?].concat())

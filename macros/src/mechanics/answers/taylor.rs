@@ -5,9 +5,11 @@
 //! velocity' = a             w' = alpha             inputs are held
 //! ```
 //!
-//! They are those of axes that do not spin with a symmetric body, where there are such: [`super::axes`].
+//! They are those of axes that do not spin with a symmetric body, where there are such:
+//! [`super::axes`].
 //!
-//! A series exists where the equations are smooth; what is not is reported by the load that it stands in.
+//! A series exists where the equations are smooth; what is not is reported by the load that it
+//! stands in.
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
@@ -64,7 +66,8 @@ pub fn derive_taylor(
     })
 }
 
-/// The coordinates of the state, and time; those of a kind of motion are together. `turning` is the angular velocity of the axes.
+/// The coordinates of the state, and time; those of a kind of motion are together. `turning` is the
+/// angular velocity of the axes.
 fn coordinates(
     model: &Model,
     work: &mut Workspace,

@@ -63,7 +63,8 @@ pub fn is_diagonal(graph: &Graph, rows: &[Components; 3]) -> bool {
 }
 
 impl Turning<'_> {
-    /// Principal axes that are the user's: `w_1' = M_1 / J_1 + (J_2 - J_3) / J_1 w_2 w_3`, and so on.
+    /// Principal axes that are the user's: `w_1' = M_1 / J_1 + (J_2 - J_3) / J_1 w_2 w_3`, and so
+    /// on.
     ///
     /// Where two moments of inertia are equal, both products hold the rate at which the angular
     /// velocity precesses in the body, which is then computed once.
@@ -142,8 +143,9 @@ impl Turning<'_> {
         Form { angular, labels }
     }
 
-    /// An axis of symmetry n, of moment B beside A across it: `w' = J^-1 M + (A - B) / A (n.w) w x n`.
-    /// The gyroscopic moment has no part along n, whatever B is.
+    /// An axis of symmetry n, of moment B beside A across it:
+    /// `w' = J^-1 M + (A - B) / A (n.w) w x n`. The gyroscopic moment has no part along n, whatever
+    /// B is.
     fn about_symmetry(&mut self) -> Option<Form> {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;
@@ -218,7 +220,8 @@ impl Turning<'_> {
     }
 }
 
-/// `J^-1`, computed from `J` over its trace, so that no determinant leaves the range of doubles (H10).
+/// `J^-1`, computed from `J` over its trace, so that no determinant leaves the range of doubles
+/// (H10).
 pub fn inverse_inertia(
     graph: &mut Graph,
     labels: &mut Labels,

@@ -91,8 +91,8 @@ pub fn given_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vec
     parts.collect()
 }
 
-/// The point of the body at which a uniform field acts: a field force that is fixed in world axes and
-/// is the same for every position, attitude and velocity.
+/// The point of the body at which a uniform field acts: a field force that is fixed in world axes
+/// and is the same for every position, attitude and velocity.
 pub fn uniform_field(model: &Model, work: &Workspace, load: &Load) -> Option<Components> {
     let graph: &Graph = &work.graph;
     let of_state = |id: Id| match graph.node(id) {

@@ -14,8 +14,9 @@ use super::loads::{check_moment_free, given_parts, moments_about, resultant};
 use super::moments::{inertia_about_center, moment_of_inertia};
 use super::rod;
 
-/// Linear acceleration of G in world axes and angular acceleration in body axes, as far as the motion
-/// has them; that of a hinge stands in the place of z, that of the axis of a rod in the place of all.
+/// Linear acceleration of G in world axes and angular acceleration in body axes, as far as the
+/// motion has them; that of a hinge stands in the place of z, that of the axis of a rod in the
+/// place of all.
 pub fn derive_accelerations(
     model: &Model,
     work: &mut Workspace,

@@ -7,8 +7,8 @@ use super::dyadic::{Dyadic, cheapest};
 use super::euler_equations::{inverse_inertia, is_diagonal};
 use super::moments::{inertia_about_center, moment_of_inertia};
 
-/// The part of a moment about the center (body axes) along which the body may turn; about a hinge, that
-/// along its axis stands in the place of z.
+/// The part of a moment about the center (body axes) along which the body may turn; about a hinge,
+/// that along its axis stands in the place of z.
 pub fn free_moment(model: &Model, work: &mut Workspace, moment: Components) -> Components {
     let graph = &mut work.graph;
     match model.hinge(graph) {
@@ -20,8 +20,8 @@ pub fn free_moment(model: &Model, work: &mut Workspace, moment: Components) -> C
     }
 }
 
-/// Of a force (world axes) and a [`free_moment`] about the center: `F / m`, `J^-1 M`, as far as the motion
-/// has them.
+/// Of a force (world axes) and a [`free_moment`] about the center: `F / m`, `J^-1 M`, as far as the
+/// motion has them.
 pub fn response(
     model: &Model,
     work: &mut Workspace,

@@ -4,10 +4,10 @@
 //! u'' = (K x u) / J - u'^2 u
 //! ```
 //!
-//! All vectors are in world axes, and K is perpendicular to u. Where it is `u x B`, of forces with the
-//! first moment `B = sum of s F`, of potentials and of most couples that can be written,
-//! `K x u = B - (u . B) u`: these are summed, and one projection is enough; none where B is across the
-//! axis already, as that of damping is.
+//! All vectors are in world axes, and K is perpendicular to u. Where it is `u x B`, of forces with
+//! the first moment `B = sum of s F`, of potentials and of most couples that can be written,
+//! `K x u = B - (u . B) u`: these are summed, and one projection is enough; none where B is across
+//! the axis already, as that of damping is.
 //!
 //! ```text
 //! u'' = B / J - (u . B / J + u'^2) u

@@ -22,7 +22,8 @@ impl AxialTorque {
     }
 }
 
-/// The axis and the torque along it, if the moment, body axes, is constant and is along an axis of symmetry.
+/// The axis and the torque along it, if the moment, body axes, is constant and is along an axis of
+/// symmetry.
 pub fn axial_torque(
     model: &Model,
     work: &mut Workspace,

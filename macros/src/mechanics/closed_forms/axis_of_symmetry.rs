@@ -7,8 +7,9 @@ use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
 use super::free_rotation::unit;
 
-/// Moments of inertia across and along axes about which the body is symmetric, and unit vectors along them: of a spherical one, along one of
-/// these directions, if it is known, and the axes of the body.
+/// Moments of inertia across and along axes about which the body is symmetric, and unit vectors
+/// along them: of a spherical one, along one of these directions, if it is known, and the axes of
+/// the body.
 pub fn axes_of_symmetry(
     model: &Model,
     work: &mut Workspace,

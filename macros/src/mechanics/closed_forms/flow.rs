@@ -1,7 +1,7 @@
 //! Motions in closed form: which one a body has, or what is in the way of it.
 //!
-//! G moves on a parabola if nothing but constant forces, in world axes, act on the body. Apart from that
-//! it turns
+//! G moves on a parabola if nothing but constant forces, in world axes, act on the body. Apart from
+//! that it turns
 //!
 //! ```text
 //! in space        freely: no moment about G, or about the point that is held
@@ -147,7 +147,8 @@ fn symmetric(model: &Model, work: &mut Workspace, moment: Components) -> Option<
     axial_torque(model, work, moment).map(Turning::Axial)
 }
 
-/// What is in the way of free rotation, and does not make a top or a spin that is linear in time either.
+/// What is in the way of free rotation, and does not make a top or a spin that is linear in time
+/// either.
 fn report_moments(
     model: &Model,
     work: &mut Workspace,

@@ -14,7 +14,8 @@ pub enum Free {
     Along([Id; 3]),
     /// Three principal moments, and unit vectors of their axes, body axes.
     Principal([Id; 3], [Components; 3]),
-    /// The entries xx, yy, zz, xy, yz, zx of a tensor that is known when the body is built; its principal axes are found then.
+    /// The entries xx, yy, zz, xy, yz, zx of a tensor that is known when the body is built; its
+    /// principal axes are found then.
     Tensor([Id; 6]),
 }
 

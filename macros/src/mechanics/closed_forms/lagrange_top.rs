@@ -1,8 +1,10 @@
-//! Lagrange's top: a body that is symmetric about an axis e, under a couple `k x e` with k constant in the world.
+//! Lagrange's top: a body that is symmetric about an axis e, under a couple `k x e` with k constant
+//! in the world.
 //!
-//! The moment of forces that are constant in the world is `sum r_l x W_l`, of the world's axes `r_l` as the body sees them and vectors
-//! `W_l` of the body. The twelve rotations of a tetrahedron tell these: over them the mean of the dyad `r_l r_m` is 1/3 of unity for
-//! l = m, and zero otherwise.
+//! The moment of forces that are constant in the world is `sum r_l x W_l`, of the world's axes
+//! `r_l` as the body sees them and vectors `W_l` of the body. The twelve rotations of a tetrahedron
+//! tell these: over them the mean of the dyad `r_l r_m` is 1/3 of unity for l = m, and zero
+//! otherwise.
 //!
 //! ```text
 //! W_l = 1/8 sum over rotations of M x r_l        k_l = W_l . e
@@ -98,7 +100,8 @@ fn arms(work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
     Some(arms.map(|arm| graph.scale_vector(share, arm)))
 }
 
-/// The rotations of a tetrahedron: the unit quaternions that are whole, or halves throughout, up to their sign.
+/// The rotations of a tetrahedron: the unit quaternions that are whole, or halves throughout, up to
+/// their sign.
 fn tetrahedral() -> impl Iterator<Item = [Number; 4]> {
     let whole =
         (0..4).map(|place| [0, 1, 2, 3].map(|part| Number::integer(i64::from(part == place))));

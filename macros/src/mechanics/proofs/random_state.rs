@@ -3,8 +3,8 @@
 use crate::model::{Meaning, Workspace};
 use crate::symbolic::{Id, Residue, free};
 
-/// A random state. What is not free of it is rational in what is: a unit quaternion and a unit vector by
-/// stereographic projection, the rate of the unit vector as a product with it.
+/// A random state. What is not free of it is rational in what is: a unit quaternion and a unit
+/// vector by stereographic projection, the rate of the unit vector as a product with it.
 pub struct RandomState {
     pub number: u64,
     pub quaternion: [Residue; 4],
@@ -25,7 +25,8 @@ impl RandomState {
         }
     }
 
-    /// With the attitude half a turn about an axis of the body further: its quaternion times i, j or k.
+    /// With the attitude half a turn about an axis of the body further: its quaternion times i, j
+    /// or k.
     pub fn turned(self, about: Option<usize>) -> Self {
         let [s, x, y, z] = self.quaternion;
         let quaternion = match about {

@@ -16,8 +16,8 @@ pub fn samples(work: &Workspace, roots: &[Id]) -> Vec<Sample> {
     work.graph.samples(roots, |id| state.of(work, id))
 }
 
-/// Whether the sums of `roots` over an attitude and its half turns about the axes of the body are proved
-/// to be zero: those of the entries of its matrix are, and of what is linear in them.
+/// Whether the sums of `roots` over an attitude and its half turns about the axes of the body are
+/// proved to be zero: those of the entries of its matrix are, and of what is linear in them.
 pub fn cancels_in_half_turns(work: &Workspace, roots: &[Id]) -> bool {
     let states = [None, Some(0), Some(1), Some(2)].map(|axis| RandomState::draw(0).turned(axis));
     let places = states.each_ref().map(|state| |id| state.of(work, id));

@@ -6,8 +6,8 @@ use crate::symbolic::{Function, Number, Spectrum, Symmetry};
 /// A principal moment and the unit vector of its axis.
 type Moment = (Number, [Number; 3]);
 
-/// Principal moments and axes about G, in body axes, and what they say about the body; nothing unless
-/// the body turns in space and its tensor is known.
+/// Principal moments and axes about G, in body axes, and what they say about the body; nothing
+/// unless the body turns in space and its tensor is known.
 pub fn classify(model: &Model, work: &mut Workspace) -> Vec<String> {
     let Inertia::Spatial(rows) = model.inertia else {
         return Vec::new();

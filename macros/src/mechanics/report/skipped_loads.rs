@@ -152,7 +152,8 @@ fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
     }
 }
 
-/// A force or a moment that is known before the state is, in these axes; in those of the world, at G.
+/// A force or a moment that is known before the state is, in these axes; in those of the world, at
+/// G.
 fn is_constant(work: &Workspace, load: &Load, frame: Frame) -> bool {
     let graph = &work.graph;
     let Point::Body(offset) = load.point else {
@@ -177,8 +178,8 @@ fn is_constant(work: &Workspace, load: &Load, frame: Frame) -> bool {
     load.potential.is_none() && acts && is_alone && is_early
 }
 
-/// Of the rotation, one column turns what is along an axis of the body, one row what is along one of
-/// the world.
+/// Of the rotation, one column turns what is along an axis of the body, one row what is along one
+/// of the world.
 fn skip_rotation(work: &mut Workspace, roots: &[Id], skipped: &mut Vec<String>) {
     if !matches!(work.attitude, Attitude::Quaternion { .. }) {
         return;

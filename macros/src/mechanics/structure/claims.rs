@@ -21,7 +21,8 @@ pub struct Structure {
     pub is_torque_free: bool,
     /// Nothing turns the body about the axes of its symmetry.
     pub keeps_spin: bool,
-    /// The axis of symmetry, a unit vector in body axes, if the body may be turned about it and keeps its spin.
+    /// The axis of symmetry, a unit vector in body axes, if the body may be turned about it and
+    /// keeps its spin.
     pub spin_axis: Option<[Number; 3]>,
     /// In the plane across which of the axes a motion stays.
     pub planes: [bool; 3],
@@ -133,8 +134,8 @@ fn is_torque_free(model: &Model, work: &mut Workspace, angular: &Components) -> 
     all_vanish(work, &moment) || model.constraints.is_empty() && has_no_moment(model, work)
 }
 
-/// Whether the moments of all loads vanish, those in body axes and those in world axes: of a tensor in
-/// principal axes `J w' + w x J w` may not tell.
+/// Whether the moments of all loads vanish, those in body axes and those in world axes: of a tensor
+/// in principal axes `J w' + w x J w` may not tell.
 fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
     if model.motion.is_hinged() || model.state.axis.is_some() {
         return false;
@@ -164,8 +165,8 @@ fn keeps_spin(work: &mut Workspace, angular: &Components, axes: &Space) -> bool 
     !along.is_empty() && all_vanish(work, &along)
 }
 
-/// Whether a motion that is in the plane through the world's origin across this axis, the same axis of
-/// the body along it, has no acceleration out of the plane.
+/// Whether a motion that is in the plane through the world's origin across this axis, the same axis
+/// of the body along it, has no acceleration out of the plane.
 fn stays_in_plane(
     model: &Model,
     work: &mut Workspace,

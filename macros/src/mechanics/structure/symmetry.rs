@@ -7,9 +7,10 @@
 //! the body     w' = e x w    q' = -q (0, e) / 2
 //! ```
 //!
-//! and an acceleration is symmetric about e if it changes as the axes do in which it is written. That is
-//! linear in e: directions that the changes at some random states leave, and those at one more random
-//! state leave again, on every branch, are left in all states. Nothing of this is emitted but the answer.
+//! and an acceleration is symmetric about e if it changes as the axes do in which it is written.
+//! That is linear in e: directions that the changes at some random states leave, and those at one
+//! more random state leave again, on every branch, are left in all states. Nothing of this is
+//! emitted but the answer.
 
 use std::collections::HashMap;
 
@@ -36,15 +37,8 @@ pub struct Space<V = Number> {
 
 impl Space<Residue> {
     fn spanned_by(axes: &[usize]) -> Self {
-        let unit = |axis: usize| {
-            [0, 1, 2].map(|i| {
-                if i == axis {
-                    Residue::ONE
-                } else {
-                    Residue::ZERO
-                }
-            })
-        };
+        let unit =
+            |axis: usize| [0, 1, 2].map(|i| [Residue::ZERO, Residue::ONE][usize::from(i == axis)]);
         Self {
             basis: axes.iter().map(|axis| unit(*axis)).collect(),
         }
@@ -179,9 +173,9 @@ fn axis_of_tensor(model: &Model, work: &mut Workspace) -> Option<[Number; 3]> {
     }
 }
 
-/// What decides between branches, the arguments of functions that are made of pieces, and what is divided
-/// by, of a tangent too: where these stay as they are, nothing jumps. Without them what has no slope would
-/// be taken for what does not change: `atan(tan x) - x`, `x / |x|`.
+/// What decides between branches, the arguments of functions that are made of pieces, and what is
+/// divided by, of a tangent too: where these stay as they are, nothing jumps. Without them what has
+/// no slope would be taken for what does not change: `atan(tan x) - x`, `x / |x|`.
 fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     let mut guards = Vec::new();
     for id in graph.reachable(roots, |_| true) {
@@ -225,8 +219,9 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// What the changes at some random states leave, and those at another one leave whole: axes that do
-    /// not depend on the state. Of axes whose directions are long numbers nothing is claimed.
+    /// What the changes at some random states leave, and those at another one leave whole: axes
+    /// that do not depend on the state. Of axes whose directions are long numbers nothing is
+    /// claimed.
     fn space(&self) -> Space {
         let none = Space { basis: Vec::new() };
         if self.axes.is_empty() {
@@ -297,7 +292,7 @@ impl Case<'_> {
 /// How the state changes as the world is turned about an axis.
 fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
     let (graph, state) = (&mut work.graph, &model.state);
-    let e = unit_vector(graph, axis);
+    let e = graph.unit_vectors()[axis];
     let mut rates = Rates::new();
     let vectors = if model.motion.translates {
         vec![state.position.world, state.velocity.world]
@@ -328,7 +323,7 @@ fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
 /// How the state changes as the axes of the body are turned back about one of them.
 fn turn_of_body(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
     let (graph, state) = (&mut work.graph, &model.state);
-    let e = unit_vector(graph, axis);
+    let e = graph.unit_vectors()[axis];
     let w = state.angular_velocity;
     let mut rates: Rates = w.into_iter().zip(graph.cross(e, w)).collect();
     match work.attitude {
@@ -345,10 +340,6 @@ fn turn_of_body(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
         Attitude::Fixed | Attitude::Line { .. } => {}
     }
     of_symbols(graph, rates)
-}
-
-fn unit_vector(graph: &mut Graph, axis: usize) -> Components {
-    [0, 1, 2].map(|i| graph.integer(i64::from(i == axis)))
 }
 
 /// What a motion does not have is zero and stays so.

@@ -3,8 +3,9 @@
 //! The projection moves the state along `M^-1 A^T`, the shortest way in the metric of the kinetic
 //! energy: `S l = g` with `S = A M^-1 A^T`, then `q - M^-1 A^T l`; and likewise the velocities.
 //!
-//! What rounding makes of a constraint is told by the same metric, as `|A q| <= sqrt(S) |q|`: a state has rounded coordinates, of the
-//! size of the radius of inertia of its mass about the origin, and velocities of the size of its kinetic energy.
+//! What rounding makes of a constraint is told by the same metric, as `|A q| <= sqrt(S) |q|`: a
+//! state has rounded coordinates, of the size of the radius of inertia of its mass about the
+//! origin, and velocities of the size of its kinetic energy.
 
 use crate::mechanics::balances::{response, turned_by, twice_kinetic};
 use crate::model::{Inertia, Model, Workspace};
@@ -91,7 +92,8 @@ pub fn derive_consistency(
     list.collect()
 }
 
-/// What a constraint may be at most in a state of this size, in which nothing is zero but by cancellation.
+/// What a constraint may be at most in a state of this size, in which nothing is zero but by
+/// cancellation.
 pub struct Reach {
     pub position: Option<Id>,
     pub velocity: Id,

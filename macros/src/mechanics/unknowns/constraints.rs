@@ -17,8 +17,7 @@ use crate::mechanics::variation::Rates;
 use crate::model::{Frame, Load, Model, Vector, Workspace};
 use crate::symbolic::{Components, Elimination, Function, Id, Residue, Row, Sample, Size};
 
-use super::active::active;
-use super::constrained::{Constrained, differentiate};
+use super::constrained::{Constrained, active, differentiate};
 use super::inertial::{balances_of, inertial_change};
 use super::left_over::balances_left;
 use super::pushes::{Push, given_loads, pushes};
@@ -113,8 +112,8 @@ fn constraint_row(
     (coefficients, graph.negate(known))
 }
 
-/// The balances that the free accelerations leave over: the moments about G, of a body that does not turn;
-/// those that a support meets, if its reactions are asked for.
+/// The balances that the free accelerations leave over: the moments about G, of a body that does
+/// not turn; those that a support meets, if its reactions are asked for.
 fn rows_left(
     model: &Model,
     work: &mut Workspace,
@@ -286,7 +285,8 @@ fn name_accelerations(
     labels.vector("angular", angular);
 }
 
-/// The reactions of a body with constraints: what is given, and the unknowns along their directions.
+/// The reactions of a body with constraints: what is given, and the unknowns along their
+/// directions.
 fn assemble(
     model: &Model,
     work: &mut Workspace,

@@ -1,12 +1,14 @@
 //! Drives that enter the balances with coefficients that depend on the configuration.
 //!
 //! ```text
-//! sum of u_j w_j + b = 0      w_j: force and moment of one unit of the unknown j; b: what is left without them
+//! sum of u_j w_j + b = 0      w_j: force and moment of one unit of the unknown j;
+//!                             b: what is left without them
 //! ```
 //!
-//! As many balances as unknowns, along axes in which no other has a part in them, are solved as they
-//! are. Where there are more, the motion is taken to be one that the drives can make, and they follow from
-//! Gauss's principle, by which the acceleration they leave over is least in the metric of the kinetic energy:
+//! As many balances as unknowns, along axes in which no other has a part in them, are solved as
+//! they are. Where there are more, the motion is taken to be one that the drives can make, and they
+//! follow from Gauss's principle, by which the acceleration they leave over is least in the metric
+//! of the kinetic energy:
 //!
 //! ```text
 //! sum of (w_i . M^-1 w_j) u_j = -w_i . M^-1 b
@@ -43,8 +45,9 @@ struct Equation {
     right: Id,
 }
 
-/// Solves for the drives of the model, under constraints together with the reactions that keep these. `rows` are the
-/// balances along the directions in which the body moves freely, and those that hold one that does not turn.
+/// Solves for the drives of the model, under constraints together with the reactions that keep
+/// these. `rows` are the balances along the directions in which the body moves freely, and those
+/// that hold one that does not turn.
 pub fn solve_drives(
     model: &Model,
     work: &mut Workspace,

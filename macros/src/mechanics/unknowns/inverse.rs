@@ -1,9 +1,9 @@
 //! Inverse dynamics: the drives that go with a given motion.
 //!
-//! The same balances as in [`super::reactions`], with the accelerations given and the drives unknown
-//! beside the reactions. A motion is taken to be one that the drives can make: a balance in which no
-//! unknown has a part is not looked at. Where coefficients depend on the configuration, or drives are
-//! fewer than the balances they have a part in, [`super::drives`] solves for them.
+//! The same balances as in [`super::reactions`], with the accelerations given and the drives
+//! unknown beside the reactions. A motion is taken to be one that the drives can make: a balance in
+//! which no unknown has a part is not looked at. Where coefficients depend on the configuration, or
+//! drives are fewer than the balances they have a part in, [`super::drives`] solves for them.
 
 use crate::errors::Errors;
 use crate::families::LoadKind;
@@ -73,24 +73,23 @@ fn solve(
 
 /// The balances along the directions in which the body moves freely.
 fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
-    let graph = &mut work.graph;
-    let (zero, one) = (graph.zero(), graph.one());
-    let unit = |axis: usize| [0, 1, 2].map(|i| if i == axis { one } else { zero });
+    let units = work.graph.unit_vectors();
     let along = |kind: LoadKind, direction: Components| Row::new("the balances", kind, direction);
     let mut rows = Vec::new();
     if model.motion.translates {
-        rows.extend((0..model.motion.axes()).map(|axis| along(LoadKind::Force, unit(axis))));
+        rows.extend((0..model.motion.axes()).map(|axis| along(LoadKind::Force, units[axis])));
     }
     if let Some(d) = model.hinge(&mut work.graph) {
         rows.push(along(LoadKind::Moment, d));
     } else if model.motion.has_attitude() {
         let axes = if model.motion.is_planar { 2..3 } else { 0..3 };
-        rows.extend(axes.map(|axis| along(LoadKind::Moment, unit(axis))));
+        rows.extend(axes.map(|axis| along(LoadKind::Moment, units[axis])));
     }
     rows
 }
 
-/// The symbols of the accelerations; that of a hinge stands in the place of z, and of a rod there is `u x u''`.
+/// The symbols of the accelerations; that of a hinge stands in the place of z, and of a rod there
+/// is `u x u''`.
 fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Components) {
     let state = &model.state;
     let roots = [

@@ -1,6 +1,5 @@
 //! Unknown loads: reactions, drives, and the constraints that they keep.
 
-mod active;
 mod consistency;
 mod constrained;
 mod constraints;

@@ -148,8 +148,8 @@ fn push(model: &Model, work: &mut Workspace, reaction: usize, axis: usize, place
     }
 }
 
-/// The loads that depend on a reaction, for one unit of it along `direction`: their forces, where they
-/// act, and their moments.
+/// The loads that depend on a reaction, for one unit of it along `direction`: their forces, where
+/// they act, and their moments.
 fn followers(
     model: &Model,
     work: &mut Workspace,
@@ -189,8 +189,8 @@ fn parts(load: &Load) -> Vec<Id> {
     [force.body, force.world, moment.body, moment.world].concat()
 }
 
-/// Loads are linear in the reactions they name: each is what it is without them and what its slopes make
-/// of them, proved in all states.
+/// Loads are linear in the reactions they name: each is what it is without them and what its slopes
+/// make of them, proved in all states.
 fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let mut linear = true;
     for index in 0..model.loads.len() {

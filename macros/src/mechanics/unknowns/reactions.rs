@@ -59,8 +59,9 @@ pub fn derive_reactions(
     Some(in_world.collect())
 }
 
-/// The components of unknown loads that meet the balances of `rows`, in a motion with these accelerations. Where
-/// coefficients are not constant in any axes, the place of an unknown that makes them so.
+/// The components of unknown loads that meet the balances of `rows`, in a motion with these
+/// accelerations. Where coefficients are not constant in any axes, the place of an unknown that
+/// makes them so.
 pub fn solve_unknowns<'m>(
     model: &Model,
     work: &mut Workspace,

@@ -68,8 +68,8 @@ pub fn check_independent(
     independent.then_some(())
 }
 
-/// Of gradients on one branch, the ones that each follows from; `None` of one that follows from none, or
-/// has no value.
+/// Of gradients on one branch, the ones that each follows from; `None` of one that follows from
+/// none, or has no value.
 fn redundant(gradients: &[Option<Vec<Residue>>]) -> Vec<Option<Vec<usize>>> {
     let mut basis: Vec<Reduced> = Vec::new();
     let redundant = gradients.iter().enumerate().map(|(index, gradient)| {

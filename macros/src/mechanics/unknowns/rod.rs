@@ -5,7 +5,8 @@ use crate::mechanics::balances::turning;
 use crate::model::{Axis, Workspace};
 use crate::symbolic::{Components, Id};
 
-/// Nothing balances a moment about the axis: that of one unit of each unknown, with its name and its place, has no such part.
+/// Nothing balances a moment about the axis: that of one unit of each unknown, with its name and
+/// its place, has no such part.
 pub fn check_across(
     work: &mut Workspace,
     axis: Axis,

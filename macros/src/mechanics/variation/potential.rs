@@ -240,8 +240,8 @@ fn pull(work: &mut Workspace, slopes: &Slopes) -> Components {
     work.graph.negate_vector(slope)
 }
 
-/// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where the
-/// position is no coordinate. Names go with what they name.
+/// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where
+/// the position is no coordinate. Names go with what they name.
 fn expand(model: &Model, work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = HashMap::new();
     let zero = work.graph.zero();

@@ -1,7 +1,8 @@
 //! The moment `r x g` of a slope g along a turned vector r.
 //!
-//! What of g is along r is left out before they are multiplied: only rounding would keep it, the more the farther r reaches. The
-//! force of a spring to a far hook is `s (c r + b)`, and b its arm; that of several springs is a sum of such terms.
+//! What of g is along r is left out before they are multiplied: only rounding would keep it, the
+//! more the farther r reaches. The force of a spring to a far hook is `s (c r + b)`, and b its arm;
+//! that of several springs is a sum of such terms.
 
 use std::collections::HashSet;
 
@@ -65,7 +66,8 @@ fn by_factor(
     groups
 }
 
-/// A term as a factor and what follows the symbol at an early rate, or does not depend on the place.
+/// A term as a factor and what follows the symbol at an early rate, or does not depend on the
+/// place.
 fn linear(graph: &mut Graph, symbol: Id, place: &HashSet<Id>, term: Id) -> Option<(Id, Id)> {
     let one = graph.one();
     let (early, late) = graph.split_factor(term);
@@ -85,8 +87,8 @@ fn linear(graph: &mut Graph, symbol: Id, place: &HashSet<Id>, term: Id) -> Optio
     Some((factor, graph.multiply(early, part)))
 }
 
-/// The rate, known early, at which each component of a vector follows its own of the `symbols`, and none of the others in
-/// `place`.
+/// The rate, known early, at which each component of a vector follows its own of the `symbols`, and
+/// none of the others in `place`.
 pub fn common_rate(
     graph: &mut Graph,
     vector: Components,

@@ -14,8 +14,8 @@ pub enum Inertia {
 }
 
 impl Inertia {
-    /// `J + m (r^2 1 - r r)`: the inertia about G, taken about a point at the offset `r`, which is in
-    /// the plane, or along a rod.
+    /// `J + m (r^2 1 - r r)`: the inertia about G, taken about a point at the offset `r`, which is
+    /// in the plane, or along a rod.
     pub fn displaced(self, graph: &mut Graph, mass: Id, r: Components) -> Self {
         match self {
             Self::Absent => Self::Absent,

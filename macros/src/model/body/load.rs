@@ -16,8 +16,8 @@ pub struct Load {
     pub point: Point,
     /// Without that of the force.
     pub moment: Vector,
-    /// Of a potential of a rod: what draws at its axis u, `-dU/du` in world axes; the moment is `u x`
-    /// this.
+    /// Of a potential of a rod: what draws at its axis u, `-dU/du` in world axes; the moment is
+    /// `u x` this.
     pub pull: Option<Components>,
     /// The potential that it follows from, if it does: it acts all over the body, and `point` was
     /// chosen.

@@ -15,7 +15,8 @@ pub struct Asked {
     pub place: Extent,
 }
 
-/// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it has.
+/// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it
+/// has.
 pub struct Outline {
     pub name: Ident,
     /// The scalar that the body is generic over; none of a body of `f64`.
@@ -65,7 +66,8 @@ pub struct Declared {
     /// Whether it is a vector, and in which axes its components are written.
     pub frame: Option<Frame>,
     pub dimension: Dimension,
-    /// Of an input: whether it is given with its rate and acceleration, and which derivative it is itself.
+    /// Of an input: whether it is given with its rate and acceleration, and which derivative it is
+    /// itself.
     pub moves: bool,
     pub order: usize,
     /// Default of a parameter, one number for each component.

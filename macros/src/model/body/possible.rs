@@ -25,8 +25,8 @@ pub fn is_flat(j: &Matrix) -> bool {
     determinant(&|i, k| second_moment(j, i, k)).is_zero()
 }
 
-/// Of a possible tensor, the least principal moment over the largest, where it is small: the others are
-/// then equal, half of the trace each.
+/// Of a possible tensor, the least principal moment over the largest, where it is small: the others
+/// are then equal, half of the trace each.
 pub fn least_moment(j: &Matrix) -> Number {
     let half = Number::ratio(1, 2);
     let largest = half * (j[0][0].clone() + j[1][1].clone() + j[2][2].clone());
@@ -34,8 +34,8 @@ pub fn least_moment(j: &Matrix) -> Number {
     product / (largest.clone() * largest.clone() * largest)
 }
 
-/// The ratio of moments of inertia below which a body is a rod: of the 16 digits of a moment about its
-/// axis, less than 7 are left.
+/// The ratio of moments of inertia below which a body is a rod: of the 16 digits of a moment about
+/// its axis, less than 7 are left.
 pub fn thinnest() -> Number {
     Number::power_of_ten(-9)
 }

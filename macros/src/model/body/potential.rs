@@ -27,8 +27,8 @@ pub struct Form {
     /// Those of the first energies.
     pub charges: Vec<Charges>,
     pub turns: Vec<Turn>,
-    /// The symbols of a displacement of the body: the position of G, or what is added to it where it is no
-    /// coordinate.
+    /// The symbols of a displacement of the body: the position of G, or what is added to it where
+    /// it is no coordinate.
     pub displacement: Components,
 }
 

@@ -1,4 +1,5 @@
-//! Frames, vectors in them, the state of a body and how it moves; and the workspace that they are worked out in.
+//! Frames, vectors in them, the state of a body and how it moves; and the workspace that they are
+//! worked out in.
 
 mod frame;
 mod line;

@@ -107,7 +107,8 @@ pub struct Support {
     pub offset: Components,
     /// Where it is held, world axes.
     pub anchor: Components,
-    /// The axis about which the body turns, a unit vector, the same in both axes; none about a point.
+    /// The axis about which the body turns, a unit vector, the same in both axes; none about a
+    /// point.
     pub direction: Option<Components>,
 }
 

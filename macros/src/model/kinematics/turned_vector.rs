@@ -1,8 +1,8 @@
 //! Turned vectors, kept apart.
 //!
 //! How a potential changes as its body turns is known without looking into the rotation: a turned
-//! vector changes by `phi x r`. So where potentials are read, the components of a vector in its other
-//! axes are new symbols, which stand for the turned vector until it is differentiated.
+//! vector changes by `phi x r`. So where potentials are read, the components of a vector in its
+//! other axes are new symbols, which stand for the turned vector until it is differentiated.
 
 use std::collections::HashMap;
 

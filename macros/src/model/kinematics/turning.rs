@@ -8,9 +8,9 @@ use super::turned_vector::Turn;
 use super::workspace::Workspace;
 
 impl Workspace {
-    /// `s e` in body axes, of an early s and e along an axis of the world, to be multiplied by what is
-    /// along an axis of the body: of the row of the rotation two components are needed, and the factor
-    /// that they have goes with what multiplies them.
+    /// `s e` in body axes, of an early s and e along an axis of the world, to be multiplied by what
+    /// is along an axis of the body: of the row of the rotation two components are needed, and the
+    /// factor that they have goes with what multiplies them.
     pub fn row(&mut self, arm: Components, v: Components) -> Option<Components> {
         let Attitude::Quaternion { scalar, vector } = self.attitude else {
             return None;

@@ -6,8 +6,8 @@ use crate::symbolic::{Components, Graph, Id, Node, Stage};
 use super::frame::{Attitude, Frame, Vector};
 use super::turned_vector::{Turn, Turns};
 
-/// What a description is worked out in: its graph, seen through the two frames of its body, and the words for what is in it. Lowering
-/// begins it, mechanics goes on in it.
+/// What a description is worked out in: its graph, seen through the two frames of its body, and the
+/// words for what is in it. Lowering begins it, mechanics goes on in it.
 pub struct Workspace {
     pub graph: Graph,
     pub labels: Labels,
@@ -24,6 +24,19 @@ pub struct Workspace {
 }
 
 impl Workspace {
+    pub fn new(graph: Graph, meanings: Meanings, attitude: Attitude) -> Self {
+        Self {
+            graph,
+            labels: Labels::default(),
+            meanings,
+            attitude,
+            turns: None,
+            turned: Vec::new(),
+            swept: Vec::new(),
+            doubtful: Vec::new(),
+        }
+    }
+
     /// A new symbol that stands for this, known from `stage` on.
     pub fn symbol(&mut self, stage: Stage, meaning: Meaning) -> Id {
         self.meanings.symbol(&mut self.graph, stage, meaning)

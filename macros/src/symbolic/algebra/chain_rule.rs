@@ -6,8 +6,8 @@ use crate::symbolic::number::Function;
 use super::operations::Algebra;
 use super::slopes::{slope, slopes, takes_first};
 
-/// How a node changes along with its operands, one step of the chain rule; `None` is not at all. Steps
-/// (`floor`, `ceil`, `signum`) do not change, and a choice changes as its branches do.
+/// How a node changes along with its operands, one step of the chain rule; `None` is not at all.
+/// Steps (`floor`, `ceil`, `signum`) do not change, and a choice changes as its branches do.
 pub fn change<A: Algebra>(
     of: &mut A,
     node: &Node,

@@ -37,8 +37,8 @@ impl Graph {
             .collect()
     }
 
-    /// Where what depends on `id` changes by `weight` for each unit of it, by how much it changes for
-    /// each unit of the operands of `id`: one step of the chain rule backwards.
+    /// Where what depends on `id` changes by `weight` for each unit of it, by how much it changes
+    /// for each unit of the operands of `id`: one step of the chain rule backwards.
     pub fn pull_back(&mut self, id: Id, weight: Id) -> Vec<(Id, Id)> {
         match *self.node(id) {
             Node::Quantity(a) => vec![(a, weight)],

@@ -2,12 +2,12 @@
 //!
 //! What is known early is gathered: a product is written `early * late`, so that numbers fold and
 //! parameters are multiplied once, in the constructor of the body. Signs move outwards until a sum
-//! absorbs them. No sum is multiplied out and no order of summation is changed beyond that: the form of
-//! the equations is the business of those who write them.
+//! absorbs them. No sum is multiplied out and no order of summation is changed beyond that: the
+//! form of the equations is the business of those who write them.
 //!
-//! The rules are those of real numbers and hold wherever an expression has a value: `0 * x`, `x - x` and
-//! `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, `x` being zero or not a number,
-//! it may be given one.
+//! The rules are those of real numbers and hold wherever an expression has a value: `0 * x`,
+//! `x - x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, `x` being
+//! zero or not a number, it may be given one.
 
 use crate::symbolic::number::{Function, Number};
 

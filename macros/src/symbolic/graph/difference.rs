@@ -1,8 +1,9 @@
 //! Differences that are written as products.
 //!
-//! Two moments of inertia of a box differ by `m/12 (c^2 - b^2)`. Subtracted one from the other, they leave the rounding of
-//! both; as `m/12 (c - b) (c + b)`, that of the edges (`docs/trust.md`, H2). So it is with an edge that is a number, of which the difference
-//! takes more digits than a double has.
+//! Two moments of inertia of a box differ by `m/12 (c^2 - b^2)`. Subtracted one from the other,
+//! they leave the rounding of both; as `m/12 (c - b) (c + b)`, that of the edges (`docs/trust.md`,
+//! H2). So it is with an edge that is a number, of which the difference takes more digits than a
+//! double has.
 
 use std::collections::BTreeMap;
 
@@ -25,7 +26,8 @@ struct Product {
 }
 
 impl Graph {
-    /// `a - b`, known once the parameters are: a product, if all but one term cancels, or all but two squares.
+    /// `a - b`, known once the parameters are: a product, if all but one term cancels, or all but
+    /// two squares.
     pub fn difference(&mut self, a: Id, b: Id) -> Id {
         let is_early = self.stage(a).max(self.stage(b)) == Stage::Parameter;
         let factored = is_early.then(|| self.difference_as_product(a, b)).flatten();

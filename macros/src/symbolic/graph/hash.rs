@@ -1,4 +1,5 @@
-//! The hash of nodes: short ones, of which there are many, and whoever makes them collide waits for it alone.
+//! The hash of nodes: short ones, of which there are many, and whoever makes them collide waits for
+//! it alone.
 
 use core::hash::Hasher;
 

@@ -1,4 +1,5 @@
-//! The graph: nodes, and the constructors that simplify them; vectors, costs, and the order of a program.
+//! The graph: nodes, and the constructors that simplify them; vectors, costs, and the order of a
+//! program.
 
 mod build;
 mod cost;

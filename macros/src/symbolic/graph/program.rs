@@ -23,20 +23,15 @@ pub struct Program {
 
 impl Graph {
     /// Schedules `outputs` for evaluation at `stage`. An expression becomes a statement if it is
-    /// a quantity, if it is used more than once, or if the statement it stands in would grow too long.
-    /// A condition is no number, so that none is kept from an earlier stage.
+    /// a quantity, if it is used more than once, or if the statement it stands in would grow too
+    /// long. A condition is no number, so that none is kept from an earlier stage.
     pub fn schedule(&self, outputs: &[Id], stage: Stage) -> Program {
         self.schedule_where(outputs, |id| self.stage(id) == stage)
     }
 
     /// The same of all that `is_due`.
     pub fn schedule_where(&self, outputs: &[Id], is_due: impl Fn(Id) -> bool) -> Program {
-        let is_leaf = |id: Id| {
-            matches!(
-                self.node(id),
-                Node::Number(_) | Node::Truth(_) | Node::Undefined | Node::Symbol(_)
-            )
-        };
+        let is_leaf = |id: Id| self.node(id).operands().next().is_none();
         let is_condition = |id: Id| {
             matches!(
                 self.node(id),
@@ -51,51 +46,7 @@ impl Graph {
             .partition(|id| matches!(self.node(*id), Node::Symbol(_)));
         let hoisted = rest.into_iter().filter(|id| !is_leaf(*id)).collect();
 
-        let mut uses = vec![0_u32; nodes.last().map_or(0, |last| last.index() + 1)];
-        let mut weights = vec![0_u32; uses.len()];
-        for id in nodes
-            .iter()
-            .flat_map(|id| self.node(*id).operands())
-            .filter(|id| computed(*id))
-        {
-            uses[id.index()] += 1;
-        }
-        for id in outputs.iter().filter(|id| computed(**id)) {
-            uses[id.index()] += 1;
-        }
-        let mut statements = Vec::new();
-        for &id in &nodes {
-            let inlined: u32 = self
-                .node(id)
-                .operands()
-                .filter(|id| computed(*id))
-                .map(|id| weights[id.index()])
-                .sum();
-            let (is_quantity, negates) = (
-                matches!(self.node(id), Node::Quantity(_)),
-                matches!(self.node(id), Node::Negate(_)),
-            );
-            weights[id.index()] = inlined + u32::from(!negates && !is_quantity);
-            let shared = uses[id.index()] > 1 && !negates;
-            if is_quantity
-                && self
-                    .node(id)
-                    .operands()
-                    .any(|inner| statements.binary_search(&inner).is_ok())
-            {
-                // another name for what is a statement already
-                weights[id.index()] = 0;
-                continue;
-            }
-            if is_quantity
-                || shared
-                || self.is_half_of_a_pair(id, &nodes)
-                || weights[id.index()] > STATEMENT
-            {
-                weights[id.index()] = 0;
-                statements.push(id);
-            }
-        }
+        let statements = self.statements(&nodes, outputs, computed);
         Program {
             statements,
             outputs: outputs.to_vec(),
@@ -103,6 +54,36 @@ impl Graph {
             symbols,
             nodes,
         }
+    }
+
+    /// Those of `nodes`, which are all that are `computed`, that get a name.
+    fn statements(&self, nodes: &[Id], outputs: &[Id], computed: impl Fn(Id) -> bool) -> Vec<Id> {
+        let operands = |id: Id| self.node(id).operands().filter(|id| computed(*id));
+        let mut uses = vec![0_u32; nodes.last().map_or(0, |last| last.index() + 1)];
+        let mut weights = vec![0_u32; uses.len()];
+        let read = nodes.iter().flat_map(|id| operands(*id));
+        for id in read.chain(outputs.iter().copied().filter(|id| computed(*id))) {
+            uses[id.index()] += 1;
+        }
+        let mut statements = Vec::new();
+        for &id in nodes {
+            let inlined: u32 = operands(id).map(|id| weights[id.index()]).sum();
+            let is_quantity = matches!(self.node(id), Node::Quantity(_));
+            let negates = matches!(self.node(id), Node::Negate(_));
+            let is_named = |inner: Id| statements.binary_search(&inner).is_ok();
+            if is_quantity && self.node(id).operands().any(is_named) {
+                // another name for what is a statement already
+                continue;
+            }
+            let weight = inlined + u32::from(!negates && !is_quantity);
+            let is_shared = uses[id.index()] > 1 && !negates;
+            if is_quantity || is_shared || self.is_half_of_a_pair(id, nodes) || weight > STATEMENT {
+                statements.push(id);
+            } else {
+                weights[id.index()] = weight;
+            }
+        }
+        statements
     }
 
     /// The cosine of what `id` is the sine of, or the other way round, if it was made.

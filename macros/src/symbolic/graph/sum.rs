@@ -181,7 +181,8 @@ impl Graph {
         sum
     }
 
-    /// `(c, x)` of a term `c x` that is added to terms `d x`: in front of parameters, `c` is a number.
+    /// `(c, x)` of a term `c x` that is added to terms `d x`: in front of parameters, `c` is a
+    /// number.
     fn split_coefficient(&mut self, a: Id) -> (Id, Id) {
         let one = self.one();
         match *self.node(a) {

@@ -1,12 +1,12 @@
 //! Linear equations with coefficients that depend on the configuration, solved by elimination.
 //!
-//! What vanishes is proved: every row carries its coefficients at one random state, on each branch, and
-//! they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones before
-//! numbers before what is known early before what is positive by its structure before anything else;
-//! a division by what depends on the configuration is guarded ([`Graph::pivot`]).
+//! What vanishes is proved: every row carries its coefficients at one random state, on each branch,
+//! and they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones
+//! before numbers before what is known early before what is positive by its structure before
+//! anything else; a division by what depends on the configuration is guarded ([`Graph::pivot`]).
 //!
-//! An equation that says nothing on some branch has the solution zero there for the unknown that it is
-//! solved for.
+//! An equation that says nothing on some branch has the solution zero there for the unknown that it
+//! is solved for.
 
 use crate::symbolic::graph::{Graph, Id, Node, Stage};
 use crate::symbolic::number::Function;

@@ -1,8 +1,8 @@
 //! Eigenvalues and eigenvectors of a symmetric matrix of numbers.
 //!
-//! A repeated eigenvalue of rational entries is rational, and so is the direction of the other: both
-//! are found exactly, and equal are eigenvalues that are proved to be. Three different ones come from
-//! Jacobi's method at [`WORKING`] bits.
+//! A repeated eigenvalue of rational entries is rational, and so is the direction of the other:
+//! both are found exactly, and equal are eigenvalues that are proved to be. Three different ones
+//! come from Jacobi's method at [`WORKING`] bits.
 
 use super::exact::Number;
 use super::float::Float;
@@ -28,8 +28,8 @@ pub enum Spectrum {
     General(Box<PrincipalAxes>),
 }
 
-/// Three different eigenvalues, and their unit vectors: right-handed, each nearest to the coordinate
-/// axis of its place.
+/// Three different eigenvalues, and their unit vectors: right-handed, each nearest to the
+/// coordinate axis of its place.
 #[derive(Clone, Debug)]
 pub struct PrincipalAxes {
     pub moments: [Number; 3],
@@ -137,8 +137,8 @@ pub fn scaled(vector: &[Number; 3]) -> ([Number; 3], Number) {
 }
 
 /// The eigenvalue that a matrix which is not diagonal has twice, if it has one: what is left on the
-/// diagonal of `lambda 1 + delta n n` if `delta n_i^2 = (delta n_i n_j) (delta n_k n_i) / (delta n_j n_k)`
-/// is taken off.
+/// diagonal of `lambda 1 + delta n n` if
+/// `delta n_i^2 = (delta n_i n_j) (delta n_k n_i) / (delta n_j n_k)` is taken off.
 fn repeated(matrix: &Matrix) -> Option<Number> {
     let product = |i: usize, j: usize| &matrix[i][j];
     let zeros = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| product(i, j).is_zero());
@@ -204,8 +204,8 @@ fn jacobi(matrix: &Matrix) -> PrincipalAxes {
     nearest(&[x, y, z].map(measured), &axes)
 }
 
-/// An eigenvector n with what is exact of it: a component that is zero, and two that are equal but for
-/// their sign.
+/// An eigenvector n with what is exact of it: a component that is zero, and two that are equal but
+/// for their sign.
 fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
     let is_small = |number: &Number| number.abs() < Number::power_of_two(-SMALL);
     for i in 0..3 {
@@ -241,8 +241,8 @@ fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
     n
 }
 
-/// `n_k / n_j` of an eigenvector with `n_i = 0`, if there is one and i is no axis of its own: `(J n)_i = 0`
-/// leaves it one direction.
+/// `n_k / n_j` of an eigenvector with `n_i = 0`, if there is one and i is no axis of its own:
+/// `(J n)_i = 0` leaves it one direction.
 fn zero_component(matrix: &Matrix, i: usize) -> Option<Number> {
     let (j, k) = ((i + 1) % 3, (i + 2) % 3);
     let ratio = (-matrix[i][j].clone()).checked_div(&matrix[i][k])?;
@@ -252,8 +252,8 @@ fn zero_component(matrix: &Matrix, i: usize) -> Option<Number> {
         .then_some(ratio)
 }
 
-/// Cosine and sine of the turn that makes the entry `(a, b)` vanish, unless it is nothing beside the
-/// diagonal.
+/// Cosine and sine of the turn that makes the entry `(a, b)` vanish, unless it is nothing beside
+/// the diagonal.
 fn annihilating(j: &[[Float; 3]; 3], a: usize, b: usize) -> Option<(Float, Float)> {
     let zero = Float::ZERO;
     let product = j[a][b].clone();
@@ -293,8 +293,8 @@ fn transposed([x, y, z]: [[Float; 3]; 3]) -> [[Float; 3]; 3] {
     [[a, d, g], [b, e, h], [c, f, i]]
 }
 
-/// Puts each axis in the place of the coordinate axis it is nearest to, and turns it to its side; the
-/// least certain of them, if need be, to the other, so that they are right-handed.
+/// Puts each axis in the place of the coordinate axis it is nearest to, and turns it to its side;
+/// the least certain of them, if need be, to the other, so that they are right-handed.
 fn nearest(moments: &[Number; 3], axes: &[[Number; 3]; 3]) -> PrincipalAxes {
     const ORDERS: [[usize; 3]; 6] = [
         [0, 1, 2],

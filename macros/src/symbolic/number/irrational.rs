@@ -1,11 +1,12 @@
-//! Numbers that are not rational: a value, how far it may be off, and a residue that knows identities.
+//! Numbers that are not rational: a value, how far it may be off, and a residue that knows
+//! identities.
 //!
-//! The residue is computed along with the value, modulo a prime: pi, and what a function makes of an
-//! argument, are random residues there, up to `sin^2 + cos^2 = 1`; the root of a rational number is
-//! the product of the roots of its primes, whose signs no identity tells apart. So a residue of zero
-//! is a proof that a number is zero, by an identity in all of these, but for one of 2^100 by chance;
-//! and then only where its value may be zero too. A value that has cancelled down to its error, and
-//! is not zero by proof, is computed again with more bits.
+//! The residue is computed along with the value, modulo a prime: pi, and what a function makes of
+//! an argument, are random residues there, up to `sin^2 + cos^2 = 1`; the root of a rational number
+//! is the product of the roots of its primes, whose signs no identity tells apart. So a residue of
+//! zero is a proof that a number is zero, by an identity in all of these, but for one of 2^100 by
+//! chance; and then only where its value may be zero too. A value that has cancelled down to its
+//! error, and is not zero by proof, is computed again with more bits.
 
 use core::cell::RefCell;
 use core::cmp::Ordering;
@@ -142,8 +143,8 @@ impl Number {
         Self::settled(Some(near), residue, term).unwrap_or_else(|| Self::from(value))
     }
 
-    /// A number near to a value: zero, or another rational, if that is proved; else with digits that
-    /// are right, if they can be had. `None` without a value.
+    /// A number near to a value: zero, or another rational, if that is proved; else with digits
+    /// that are right, if they can be had. `None` without a value.
     fn settled(mut near: Option<Ball>, mut residue: Residue, term: Term) -> Option<Self> {
         if let Some(ball) = &near
             && residue == Residue::ZERO

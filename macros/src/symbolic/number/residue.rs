@@ -6,8 +6,8 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 /// Of Mersenne; -1 has no root, and of `a` and `-a` one has.
 pub const PRIME: u128 = (1 << 127) - 1;
 
-/// Bound of a numerator and of a denominator that are told by their residue: one of 2^62 has such, by
-/// chance.
+/// Bound of a numerator and of a denominator that are told by their residue: one of 2^62 has such,
+/// by chance.
 pub const DIGITS: i128 = 1 << 32;
 
 /// `real + imaginary i`, both modulo the prime: numbers among which all that are real have roots.

@@ -177,7 +177,8 @@ impl Number {
         Some(twice / Self::integer(2))
     }
 
-    /// `(1 - e^-2x) / (1 + e^-2x)`; one, as far as anybody will see, where that is too long a number.
+    /// `(1 - e^-2x) / (1 + e^-2x)`; one, as far as anybody will see, where that is too long a
+    /// number.
     fn tanh(&self) -> Option<Self> {
         let Some(decayed) = (Self::integer(-2) * self.clone()).exp() else {
             return Some(Self::measured(Float::ONE, ENDLESS));
@@ -185,7 +186,8 @@ impl Number {
         (Self::one() - decayed.clone()).checked_div(&(Self::one() + decayed))
     }
 
-    /// How many straight angles it is, if that is a ratio of small numbers, or a number of twelfths.
+    /// How many straight angles it is, if that is a ratio of small numbers, or a number of
+    /// twelfths.
     fn half_turns(&self) -> Option<Self> {
         let is_equal = |turns: &Self| (turns.clone() * Self::pi() - self.clone()).is_zero();
         let small = (self.residue() * Self::pi().residue().reciprocal()?).to_number();

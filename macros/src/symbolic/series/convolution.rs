@@ -1,11 +1,12 @@
-//! Convolutions gathered into sums: where coefficients are linear in convolutions that nothing else reads,
+//! Convolutions gathered into sums: where coefficients are linear in convolutions that nothing else
+//! reads,
 //!
 //! ```text
 //! z[n] = w1 (a * b) + w2 (c * d) + .. + rest
 //! ```
 //!
-//! with weights that are held along a step, those of one level are one sum, which is computed in one lane. What is linear in coefficients is
-//! added there too.
+//! with weights that are held along a step, those of one level are one sum, which is computed in
+//! one lane. What is linear in coefficients is added there too.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -78,6 +79,18 @@ struct Weighted {
     rest: Vec<(Id, Id)>,
 }
 
+impl Weighted {
+    fn add(&mut self, graph: &mut Graph, weight: Id, other: Self) {
+        let mut weighted = |held: Id| graph.multiply(weight, held);
+        let terms = other.terms.into_iter();
+        self.terms
+            .extend(terms.map(|(held, place)| (weighted(held), place)));
+        let rest = other.rest.into_iter();
+        self.rest
+            .extend(rest.map(|(held, part)| (weighted(held), part)));
+    }
+}
+
 impl Graph {
     /// The sums that are read; the readers are written in them.
     pub(in crate::symbolic) fn gathered(
@@ -97,7 +110,8 @@ impl Graph {
             .chain(factors.map(|factor| factor.next))
             .collect();
         let found = self.weighted(products, &roots, symbols.clone());
-        // what is added to a sum was gathered before it; rates in a row are the next coefficients in a row
+        // what is added to a sum was gathered before it; rates in a row are the next coefficients
+        // in a row
         let mut found: Vec<(Id, Weighted)> = found.into_iter().collect();
         let place = |id: Id| rates.iter().position(|rate| *rate == id);
         found.sort_by_key(|(id, sum)| (sum.level, place(*id).unwrap_or(rates.len())));
@@ -113,22 +127,8 @@ impl Graph {
                 self.symbol(Stage::State)
             };
             values.insert(value);
-            let (mut whole, mut linear) = (value, self.zero());
-            for (weight, part) in rest {
-                let part = self.rewritten(&[part], &written)[0];
-                let part = self.multiply(weight, part);
-                if self.linear_in(part, &symbols, &values).is_some() {
-                    linear = self.add(linear, part);
-                } else {
-                    whole = self.add(part, whole);
-                }
-            }
-            let linear = self
-                .linear_in(linear, &symbols, &values)
-                .unwrap_or_else(|| {
-                    whole = self.add(linear, whole);
-                    Vec::new()
-                });
+            let mut whole = value;
+            let linear = self.added(rest, &mut whole, &written, &symbols, &values);
             written.insert(id, whole);
             let rate = rates.iter().position(|rate| *rate == id);
             let result = results.iter().find(|(_, next)| *next == id);
@@ -151,20 +151,7 @@ impl Graph {
             });
         }
 
-        let nexts = results.iter().map(|(_, next)| *next);
-        let roots: Vec<Id> = roots.into_iter().chain(nexts).collect();
-        let images = self.rewritten(&roots, &written);
-        let image: HashMap<Id, Id> = roots.into_iter().zip(images).collect();
-        for id in rates
-            .iter_mut()
-            .chain(results.iter_mut().map(|(_, next)| next))
-        {
-            *id = image[id];
-        }
-        let terms = sums.iter_mut().flat_map(|sum| &mut sum.terms);
-        for factor in terms.flat_map(|term| &mut term.factors) {
-            factor.next = image[&factor.next];
-        }
+        self.write_readers(rates, results, &mut sums, &roots, &written);
         if results.is_empty() && rates.len() <= LANES + 1 {
             self.all_rates(rates, sums, &symbols, &values)
         } else {
@@ -172,8 +159,56 @@ impl Graph {
         }
     }
 
-    /// A sum for each coordinate, where there are products and all that changes is a sum or linear in coefficients: these rates are computed
-    /// side by side. Otherwise the sums as they are.
+    /// What is added to a sum: returned if it is linear in coefficients, the rest goes into
+    /// `whole`.
+    fn added(
+        &mut self,
+        rest: Vec<(Id, Id)>,
+        whole: &mut Id,
+        written: &HashMap<Id, Id>,
+        symbols: &[Id],
+        values: &HashSet<Id>,
+    ) -> Vec<(Id, Id)> {
+        let mut linear = self.zero();
+        for (weight, part) in rest {
+            let part = self.rewritten(&[part], written)[0];
+            let part = self.multiply(weight, part);
+            if self.linear_in(part, symbols, values).is_some() {
+                linear = self.add(linear, part);
+            } else {
+                *whole = self.add(part, *whole);
+            }
+        }
+        self.linear_in(linear, symbols, values).unwrap_or_else(|| {
+            *whole = self.add(linear, *whole);
+            Vec::new()
+        })
+    }
+
+    /// Writes all that reads convolutions in the sums that they were gathered into.
+    fn write_readers(
+        &mut self,
+        rates: &mut [Id],
+        results: &mut [(Id, Id)],
+        sums: &mut [Sum],
+        roots: &[Id],
+        written: &HashMap<Id, Id>,
+    ) {
+        let nexts = results.iter().map(|(_, next)| *next);
+        let roots: Vec<Id> = roots.iter().copied().chain(nexts).collect();
+        let images = self.rewritten(&roots, written);
+        let image: HashMap<Id, Id> = roots.into_iter().zip(images).collect();
+        let nexts = results.iter_mut().map(|(_, next)| next);
+        let terms = sums.iter_mut().flat_map(|sum| &mut sum.terms);
+        let factors = terms.flat_map(|term| &mut term.factors);
+        let factors = factors.map(|factor| &mut factor.next);
+        for id in rates.iter_mut().chain(nexts).chain(factors) {
+            *id = image[id];
+        }
+    }
+
+    /// A sum for each coordinate, where there are products and all that changes is a sum or linear
+    /// in coefficients: these rates are computed side by side. Otherwise the sums as they are.
     fn all_rates(
         &mut self,
         rates: &mut [Id],
@@ -209,7 +244,8 @@ impl Graph {
         all
     }
 
-    /// An expression as a sum of symbols with weights that are held, if it is one: neither these symbols are in them nor `values`, those of sums.
+    /// An expression as a sum of symbols with weights that are held, if it is one: neither these
+    /// symbols are in them nor `values`, those of sums.
     fn linear_in(&mut self, id: Id, symbols: &[Id], values: &HashSet<Id>) -> Option<Vec<(Id, Id)>> {
         let zero = self.zero();
         let found = self.reachable(&[id], |_| true);
@@ -259,12 +295,7 @@ impl Graph {
         // those that change from order to order, with the number of convolutions that they wait for
         let mut levels: HashMap<Id, usize> = coefficients.chain(values).collect();
         let order = self.reachable(roots, |_| true);
-        let mut readers: HashMap<Id, usize> = HashMap::new();
-        let operands = order.iter().flat_map(|id| self.node(*id).operands());
-        for id in operands.chain(roots.iter().copied()) {
-            *readers.entry(id).or_default() += 1;
-        }
-
+        let readers = self.readers(&order, roots);
         let [one, minus_one] = [1, -1].map(|number| self.integer(number));
         let mut found: BTreeMap<Id, Weighted> = BTreeMap::new();
         for id in order {
@@ -291,7 +322,8 @@ impl Graph {
                 Node::Subtract(a, b) => vec![(one, a), (minus_one, b)],
                 _ => continue,
             };
-            // what waits longest is gathered, unless it is read elsewhere; to this the rest is added
+            // what waits longest is gathered, unless it is read elsewhere; to this the rest is
+            // added
             let gathered = |part: &Id| found.contains_key(part) && readers.get(part) == Some(&1);
             let is_late = |part: &Id| levels.get(part) == Some(&waits);
             let mut late = parts.iter().filter(|(_, part)| is_late(part));
@@ -304,20 +336,23 @@ impl Graph {
                 rest: Vec::new(),
             };
             for (weight, part) in parts {
-                let Some(late) = is_late(&part).then(|| found.remove(&part)).flatten() else {
-                    sum.rest.push((weight, part));
-                    continue;
-                };
-                let mut weighted = |held: Id| self.multiply(weight, held);
-                let terms = late.terms.into_iter();
-                sum.terms
-                    .extend(terms.map(|(held, place)| (weighted(held), place)));
-                let rest = late.rest.into_iter();
-                sum.rest
-                    .extend(rest.map(|(held, part)| (weighted(held), part)));
+                match is_late(&part).then(|| found.remove(&part)).flatten() {
+                    Some(late) => sum.add(self, weight, late),
+                    None => sum.rest.push((weight, part)),
+                }
             }
             found.insert(id, sum);
         }
         found
+    }
+
+    /// How often each expression is read.
+    fn readers(&self, order: &[Id], roots: &[Id]) -> HashMap<Id, usize> {
+        let mut readers = HashMap::new();
+        let operands = order.iter().flat_map(|id| self.node(*id).operands());
+        for id in operands.chain(roots.iter().copied()) {
+            *readers.entry(id).or_default() += 1;
+        }
+        readers
     }
 }

@@ -1,7 +1,7 @@
 //! Taylor series of a motion: the n-th coefficients of expressions, from those before.
 //!
-//! A motion is a list of coordinates with their rates. What is linear in series has coefficients of the
-//! same combination; everything else has a recurrence in convolutions `sum_j a[j] b[n - j]`, by
+//! A motion is a list of coordinates with their rates. What is linear in series has coefficients of
+//! the same combination; everything else has a recurrence in convolutions `sum_j a[j] b[n - j]`, by
 //! its differential equation:
 //!
 //! ```text
@@ -12,8 +12,9 @@
 //! w z' = a':   z[n] = (a[n] - (z' * w) / n) / w[0]
 //! ```
 //!
-//! with `a*` the series without its start, and `a'[j] = j a[j]`. What is not known yet is multiplied by
-//! zero: so all of these are convolutions of the same kind, and many can be done side by side.
+//! with `a*` the series without its start, and `a'[j] = j a[j]`. What is not known yet is
+//! multiplied by zero: so all of these are convolutions of the same kind, and many can be done side
+//! by side.
 //!
 //! In what is written for n, symbols of their own stand for n-th coefficients, and the expressions
 //! of the description for their values at the start.
@@ -84,7 +85,8 @@ impl Graph {
         expansion.finish(coefficients, start)
     }
 
-    /// What has to be differentiated in `roots`, children first: not the size that guards a divisor.
+    /// What has to be differentiated in `roots`, children first: not the size that guards a
+    /// divisor.
     fn differentiated(&self, roots: &[Id]) -> Vec<Id> {
         let mut seen = std::collections::HashSet::new();
         let mut pending = roots.to_vec();
@@ -112,8 +114,8 @@ impl Graph {
         moves
     }
 
-    /// `roots` in operations that have a recurrence; quantities are looked into, so that factors known
-    /// early come out of products.
+    /// `roots` in operations that have a recurrence; quantities are looked into, so that factors
+    /// known early come out of products.
     fn elementary(&mut self, roots: &[Id], symbols: &[Id]) -> Vec<Id> {
         let order = self.reachable(roots, |_| true);
         let moves = self.moving(&order, symbols);

@@ -1,4 +1,5 @@
-//! What the recurrences of a series are: products, sums, and what follows from them, level by level.
+//! What the recurrences of a series are: products, sums, and what follows from them, level by
+//! level.
 
 use crate::symbolic::graph::Id;
 

@@ -8,8 +8,9 @@ use crate::symbolic::number::Function;
 
 use super::identity::{Residues, Side};
 
-/// Branches that are taken one by one. Where there are more, one of them is that on which choices are
-/// symbols: what holds whatever the sign of a root, and of any mixture of two sides, holds on all.
+/// Branches that are taken one by one. Where there are more, one of them is that on which choices
+/// are symbols: what holds whatever the sign of a root, and of any mixture of two sides, holds on
+/// all.
 const MOST: usize = 64;
 
 /// What `evaluate` gives on each branch.

@@ -19,8 +19,8 @@ const UNKNOWN: Degree = Degree {
     below: 2.0,
 };
 
-/// How many times these degrees what is made of the values may have: their changes along a rate, and
-/// determinants of them.
+/// How many times these degrees what is made of the values may have: their changes along a rate,
+/// and determinants of them.
 const MADE: f64 = 64.0;
 /// A proof may fail in one of so many cases: 2^60.
 const CERTAINTY: f64 = 1_152_921_504_606_846_976.0;

@@ -2,14 +2,16 @@
 //!
 //! Symbols have random residues. Values of functions have random residues too, the same for equal
 //! arguments: that of a sine by the tangent of half its angle, that of a hyperbolic function by
-//! the exponential of its argument, that of any other function by itself; a number that is not rational
-//! carries its residue along ([`crate::symbolic::number::irrational`]). A root has both signs, and a condition both
-//! outcomes: each is a branch of its own. A root of a root may have no residue, and is random too.
+//! the exponential of its argument, that of any other function by itself; a number that is not
+//! rational carries its residue along ([`crate::symbolic::number::irrational`]). A root has both
+//! signs, and a condition both outcomes: each is a branch of its own. A root of a root may have no
+//! residue, and is random too.
 //!
-//! What is zero at the place on every branch is so in all states, for all such functions, but for one
-//! chance in `PRIME / degree` (J. Schwartz, Fast probabilistic algorithms for verification of
+//! What is zero at the place on every branch is so in all states, for all such functions, but for
+//! one chance in `PRIME / degree` (J. Schwartz, Fast probabilistic algorithms for verification of
 //! polynomial identities, J. ACM 27, 1980, 701; R. Zippel, Probabilistic algorithms for sparse
-//! polynomials, EUROSAM 1979). What is not zero there may be zero all the same: `sin 2x - 2 sin x cos x`.
+//! polynomials, EUROSAM 1979). What is not zero there may be zero all the same:
+//! `sin 2x - 2 sin x cos x`.
 
 use crate::symbolic::algebra::Algebra;
 use crate::symbolic::graph::Comparison;

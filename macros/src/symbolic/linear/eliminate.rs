@@ -2,13 +2,14 @@
 //!
 //! What vanishes is proved: every row carries its coefficients at one random state, on each branch, and
 //! they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones before
-//! numbers before what is known early before what is positive by its structure before anything else;
-//! a division by what depends on the configuration is guarded ([`Graph::pivot`]).
+//! numbers before what is positive by its structure, there first what is known early, before anything
+//! else, at last what a parameter is a factor of, which may be zero; a division by what depends on the
+//! configuration is guarded ([`Graph::pivot`]).
 //!
 //! An equation that says nothing on some branch has the solution zero there for the unknown that it is
 //! solved for.
 
-use crate::symbolic::graph::{Graph, Id, Node, Stage};
+use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::Function;
 use crate::symbolic::zeros::Sample;
 
@@ -152,20 +153,30 @@ impl Graph {
         let there = candidates.filter(|(row, column)| !rows[*row].sample[*column].is_zero());
         there.min_by_key(|&(row, column)| {
             let coefficient = rows[row].coefficients[column];
-            let number = self.as_number(coefficient);
-            let kind = match self.stage(coefficient) {
-                _ if number.is_some_and(|number| number.abs().is_one()) => 0,
-                Stage::Constant => 1,
-                Stage::Parameter => 2,
-                Stage::State => match rows[row].sizes[column] {
-                    Size::Squares => 3,
-                    Size::Product(_) | Size::Terms => 4,
-                },
+            let kind = match (self.as_number(coefficient), rows[row].sizes[column]) {
+                (Some(number), _) if number.abs().is_one() => 0,
+                (Some(_), _) => 1,
+                (None, Size::Squares) if self.is_early(coefficient) => 2,
+                (None, Size::Squares) => 3,
+                // a coefficient of friction, a slope
+                _ if self.has_early_factor(coefficient) => 6,
+                _ if self.is_early(coefficient) => 4,
+                _ => 5,
             };
             let others = rows[row].sample.iter().filter(|entry| !entry.is_zero());
             let may_vanish = rows[row].sample[column].may_vanish();
             (may_vanish, kind, others.count(), row, column)
         })
+    }
+
+    /// Whether it is zero where a symbol is that is known early: values of parameters may be zero.
+    fn has_early_factor(&self, product: Id) -> bool {
+        match *self.node(product) {
+            Node::Symbol(_) => self.is_early(product),
+            Node::Quantity(a) | Node::Negate(a) | Node::Divide(a, _) => self.has_early_factor(a),
+            Node::Multiply(a, b) => self.has_early_factor(a) || self.has_early_factor(b),
+            _ => false,
+        }
     }
 
     /// The size of the largest term of a sum.

@@ -20,10 +20,11 @@ impl Vector {
     };
 
     pub fn new(components: [Number; 3]) -> Self {
-        let squares = components.map(|component| component.span().powi(2));
+        // of the smallest numbers there are no squares
+        let sizes = components.map(Number::span);
         Self {
             value: components.map(|component| component.value),
-            size: squares.iter().sum::<f64>().sqrt(),
+            size: sizes.into_iter().fold(0.0, f64::hypot),
         }
     }
 

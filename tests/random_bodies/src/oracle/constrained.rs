@@ -401,7 +401,7 @@ impl<'a> Problem<'a> {
 }
 
 /// The first or second derivative at zero by differences over lengths that become shorter, until two agree; and by how much they do not.
-fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wide, f64) {
+pub fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wide, f64) {
     let here = value(0.0);
     let mut size = here.span();
     let here = here.value;

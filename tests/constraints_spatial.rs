@@ -223,11 +223,11 @@ mod vanishing {
 
     newton_euler::rigid_body!(Skew {
         motion: translation,
-        params: [m, s, p],
+        params: [m, s, p, same],
         mass: m,
         forces: [push = world(1, 2, 3)[N]],
         constraints: [
-            first = velocity.in_world().x - s * velocity.in_world().y,
+            first = velocity.in_world().x - (s - same) * velocity.in_world().y,
             second = velocity.in_world().y - p * velocity.in_world().x,
         ],
         reactions: [b = world(0, _, 0), a = world(_, 0, 0)],
@@ -259,7 +259,13 @@ proptest! {
 #[test]
 fn slopes_may_be_zero() {
     for (s, p) in [(0.0, 0.0), (0.0, 0.5), (0.5, 0.0)] {
-        let skew = vanishing::Skew::new(vanishing::SkewParams { m: 2.0, s, p }).unwrap();
+        let skew = vanishing::Skew::new(vanishing::SkewParams {
+            m: 2.0,
+            s: s + 0.3,
+            p,
+            same: 0.3,
+        })
+        .unwrap();
         let found = skew.acceleration(0.0, &Translation::default(), &());
         assert_eq!(found, Vector3::new(0.0, 0.0, 1.5), "{s}, {p}");
     }

@@ -3,7 +3,7 @@
 //! What vanishes is proved: every row carries its coefficients at one random state, on each branch, and
 //! they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones before
 //! numbers before what is positive by its structure, there first what is known early, before anything
-//! else, at last what a parameter is a factor of, which may be zero; a division by what depends on the
+//! else, at last what the values of parameters may make zero; a division by what depends on the
 //! configuration is guarded ([`Graph::pivot`]).
 //!
 //! An equation that says nothing on some branch has the solution zero there for the unknown that it is
@@ -159,7 +159,7 @@ impl Graph {
                 (None, Size::Squares) if self.is_early(coefficient) => 2,
                 (None, Size::Squares) => 3,
                 // a coefficient of friction, a slope
-                _ if self.has_early_factor(coefficient) => 6,
+                _ if self.may_be_zero_early(coefficient) => 6,
                 _ if self.is_early(coefficient) => 4,
                 _ => 5,
             };
@@ -169,13 +169,21 @@ impl Graph {
         })
     }
 
-    /// Whether it is zero where a symbol is that is known early: values of parameters may be zero.
-    fn has_early_factor(&self, product: Id) -> bool {
-        match *self.node(product) {
-            Node::Symbol(_) => self.is_early(product),
-            Node::Quantity(a) | Node::Negate(a) | Node::Divide(a, _) => self.has_early_factor(a),
-            Node::Multiply(a, b) => self.has_early_factor(a) || self.has_early_factor(b),
-            _ => false,
+    /// Whether what is known early, by itself or as a factor, may be zero: values of parameters are
+    /// as they like, and what is the same but for rounding is subtracted. One more than they are is
+    /// not.
+    fn may_be_zero_early(&self, a: Id) -> bool {
+        let is_early = self.is_early(a);
+        let may = |a: Id| self.may_be_zero_early(a);
+        match *self.node(a) {
+            Node::Number(ref number) => number.is_zero(),
+            Node::Quantity(a) | Node::Negate(a) | Node::Divide(a, _) => may(a),
+            Node::Multiply(a, b) => may(a) || may(b),
+            Node::Add(a, b) => is_early && may(a) && may(b),
+            Node::Subtract(a, b) => is_early && may(a) == may(b),
+            Node::Unary(Function::Exp | Function::Cosh, _) => false,
+            Node::Unary(_, a) => is_early && may(a),
+            _ => is_early,
         }
     }
 

@@ -191,3 +191,82 @@ fn suslovs_body_does_not_spin() {
     assert!((body.kinetic_energy(&later) - body.kinetic_energy(&state)).abs() < 1e-9);
     assert!(later.angular_velocity.z.abs() < 1e-16);
 }
+
+mod vanishing {
+    newton_euler::rigid_body!(Rubbed {
+        motion: spatial,
+        params: [mu],
+        mass: 7[kg],
+        inertia: sphere(0.3[m]),
+        points: [tip = (4, 0, 0.27)[m]],
+        fields: [weight = mass * world(0, -9.80665[m / s ^ 2], 0)],
+        constraints: [
+            wall = tip.position().in_world().x,
+            slope = velocity.in_world().y - 5 * (-0.3[1 / s] * t).exp() * velocity.in_world().x,
+        ],
+        reactions: [floor = world(0, _, 0), side = world(_, 0, 0).at(tip)],
+        forces: [rubbing = world(mu * floor.in_world().y, 0, 0)],
+    });
+
+    newton_euler::rigid_body!(Smooth {
+        motion: spatial,
+        mass: 7[kg],
+        inertia: sphere(0.3[m]),
+        points: [tip = (4, 0, 0.27)[m]],
+        fields: [weight = mass * world(0, -9.80665[m / s ^ 2], 0)],
+        constraints: [
+            wall = tip.position().in_world().x,
+            slope = velocity.in_world().y - 5 * (-0.3[1 / s] * t).exp() * velocity.in_world().x,
+        ],
+        reactions: [floor = world(0, _, 0), side = world(_, 0, 0).at(tip)],
+    });
+
+    newton_euler::rigid_body!(Skew {
+        motion: translation,
+        params: [m, s, p, same],
+        mass: m,
+        forces: [push = world(1, 2, 3)[N]],
+        constraints: [
+            first = velocity.in_world().x - (s - same) * velocity.in_world().y,
+            second = velocity.in_world().y - p * velocity.in_world().x,
+        ],
+        reactions: [b = world(0, _, 0), a = world(_, 0, 0)],
+    });
+}
+
+proptest! {
+    /// A parameter that is zero takes a term away, and not a divisor.
+    #[test]
+    fn a_coefficient_of_friction_may_be_zero(turning in rotation(), time in 0.0..3.0) {
+        let state = Spatial {
+            attitude: turning.attitude,
+            angular_velocity: turning.angular_velocity,
+            velocity: Vector3::new(0.1, -0.2, 0.3),
+            ..Spatial::default()
+        };
+        let smooth = vanishing::Smooth::default().acceleration(time, &state, &());
+        for mu in [0.0, 1e-17] {
+            let rubbed = vanishing::Rubbed::new(vanishing::RubbedParams { mu }).unwrap();
+            let found = rubbed.acceleration(time, &state, &());
+            let size = 1.0 + smooth.linear.norm() + smooth.angular.norm();
+            let apart = (found.linear - smooth.linear).norm()
+                + (found.angular - smooth.angular).norm();
+            prop_assert!(apart < 1e-11 * size, "{found:?} for {smooth:?} with {mu}");
+        }
+    }
+}
+
+#[test]
+fn slopes_may_be_zero() {
+    for (s, p) in [(0.0, 0.0), (0.0, 0.5), (0.5, 0.0)] {
+        let skew = vanishing::Skew::new(vanishing::SkewParams {
+            m: 2.0,
+            s: s + 0.3,
+            p,
+            same: 0.3,
+        })
+        .unwrap();
+        let found = skew.acceleration(0.0, &Translation::default(), &());
+        assert_eq!(found, Vector3::new(0.0, 0.0, 1.5), "{s}, {p}");
+    }
+}

@@ -127,9 +127,13 @@ fn moment(scene: &Scene<'_>, motions: &Motions) -> Vector {
     })
 }
 
-/// Whether two vectors differ by more than this part of the terms that they are sums of; the size of that.
+/// Whether two vectors differ by more than this part of the terms that they are sums of, where
+/// these have 106 bits.
 pub fn differs(a: Vector, b: Vector, tolerance: f64) -> bool {
     let size = a.size.max(b.size);
+    if size < LEAST {
+        return false;
+    }
     let pairs = a.value.iter().zip(&b.value);
     pairs
         .map(|(x, y)| (*x - *y).high.abs())

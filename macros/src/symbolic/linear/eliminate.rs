@@ -1,14 +1,15 @@
 //! Linear equations with coefficients that depend on the configuration, solved by elimination.
 //!
-//! What vanishes is proved: every row carries its coefficients at one random state, on each branch,
-//! and they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones
-//! before numbers before what is known early before what is positive by its structure before
-//! anything else; a division by what depends on the configuration is guarded ([`Graph::pivot`]).
+//! What vanishes is proved: every row carries its coefficients at one random state, on each branch, and
+//! they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones before
+//! numbers before what is positive by its structure, there first what is known early, before anything
+//! else, at last what the values of parameters may make zero; a division by what depends on the
+//! configuration is guarded ([`Graph::pivot`]).
 //!
-//! An equation that says nothing on some branch has the solution zero there for the unknown that it
-//! is solved for.
+//! An equation that says nothing on some branch has the solution zero there for the unknown that it is
+//! solved for.
 
-use crate::symbolic::graph::{Graph, Id, Node, Stage};
+use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::Function;
 use crate::symbolic::zeros::Sample;
 
@@ -152,20 +153,38 @@ impl Graph {
         let there = candidates.filter(|(row, column)| !rows[*row].sample[*column].is_zero());
         there.min_by_key(|&(row, column)| {
             let coefficient = rows[row].coefficients[column];
-            let number = self.as_number(coefficient);
-            let kind = match self.stage(coefficient) {
-                _ if number.is_some_and(|number| number.abs().is_one()) => 0,
-                Stage::Constant => 1,
-                Stage::Parameter => 2,
-                Stage::State => match rows[row].sizes[column] {
-                    Size::Squares => 3,
-                    Size::Product(_) | Size::Terms => 4,
-                },
+            let kind = match (self.as_number(coefficient), rows[row].sizes[column]) {
+                (Some(number), _) if number.abs().is_one() => 0,
+                (Some(_), _) => 1,
+                (None, Size::Squares) if self.is_early(coefficient) => 2,
+                (None, Size::Squares) => 3,
+                // a coefficient of friction, a slope
+                _ if self.may_be_zero_early(coefficient) => 6,
+                _ if self.is_early(coefficient) => 4,
+                _ => 5,
             };
             let others = rows[row].sample.iter().filter(|entry| !entry.is_zero());
             let may_vanish = rows[row].sample[column].may_vanish();
             (may_vanish, kind, others.count(), row, column)
         })
+    }
+
+    /// Whether what is known early, by itself or as a factor, may be zero: values of parameters are
+    /// as they like, and what is the same but for rounding is subtracted. One more than they are is
+    /// not.
+    fn may_be_zero_early(&self, a: Id) -> bool {
+        let is_early = self.is_early(a);
+        let may = |a: Id| self.may_be_zero_early(a);
+        match *self.node(a) {
+            Node::Number(ref number) => number.is_zero(),
+            Node::Quantity(a) | Node::Negate(a) | Node::Divide(a, _) => may(a),
+            Node::Multiply(a, b) => may(a) || may(b),
+            Node::Add(a, b) => is_early && may(a) && may(b),
+            Node::Subtract(a, b) => is_early && may(a) == may(b),
+            Node::Unary(Function::Exp | Function::Cosh, _) => false,
+            Node::Unary(_, a) => is_early && may(a),
+            _ => is_early,
+        }
     }
 
     /// The size of the largest term of a sum.

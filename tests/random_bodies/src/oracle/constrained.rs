@@ -24,7 +24,7 @@ pub struct Solved {
     pub reactions: Vec<Vector>,
     /// How far linear and angular acceleration may be off by the differences.
     pub errors: [f64; 2],
-    /// What reactions carry into them of the terms that cancel in the free accelerations.
+    /// What reactions carry into them of the terms that cancel.
     pub carried: [f64; 2],
     /// The norm of the matrix times that of its inverse.
     pub condition: f64,
@@ -62,14 +62,17 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
     let n = problem.unknowns.len();
     let at = |problem: &mut Problem<'_>, values: &[Wide]| problem.accelerations(values);
     let free = at(&mut problem, &vec![Wide::ZERO; n]);
+    // of the size of what they are taken from, so that no digits of them are lost
+    let much = (free.linear.size + free.angular.size).max(1.0);
+    let much = Wide::from(much.log2().ceil().exp2());
     let units: Vec<Motions> = (0..n)
         .map(|j| {
             let mut values = vec![Wide::ZERO; n];
-            values[j] = Wide::ONE;
+            values[j] = much;
             let with = at(&mut problem, &values);
             Motions {
-                linear: with.linear - free.linear,
-                angular: with.angular - free.angular,
+                linear: scaled(with.linear - free.linear, Wide::ONE / much),
+                angular: scaled(with.angular - free.angular, Wide::ONE / much),
             }
         })
         .collect();
@@ -88,9 +91,7 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
         rows.push(slopes.iter().map(|slope| slope.0).collect::<Vec<Wide>>());
         let (rest, error) = problem.rest(constraint, axis, &free);
         right.push(-rest);
-        // what has cancelled in the loads
-        let cancelled = 1e-28 * (free.linear.size + free.angular.size);
-        errors.push(error + cancelled);
+        errors.push(error);
     }
     if rows.len() != n || n == 0 {
         return None;
@@ -110,12 +111,21 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
     for row in &inverse {
         values.push(row.iter().zip(&right).map(|(x, y)| *x * *y).sum::<Wide>());
     }
+    let motions = units
+        .iter()
+        .zip(&values)
+        .fold(free, |sum, (unit, value)| Motions {
+            linear: sum.linear + scaled(unit.linear, *value),
+            angular: sum.angular + scaled(unit.angular, *value),
+        });
+    // of the terms that cancel in loads, in those that follow reactions, too
+    let terms = motions.linear.size + motions.angular.size;
     for (error, doubts) in errors.iter_mut().zip(&doubts) {
-        *error += doubts
-            .iter()
-            .zip(&values)
+        let doubted = doubts.iter().zip(&values);
+        *error += doubted
             .map(|(doubt, value)| doubt * value.high.abs())
             .sum::<f64>();
+        *error += 1e-28 * terms;
     }
     // from the right sides by the reactions
     let reached = |sides: &[f64]| {
@@ -128,14 +138,7 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
         }
         parts
     };
-    let carried = reached(&vec![free.linear.size + free.angular.size; n]);
-    let motions = units
-        .iter()
-        .zip(&values)
-        .fold(free, |sum, (unit, value)| Motions {
-            linear: sum.linear + scaled(unit.linear, *value),
-            angular: sum.angular + scaled(unit.angular, *value),
-        });
+    let carried = reached(&vec![terms; n]);
     let reactions = problem.reactions(&values);
     Some(Solved {
         motions,
@@ -398,7 +401,7 @@ impl<'a> Problem<'a> {
 }
 
 /// The first or second derivative at zero by differences over lengths that become shorter, until two agree; and by how much they do not.
-fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wide, f64) {
+pub fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wide, f64) {
     let here = value(0.0);
     let mut size = here.span();
     let here = here.value;
@@ -406,24 +409,25 @@ fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wi
     let mut before: Option<Wide> = None;
     for part in [1e-1, 1e-3, 1e-5, 1e-7] {
         let length = part * length;
-        let mut is_bent = false;
-        let [near, far] = [length, 2.0 * length].map(|length| {
+        let [(near, bend), (far, far_bend)] = [length, 2.0 * length].map(|length| {
             let (after, before) = (value(length), value(-length));
             size = size.max(after.span()).max(before.span());
             let (after, before) = (after.value, before.value);
             let (even, odd) = (after - here * 2.0 + before, after - before);
-            is_bent |= even.high.abs() > 0.1 * odd.high.abs();
-            match order {
+            let derivative = match order {
                 1 => odd / Wide::from(2.0 * length),
                 _ => even / Wide::from(length) / Wide::from(length),
-            }
+            };
+            (derivative, even.high.abs())
         });
+        // four times as large at twice the length, but for kinks within it, and for rounding
+        let is_bent = far_bend > 1e-28 * size && far_bend < 3.0 * bend;
         let now = extrapolated(near, far, 4.0);
         if let Some(before) = before {
             let rounding = 1e-30 * size / length.powi(order);
             let apart = (now - before).high.abs() + rounding;
             // a kink looks the same at all lengths
-            let is_smooth = order == 2 || !is_bent || now.high == 0.0;
+            let is_smooth = order == 2 || !is_bent;
             if is_smooth && apart < best.1 {
                 best = (now, apart);
             }

@@ -184,6 +184,12 @@ impl Number {
     }
 }
 
+/// Of sizes: zero only if one of them is.
+pub fn product(a: f64, b: f64) -> f64 {
+    let is_zero = a == 0.0 || b == 0.0;
+    (a * b).max(if is_zero { 0.0 } else { f64::MIN_POSITIVE })
+}
+
 impl Neg for Number {
     type Output = Self;
 
@@ -217,7 +223,7 @@ impl Mul for Number {
 
     fn mul(self, other: Self) -> Self {
         let (a, b) = self.beside(other);
-        Self::made(a.value * b.value, a.size * b.size, a.known)
+        Self::made(a.value * b.value, product(a.size, b.size), a.known)
     }
 }
 

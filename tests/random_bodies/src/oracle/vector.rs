@@ -4,7 +4,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::wide::Wide;
 
-use super::number::Number;
+use super::number::{Number, product};
 
 /// A vector and its size, a product of the norms of its factors: a component may have cancelled out of terms that large.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,10 +20,11 @@ impl Vector {
     };
 
     pub fn new(components: [Number; 3]) -> Self {
-        let squares = components.map(|component| component.span().powi(2));
+        // of the smallest numbers there are no squares
+        let sizes = components.map(Number::span);
         Self {
             value: components.map(|component| component.value),
-            size: squares.iter().sum::<f64>().sqrt(),
+            size: sizes.into_iter().fold(0.0, f64::hypot),
         }
     }
 
@@ -53,12 +54,13 @@ impl Vector {
     pub fn cross(self, other: Self) -> Self {
         Self {
             value: cross(self.value, other.value),
-            size: self.size * other.size,
+            size: product(self.size, other.size),
         }
     }
 
     pub fn dot(self, other: Self) -> Number {
-        Number::made(dot(self.value, other.value), self.size * other.size, false)
+        let value = dot(self.value, other.value);
+        Number::made(value, product(self.size, other.size), false)
     }
 
     pub fn norm(self) -> Number {
@@ -76,7 +78,7 @@ impl Vector {
     pub fn scaled(self, factor: Number) -> Self {
         Self {
             value: self.value.map(|x| x * factor.value),
-            size: self.size * factor.span(),
+            size: product(self.size, factor.span()),
         }
     }
 

@@ -116,7 +116,7 @@ impl House {
             }
         };
         while let [first, others @ ..] = rest {
-            let child = [&module[..], &[first.clone()]].concat();
+            let child = [&module[..], std::slice::from_ref(first)].concat();
             match first.as_str() {
                 "super" => drop(module.pop()),
                 "self" => {}

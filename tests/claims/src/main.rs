@@ -205,9 +205,8 @@ mod tests {
         // the mean of both slopes is zero, or nearly the slope
         for (slope, other) in [(1.0, -1.0), (1.0, 0.999)] {
             let value = |length: f64| {
-                let x = Wide::from(length) + Wide::from(1e-4);
-                let along = if x.high > 0.0 { slope } else { other };
-                Number::exactly(x * along + Wide::ONE)
+                let along = if length > -1e-4 { slope } else { other };
+                Number::exactly(Wide::from(length) * along + Wide::ONE)
             };
             let (found, error) = settled(0.3, value, 1);
             let apart = (found.high - slope).abs();

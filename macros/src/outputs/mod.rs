@@ -1,6 +1,6 @@
 //! What is generated beside the accelerations, one file each: what it derives, what it emits, what
 //! it documents. An output that is new is a file, and a line in one of two lists:
-//! [`solved`] and [`observed`].
+//! `solved` and `observed`.
 
 mod balance;
 mod constrained;

@@ -201,7 +201,7 @@ rigid_body!(GuidedTop {
         ground = world(_, _, _).at(foot)
     ],
     forces: [friction = (-0.1 * guide.in_world().z * world(0, 1, 0)).at(tip)],
-    outputs: [reactions],
+    outputs: [reactions, taylor],
 });
 
 rigid_body!(LooseTop {
@@ -226,7 +226,7 @@ rigid_body!(LooseTop {
         ground = world(_, _, _).at(foot)
     ],
     forces: [friction = (-0.1 * guide.in_world().z * world(0, 1, 0)).at(tip)],
-    outputs: [reactions],
+    outputs: [reactions, taylor],
 });
 
 #[test]
@@ -261,7 +261,7 @@ fn a_fixed_point_is_a_support_and_constraints() {
         ] {
             assert!((one - other).norm() < 1e-10 * (10.0 + other.norm()));
         }
-        // each step is put on the constraints
+        // series, and each step on the constraints
         let end = top.integrate(&state).tolerance(1e-11).to(0.5).unwrap();
         let other = loose
             .integrate(&whole(&state))

@@ -128,3 +128,70 @@ fn beside_runge_kutta_steps() {
         assert!(lost < 100.0 * limit, "{tolerance}: {lost}");
     }
 }
+
+// a gyroscope on a rope: reactions whose series are sums of many products, some of them followed by a load
+macro_rules! on_a_rope {
+    ($name:ident, $height:expr, [$($loads:tt)*]) => {
+        rigid_body!($name {
+            motion: fixed_point(foot),
+            mass: 0.9[kg],
+            inertia: principal(0.05, 0.06, 0.02)[kg * m ^ 2],
+            points: [foot = (0, 0, -0.2), tip = (0, 0, 0.25), hook = world(0.3, 0.2, 1)],
+            constraints: [rope = $height],
+            $($loads)*
+            outputs: [taylor],
+        });
+
+        impl $name {
+            /// The largest difference between the slope of the series and the accelerations, of
+            /// both in size, at some times.
+            fn off() -> f64 {
+                let (body, start) = (Self::default(), Rotation {
+                    attitude: nalgebra::UnitQuaternion::from_scaled_axis([0.3, 0.2, 0.1].into()),
+                    angular_velocity: [0.1, 0.5, 2.0].into(),
+                });
+                let series = body.series::<14>(0.0, &start, &());
+                let coefficients = series.coefficients();
+                let off = [-0.02, 0.01, 0.03].map(|time| {
+                    let found = body.acceleration(time, &series.after(time), &());
+                    let slope = [4, 5, 6].map(|place| {
+                        let powers = coefficients.iter().enumerate().skip(1).rev();
+                        powers.fold(0.0, |sum, (order, row)| {
+                            sum * time + order as f64 * row.as_ref()[place]
+                        })
+                    });
+                    (found - nalgebra::Vector3::from(slope)).norm() / found.norm()
+                });
+                off.into_iter().fold(0.0, f64::max)
+            }
+        }
+    };
+}
+
+on_a_rope!(Followed, (tip.position() - hook.position()).norm() - 0.7[m], [
+    reactions: [pull = (_ * (tip.position() - hook.position()).normalize()).at(tip)],
+    forces: [drag = 0.1 * pull],
+]);
+on_a_rope!(Crossed, (tip.position() - hook.position()).norm() - 0.7[m], [
+    reactions: [pull = (_ * (tip.position() - hook.position()).normalize()).at(tip)],
+    forces: [drag = (0.1 * pull.cross(world(0, 0, 1))).at(tip)],
+]);
+on_a_rope!(Squared, (tip.position() - hook.position()).norm_squared() - 0.49[m ^ 2], [
+    reactions: [pull = (_ * (tip.position() - world(0, 0, 1)).normalize()).at(tip)],
+]);
+on_a_rope!(OnATable, tip.position().in_world().z - 0.4[m], [
+    reactions: [pull = (_ * (tip.position() - hook.position()).normalize()).at(tip)],
+    moments: [drag = 0.02[m] * pull.in_world().z * angular_velocity.normalize()],
+]);
+
+#[test]
+fn sums_of_many_products() {
+    for (name, off) in [
+        ("Followed", Followed::off()),
+        ("Crossed", Crossed::off()),
+        ("Squared", Squared::off()),
+        ("OnATable", OnATable::off()),
+    ] {
+        assert!(off < 1e-11, "{name}: {off:e}");
+    }
+}

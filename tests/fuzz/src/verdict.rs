@@ -1,12 +1,13 @@
 //! What the expander says to a stream, and whether that is an answer at all.
 
 use std::cell::{Cell, RefCell};
+use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{ToTokens, quote};
 
 use crate::expand::expand;
 use crate::flat::{Token, unflatten};
@@ -28,6 +29,8 @@ pub enum Failure {
     Silent,
     /// An error without words.
     Wordless,
+    /// A function computes what it does not read.
+    Unread(String),
 }
 
 impl Failure {
@@ -86,6 +89,9 @@ fn judge(output: TokenStream) -> Result<Answer, Failure> {
     let mut answer = Answer::Accepted;
     for item in &file.items {
         let syn::Item::Macro(item) = item else {
+            if let Some(name) = unread(item.to_token_stream()) {
+                return Err(Failure::Unread(name));
+            }
             continue;
         };
         let is_error = item
@@ -103,6 +109,49 @@ fn judge(output: TokenStream) -> Result<Answer, Failure> {
         }
     }
     Ok(answer)
+}
+
+/// A name in an array that is taken apart, as in `let [a, b] = sums;`, and not read again: what is
+/// computed and left out.
+fn unread(tokens: TokenStream) -> Option<String> {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    let is = |token: &TokenTree, word: &str| token.to_string() == word;
+    for (place, token) in tokens.iter().enumerate() {
+        if let TokenTree::Group(group) = token
+            && let Some(name) = unread(group.stream())
+        {
+            return Some(name);
+        }
+        if !is(token, "let") {
+            continue;
+        }
+        let [TokenTree::Group(pattern), rest @ ..] = &tokens[place + 1..] else {
+            continue;
+        };
+        let mut given = Vec::new();
+        names(pattern.stream(), &mut given);
+        let mut read = Vec::new();
+        names(rest.iter().cloned().collect(), &mut read);
+        let read: HashSet<String> = read.into_iter().collect();
+        let is_left_out = |name: &String| !name.starts_with('_') && !read.contains(name);
+        let found = given.into_iter().find(is_left_out);
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
+}
+
+fn names(tokens: TokenStream, found: &mut Vec<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Group(group) => names(group.stream(), found),
+            TokenTree::Ident(name) if name != "_" => {
+                found.push(name.to_string());
+            }
+            _ => {}
+        }
+    }
 }
 
 /// The least part of the tokens for which `fails` still holds, by leaving out shorter and shorter stretches.
@@ -158,6 +207,18 @@ mod tests {
         }
         let nothing = || quote!(::core::compile_error! {});
         assert_eq!(verdict(nothing), Err(Failure::Wordless));
+        let unread = || {
+            quote! {
+                impl Body {
+                    fn sum(self) -> f64 {
+                        let [a, a_1]: [f64; 2] = self.parts();
+                        let b = a * 2.0;
+                        b + self.c
+                    }
+                }
+            }
+        };
+        assert_eq!(verdict(unread), Err(Failure::Unread("a_1".to_owned())));
         for broken in [
             quote!(pub struct Body),
             quote!(let x = 1;),

@@ -35,10 +35,9 @@ pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
     let mut batches: Vec<Batch<'_>> = Vec::new();
     for sums in sums.chunk_by(|a, b| a.level == b.level) {
         let count = best_count(sums);
-        let mut parts = parts(sums, count).peekable();
-        while parts.peek().is_some() {
-            let parts: Vec<Part<'_>> = parts.by_ref().take((MOST / count).max(1)).collect();
+        for sums in calls(sums, count) {
             let end = batches.last().map_or(0, Batch::end);
+            let parts: Vec<Part<'_>> = parts(sums, count).collect();
             let lanes = filled(parts.len());
             batches.push(Batch {
                 level: sums[0].level,
@@ -55,6 +54,20 @@ pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
         }
     }
     batches
+}
+
+/// As many sums as one call computes; the parts of a sum are never in two.
+fn calls(sums: &[Sum], count: usize) -> impl Iterator<Item = &[Sum]> {
+    let lanes = move |sum: &Sum| sum.terms.len().div_ceil(count).max(1);
+    let mut taken = 0;
+    sums.chunk_by(move |sum, next| {
+        taken += lanes(sum);
+        let fits = (taken + lanes(next)) * count <= MOST;
+        if !fits {
+            taken = 0;
+        }
+        fits
+    })
 }
 
 /// The count of products in a lane that costs least: products in registers, and sums of parts. Of

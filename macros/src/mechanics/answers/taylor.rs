@@ -46,7 +46,6 @@ pub fn derive_taylor(
     structure: &Structure,
     errors: &mut Errors,
 ) -> Option<Taylor> {
-    check_followers(model, asked, errors)?;
     let axes = axes::derive_axes(model, work, structure);
     let (turning, angular) = match &axes {
         Some(axes) => (axes.rate, axes.acceleration(model, work, angular)),
@@ -65,22 +64,6 @@ pub fn derive_taylor(
         recurrences,
         axes,
     })
-}
-
-/// Of loads that follow an unknown reaction, series are not known to be right: they are refused.
-fn check_followers(model: &Model, asked: Extent, errors: &mut Errors) -> Option<()> {
-    let Some(load) = model.loads.iter().find(|load| load.mention.is_some()) else {
-        return Some(());
-    };
-    errors.push(
-        asked,
-        format!(
-            "series under a load that follows a reaction, as `{}` does, are not there yet: leave `taylor` \
-             out, and `integrate` takes Runge-Kutta steps",
-            load.name
-        ),
-    );
-    None
 }
 
 /// The coordinates of the state, and time; those of a kind of motion are together. `turning` is the

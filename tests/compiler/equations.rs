@@ -1,9 +1,9 @@
 //! Equations with coefficients of the state, and the chain rule backwards.
 
-use crate::symbolic::{Function, Graph, Id, Node, Number, Row, Size, Stage, free};
+use crate::symbolic::{Equation, Function, Graph, Id, Node, Number, Size, Stage, free};
 
-fn row(g: &mut Graph, coefficients: &[Id], right: i64) -> Row {
-    Row {
+fn row(g: &mut Graph, coefficients: &[Id], right: i64) -> Equation {
+    Equation {
         coefficients: coefficients.to_vec(),
         right: g.integer(right),
         sample: g.samples(coefficients, |id| free(id, 0)),
@@ -24,7 +24,7 @@ fn numbers_are_solved_exactly_and_without_guards() {
             row(&mut g, &coefficients, right)
         });
     let rows = rows.collect();
-    let solved = g.solve_guarded(rows, 3);
+    let solved = g.solve(rows, 3);
     let values = solved
         .values
         .iter()
@@ -39,7 +39,7 @@ fn what_depends_on_the_state_is_guarded() {
     let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
     let zero = g.zero();
     let rows = vec![row(&mut g, &[a, zero], 6), row(&mut g, &[b, a], 2)];
-    let solved = g.solve_guarded(rows, 2);
+    let solved = g.solve(rows, 2);
     assert_eq!(solved.pivots.len(), 2);
     assert!(
         solved
@@ -57,8 +57,20 @@ fn dependent_rows_are_left_over() {
     let (a, b) = (g.symbol(Stage::State), g.symbol(Stage::State));
     let twice = [a, b].map(|id| g.add(id, id));
     let rows = vec![row(&mut g, &[a, b], 1), row(&mut g, &twice, 2)];
-    let solved = g.solve_guarded(rows, 2);
-    assert_eq!((solved.spare, solved.undetermined), (vec![1], vec![1]));
+    let solved = g.solve(rows, 2);
+    assert_eq!(solved.spare.len(), 1);
+    assert_eq!(solved.spare[0].0, 1);
+    let [undetermined] = &solved.undetermined[..] else {
+        panic!("one is not determined");
+    };
+    assert_eq!(undetermined.column, 1);
+    // a u + b v is determined
+    let [(0, one), (1, factor)] = undetermined.sum[..] else {
+        panic!("both together are");
+    };
+    assert!(g.is_one(one));
+    let factor = g.evaluate(&[factor], |id| if id == a { 2.0 } else { 3.0 });
+    assert!((factor[0] - 1.5).abs() < 1e-15);
 }
 
 /// Weights that are handed down from a root add up to its derivatives.

@@ -15,7 +15,7 @@ use crate::mechanics::balances::{check_moment_free, response, rod, solve_balance
 use crate::mechanics::proofs::samples;
 use crate::mechanics::variation::Rates;
 use crate::model::{Frame, Load, Model, Vector, Workspace};
-use crate::symbolic::{Components, Elimination, Function, Id, Residue, Row, Sample, Size};
+use crate::symbolic::{Components, Elimination, Function, Id, Residue, Sample, Size};
 
 use super::constrained::{Constrained, active, differentiate};
 use super::inertial::{balances_of, inertial_change};
@@ -23,6 +23,7 @@ use super::left_over::balances_left;
 use super::pushes::{Push, given_loads, pushes};
 use super::redundancy::{check_elimination, check_independent};
 use super::rod::check_across;
+use super::unknown::{Sides, equations};
 
 /// The motion under constraints.
 pub struct Solved {
@@ -58,10 +59,25 @@ pub fn derive_constrained(
     }
     let left = rows_left(model, work, &pushes, &loads, free, errors)?;
     rows.extend(left.iter().map(|(_, row)| row.clone()));
-    let rows = sampled(model, work, rows, &constraints, &pushes);
-    let elimination = work.graph.solve_guarded(rows, pushes.len());
+    let mut system = equations(work, rows);
+    for (equation, constraint) in system.iter_mut().zip(&constraints) {
+        equation.active = active(work, constraint);
+        let sizes = pushes.iter();
+        equation.sizes = sizes
+            .map(|push| size(model, work, constraint, push))
+            .collect();
+    }
+    let elimination = work.graph.solve(system, pushes.len());
     let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
-    check_elimination(model, &constraints, &left, &pushes, &elimination, errors)?;
+    check_elimination(
+        model,
+        work,
+        &constraints,
+        &left,
+        &pushes,
+        &elimination,
+        errors,
+    )?;
     name_unknowns(model, work, &pushes, &elimination);
     let linear = pushed(work, free.0, &pushes, &elimination.values, |push| {
         push.linear
@@ -83,16 +99,13 @@ pub fn derive_constrained(
     })
 }
 
-/// An equation for the unknowns, not sampled yet.
-type Equation = (Vec<Id>, Id);
-
 /// `sum of (A . D_j) u_j = -(A . q''_0 + b)`
 fn constraint_row(
     work: &mut Workspace,
     constraint: &Constrained,
     pushes: &[Push],
     free: (Components, Components),
-) -> Equation {
+) -> Sides {
     let Rates {
         rate,
         linear,
@@ -121,7 +134,7 @@ fn rows_left(
     loads: &[Load],
     free: (Components, Components),
     errors: &mut Errors,
-) -> Option<Vec<(&'static str, Equation)>> {
+) -> Option<Vec<(&'static str, Sides)>> {
     let balances = balances_left(model, work);
     let supporting: Vec<&Push> = pushes.iter().filter(|push| push.supports).collect();
     let is_asked = !model.motion.is_supported() || !supporting.is_empty();
@@ -165,37 +178,6 @@ fn rows_left(
         }
     }
     Some(rows)
-}
-
-fn sampled(
-    model: &Model,
-    work: &mut Workspace,
-    rows: Vec<Equation>,
-    constraints: &[Constrained],
-    pushes: &[Push],
-) -> Vec<Row> {
-    let all: Vec<Id> = rows
-        .iter()
-        .flat_map(|(coefficients, _)| coefficients.clone())
-        .collect();
-    let mut values = samples(work, &all).into_iter();
-    let mut sampled = Vec::new();
-    for (index, (coefficients, right)) in rows.into_iter().enumerate() {
-        let sizes = pushes.iter().map(|push| match constraints.get(index) {
-            Some(constraint) => size(model, work, constraint, push),
-            None => Size::Terms,
-        });
-        sampled.push(Row {
-            sizes: sizes.collect(),
-            sample: values.by_ref().take(coefficients.len()).collect(),
-            active: constraints
-                .get(index)
-                .and_then(|constraint| active(work, constraint)),
-            coefficients,
-            right,
-        });
-    }
-    sampled
 }
 
 /// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. Where the

@@ -17,14 +17,15 @@
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
 use crate::mechanics::balances::{arm, free_moment, response};
-use crate::mechanics::proofs::{all_vanish, samples};
+use crate::mechanics::proofs::all_vanish;
 use crate::model::{Frame, Model, Reaction, Vector, Workspace};
-use crate::symbolic::{self, Components, Elimination, Id, Size};
+use crate::symbolic::{Components, Equation, Id, Size};
 
 use super::inertial::{balances_of, balances_without_unknowns};
 use super::pushes::{given_loads, pushes};
 use super::rod::check_across;
-use super::unknown::Row;
+use super::solvability::{Advice, check_determined};
+use super::unknown::{Row, equations};
 
 /// One unit of an unknown.
 struct Column<'m> {
@@ -36,13 +37,6 @@ struct Column<'m> {
     force: Vector,
     /// About the center.
     moment: Vector,
-}
-
-/// An equation for the unknowns: coefficients, what they are compared with, and the right side.
-struct Equation {
-    coefficients: Vec<Id>,
-    sizes: Vec<Size>,
-    right: Id,
 }
 
 /// Solves for the drives of the model, under constraints together with the reactions that keep
@@ -66,31 +60,24 @@ pub fn solve_drives(
         let loads = given_loads(model, work);
         balances_of(model, work, &loads, Vec::new(), (linear, angular))
     };
-    let equations = as_many(model, work, rows, &columns, rest)
+    let system = as_many(model, work, rows, &columns, rest)
         .unwrap_or_else(|| nearest(model, work, rows, &columns, rest));
-    let elimination = eliminate(work, equations, columns.len());
-    let names: Vec<String> = columns.iter().map(|column| column.name(model)).collect();
-    for column in &elimination.undetermined {
-        let name = &names[*column];
-        let message = if columns.len() == 1 {
-            format!("nothing determines `{name}`: it has no part in how the body moves freely")
-        } else {
-            format!(
-                "more is unknown than the balances determine: what `{name}` does, the other drives do \
-                 together; write the value of one of them, 0 if it is at rest"
-            )
-        };
-        errors.push(columns[*column].place, message);
-    }
-    if !elimination.undetermined.is_empty() {
-        return None;
-    }
+    let elimination = work.graph.solve(system, columns.len());
+    let advice = Advice {
+        alone: "it has no part in how the body moves freely",
+        zero: "if it is at rest",
+    };
+    let names = columns
+        .iter()
+        .map(|column| (column.name(model), column.place));
+    let names: Vec<(String, Extent)> = names.collect();
+    check_determined(work, &names, &elimination, advice, errors)?;
     let labels = &mut work.labels;
-    for (name, value) in names.iter().zip(&elimination.values) {
+    for ((name, _), value) in names.iter().zip(&elimination.values) {
         labels.name(*value, name.replace('.', "_"));
     }
     for (column, reciprocal) in &elimination.pivots {
-        labels.divide_for(*reciprocal, names[*column].clone());
+        labels.divide_for(*reciprocal, names[*column].0.clone());
     }
     let mut vectors = Vec::new();
     for drive in &model.drives {
@@ -202,7 +189,7 @@ fn balances(
         let components = work.components(vector, frame);
         work.graph.dot(row.direction, components)
     };
-    let mut equations = Vec::new();
+    let mut system = Vec::new();
     for row in rows {
         let each = columns.iter();
         let coefficients: Vec<Id> = each
@@ -212,13 +199,9 @@ fn balances(
             continue;
         }
         let rest = along(work, row, rest.0, rest.1);
-        equations.push(Equation {
-            sizes: vec![Size::Terms; coefficients.len()],
-            coefficients,
-            right: work.graph.negate(rest),
-        });
+        system.push((coefficients, work.graph.negate(rest)));
     }
-    equations
+    equations(work, system)
 }
 
 /// Gauss's principle; a body that does not turn is held by what is left of the balances.
@@ -252,9 +235,10 @@ fn nearest(
         .cloned()
         .collect();
     let frames = (Frame::World, Frame::World);
-    let mut equations = balances(work, &held, columns, rest, frames);
+    let mut held = balances(work, &held, columns, rest, frames);
     let rest = in_axes(work, rest.0, rest.1);
-    for (row, (force, moment)) in loads.iter().enumerate() {
+    let mut system = Vec::new();
+    for (force, moment) in &loads {
         let (linear, angular) = response(model, work, *force, *moment);
         let graph = &mut work.graph;
         let mut power = |(force, moment): (Components, Components)| {
@@ -263,35 +247,12 @@ fn nearest(
         };
         let coefficients: Vec<Id> = loads.iter().map(|load| power(*load)).collect();
         let rest = power(rest);
-        let size = |column: usize| {
-            if column == row {
-                Size::Squares
-            } else {
-                Size::Terms
-            }
-        };
-        equations.push(Equation {
-            sizes: (0..coefficients.len()).map(size).collect(),
-            coefficients,
-            right: work.graph.negate(rest),
-        });
+        system.push((coefficients, graph.negate(rest)));
     }
-    equations
-}
-
-fn eliminate(work: &mut Workspace, equations: Vec<Equation>, unknowns: usize) -> Elimination {
-    let all: Vec<Id> = equations
-        .iter()
-        .flat_map(|equation| equation.coefficients.clone())
-        .collect();
-    let mut values = samples(work, &all).into_iter();
-    let rows = equations.into_iter().map(|equation| symbolic::Row {
-        sample: values.by_ref().take(unknowns).collect(),
-        coefficients: equation.coefficients,
-        active: None,
-        sizes: equation.sizes,
-        right: equation.right,
-    });
-    let rows = rows.collect();
-    work.graph.solve_guarded(rows, unknowns)
+    let mut nearest = equations(work, system);
+    for (row, equation) in nearest.iter_mut().enumerate() {
+        equation.sizes[row] = Size::Squares;
+    }
+    held.extend(nearest);
+    held
 }

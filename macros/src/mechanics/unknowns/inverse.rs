@@ -13,7 +13,7 @@ use crate::symbolic::{Components, Id, Node};
 use super::drives::solve_drives;
 use super::left_over::balances_left;
 use super::reactions::{assemble, solve_unknowns};
-use super::solvability::check_determined;
+use super::solvability::check_supports;
 use super::unknown::{Row, Unmoved};
 
 /// Solves for the drives, each in the axes in which it is written.
@@ -59,11 +59,11 @@ fn solve(
     let unknown: Vec<&Reaction> = model.reactions.iter().chain(&model.drives).collect();
     let solved = solve_unknowns(model, work, &unknown, rows, motion, Unmoved::Ignored);
     match solved {
-        Ok(solved) if solved.is_constant && !solved.solution.undetermined.is_empty() => {
-            check_determined(model, work, &solved, errors)?;
+        Ok(solved) if solved.is_constant && !solved.elimination.undetermined.is_empty() => {
+            check_supports(model, work, &solved, errors)?;
             None
         }
-        Ok(solved) if solved.is_constant && solved.solution.unbalanced.is_empty() => {
+        Ok(solved) if solved.is_constant && solved.is_balanced(work) => {
             let drives = model.drives.iter();
             Some(drives.map(|drive| assemble(work, &solved, drive)).collect())
         }

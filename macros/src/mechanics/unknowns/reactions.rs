@@ -13,12 +13,12 @@ use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
 use crate::mechanics::balances::arm;
 use crate::model::{Frame, Model, Reaction, Vector, Workspace};
-use crate::symbolic::{Components, Equation, Id};
+use crate::symbolic::{Components, Id};
 
 use super::inertial::balances_without_unknowns;
 use super::left_over::balances_left;
-use super::solvability::{check_solution, check_workless};
-use super::unknown::{Row, Solved, Unknown, Unmoved};
+use super::solvability::{check_balanced, check_supports, check_workless};
+use super::unknown::{Row, Solved, Unknown, Unmoved, equations};
 
 /// Solves for the unknown components; what they cannot be solved for is reported on them.
 pub fn derive_reactions(
@@ -48,7 +48,9 @@ pub fn derive_reactions(
             return None;
         }
     };
-    check_solution(model, work, &solved, errors)?;
+    let determined = check_supports(model, work, &solved, errors);
+    check_balanced(work, &solved, errors)?;
+    determined?;
     let in_world = unknown.into_iter().map(|reaction| {
         let whole = assemble(work, &solved, reaction);
         let vector = work.components(whole, Frame::World);
@@ -86,28 +88,26 @@ pub fn solve_unknowns<'m>(
         work.components(force, frame),
         work.components(moment, frame),
     );
-    let mut equations = Vec::new();
+    let mut system = Vec::new();
     for row in &rows {
-        let coefficients = unknowns
+        let coefficients: Vec<Id> = unknowns
             .iter()
             .map(|unknown| coefficient(model, work, frame, row, unknown))
             .collect();
         let graph = &mut work.graph;
         let known = graph.dot(row.direction, row.of(force, moment));
         let right = graph.negate(known);
-        equations.push(Equation {
-            coefficients,
-            right,
-        });
+        system.push((coefficients, right));
     }
-    let mut coefficients = equations.iter().flat_map(|row| &row.coefficients);
+    let mut coefficients = system.iter().flat_map(|(row, _)| row);
     let is_constant = coefficients.all(|id| work.graph.is_early(*id));
-    let solution = work.graph.solve(equations, unknowns.len());
+    let system = equations(work, system);
+    let elimination = work.graph.solve(system, unknowns.len());
     Ok(Solved {
         frame,
         unknowns,
         rows,
-        solution,
+        elimination,
         is_constant,
     })
 }
@@ -195,9 +195,9 @@ fn coefficient(
 /// Given and solved components of an unknown load together.
 pub fn assemble(work: &mut Workspace, solved: &Solved<'_>, load: &Reaction) -> Vector {
     let mut components = work.graph.zeros();
-    for (unknown, value) in solved.unknowns.iter().zip(&solved.solution.values) {
+    for (unknown, value) in solved.unknowns.iter().zip(&solved.elimination.values) {
         if unknown.load.name == load.name {
-            components[unknown.axis] = *value;
+            components[unknown.axis] = work.graph.unnamed(*value);
         }
     }
     let given = work.vector(load.frame, load.given);

@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use crate::errors::Errors;
+use crate::errors::{Errors, Extent};
 use crate::mechanics::proofs::samples;
 use crate::model::{Model, Workspace};
 use crate::symbolic::{Elimination, Id, Residue};
 
 use super::constrained::Constrained;
 use super::pushes::Push;
+use super::solvability::{Advice, check_determined};
 
 /// The gradient of a constraint on one branch, reduced by those before it.
 struct Reduced {
@@ -112,24 +113,22 @@ fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<u
 /// Unknowns that no constraint determines, and constraints that no unknown keeps.
 pub fn check_elimination(
     model: &Model,
+    work: &Workspace,
     constraints: &[Constrained],
     left: &[&str],
     pushes: &[Push],
     elimination: &Elimination,
     errors: &mut Errors,
 ) -> Option<()> {
-    for column in &elimination.undetermined {
-        let push = &pushes[*column];
-        let name = push.name(model);
-        errors.push(
-            push.place,
-            format!(
-                "nothing determines `{name}`: no constraint is left for it to keep; write its \
-                 value, 0 if nothing holds the body there"
-            ),
-        );
-    }
-    for row in &elimination.spare {
+    let advice = Advice {
+        alone: "no constraint is left for it to keep; write its value, 0 if nothing holds the body \
+                there",
+        zero: "if it carries nothing",
+    };
+    let names = pushes.iter().map(|push| (push.name(model), push.place));
+    let names: Vec<(String, Extent)> = names.collect();
+    let determined = check_determined(work, &names, elimination, advice, errors);
+    for (row, _) in &elimination.spare {
         if let Some(constraint) = constraints.get(*row) {
             errors.push(
                 constraint.place.span(),
@@ -158,5 +157,5 @@ pub fn check_elimination(
             );
         }
     }
-    (elimination.undetermined.is_empty() && elimination.spare.is_empty()).then_some(())
+    determined.filter(|()| elimination.spare.is_empty())
 }

@@ -1,12 +1,12 @@
 //! Whether the balances determine the reactions: what to say if they do not, and where.
 
-use crate::errors::Errors;
+use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
 use crate::mechanics::balances::arm;
 use crate::model::{Frame, Model, Reaction, Workspace};
-use crate::symbolic::{Graph, Id, Number};
+use crate::symbolic::{Elimination, Number, Undetermined};
 
-use super::unknown::Solved;
+use super::unknown::{Solved, Unknown};
 
 /// Along the directions in which the body moves freely, a reaction would be a drive: the
 /// accelerations were found without it.
@@ -83,76 +83,100 @@ fn drive(model: &Model, reaction: &Reaction) -> String {
     format!("a reaction does no work, and {reason}")
 }
 
-/// Unknowns that are not determined, and balances that nothing can meet.
-pub fn check_solution(
+/// What to say of unknowns of a kind that are not determined.
+#[derive(Clone, Copy)]
+pub struct Advice {
+    /// Of one in which nothing has a part.
+    pub alone: &'static str,
+    /// When its value is zero.
+    pub zero: &'static str,
+}
+
+/// Unknowns of a support, and others beside them, that are not determined.
+pub fn check_supports(
     model: &Model,
     work: &Workspace,
     solved: &Solved<'_>,
     errors: &mut Errors,
 ) -> Option<()> {
-    let determined = check_determined(model, work, solved, errors);
-    for row in &solved.solution.unbalanced {
+    let advice = Advice {
+        alone: "write its value, 0 if the support does not hold it",
+        zero: "if it carries nothing",
+    };
+    let name = |unknown: &Unknown<'_>| {
+        let name = unknown.load.component_name(model.motion, unknown.axis);
+        (name, unknown.place)
+    };
+    let unknowns: Vec<(String, Extent)> = solved.unknowns.iter().map(name).collect();
+    check_determined(work, &unknowns, &solved.elimination, advice, errors)
+}
+
+/// Unknowns that are not determined, each by its name and its place.
+pub fn check_determined(
+    work: &Workspace,
+    unknowns: &[(String, Extent)],
+    elimination: &Elimination,
+    advice: Advice,
+    errors: &mut Errors,
+) -> Option<()> {
+    for Undetermined { column, sum } in &elimination.undetermined {
+        let (name, place) = &unknowns[*column];
+        let Advice { alone, zero } = advice;
+        let others: Vec<String> = sum
+            .iter()
+            .filter(|(other, _)| other != column)
+            .map(|(other, _)| format!("`{}`", unknowns[*other].0))
+            .collect();
+        let numbers: Option<Vec<(&Number, &str)>> = sum
+            .iter()
+            .map(|(column, factor)| Some((work.graph.as_number(*factor)?, &*unknowns[*column].0)))
+            .collect();
+        let message = match numbers {
+            _ if others.is_empty() => format!("nothing determines `{name}`: {alone}"),
+            Some(terms) => format!(
+                "more is unknown than the balances determine: only `{}` is determined; write the \
+                 value of one of them, 0 {zero}",
+                combination(&terms)
+            ),
+            None => format!(
+                "more is unknown than the balances determine: what `{name}` does, {} can do; write \
+                 the value of one of them, 0 {zero}",
+                others.join(" and ")
+            ),
+        };
+        errors.push(*place, message);
+    }
+    elimination.undetermined.is_empty().then_some(())
+}
+
+/// `a.x + 2 * b.x`
+fn combination(terms: &[(&Number, &str)]) -> String {
+    let terms = terms.iter().enumerate().map(|(index, (number, name))| {
+        let sign = match (number.is_negative(), index) {
+            (true, 0) => "-",
+            (true, _) => " - ",
+            (false, 0) => "",
+            (false, _) => " + ",
+        };
+        let magnitude = number.abs();
+        if magnitude.is_one() {
+            format!("{sign}{name}")
+        } else {
+            format!("{sign}{} * {name}", magnitude.to_f64())
+        }
+    });
+    terms.collect()
+}
+
+/// Balances that nothing can meet are reported on the first unknown.
+pub fn check_balanced(work: &Workspace, solved: &Solved<'_>, errors: &mut Errors) -> Option<()> {
+    for row in solved.unbalanced(work) {
         let place = solved.unknowns.first().map(|unknown| unknown.place)?;
+        let name = row.name;
         errors.push(
             place,
-            format!(
-                "nothing balances {}: leave another component of a reaction unknown",
-                solved.rows[*row].name
-            ),
+            format!("nothing balances {name}: leave another component of a reaction unknown"),
         );
     }
-    determined.filter(|()| solved.solution.unbalanced.is_empty())
-}
-
-/// Unknowns that are not determined.
-pub fn check_determined(
-    model: &Model,
-    work: &Workspace,
-    solved: &Solved<'_>,
-    errors: &mut Errors,
-) -> Option<()> {
-    let (unknowns, solution) = (&solved.unknowns, &solved.solution);
-    let component = |index: usize| {
-        let unknown = &unknowns[index];
-        unknown.load.component_name(model.motion, unknown.axis)
-    };
-    for together in &solution.undetermined {
-        // the last of them is the one to give up
-        let Some((last, _)) = together.last() else {
-            continue;
-        };
-        let message = if together.len() == 1 {
-            format!(
-                "nothing determines `{}`: write its value, 0 if the support does not hold it",
-                component(*last)
-            )
-        } else {
-            let mut combination = String::new();
-            for (position, (index, factor)) in together.iter().enumerate() {
-                combination += &term(&work.graph, *factor, &component(*index), position == 0);
-            }
-            format!(
-                "more is unknown than the balances determine: only `{combination}` is determined; write the value of one of them, 0 if it carries nothing"
-            )
-        };
-        errors.push(unknowns[*last].place, message);
-    }
-    solution.undetermined.is_empty().then_some(())
-}
-
-/// `+ 2 * a.x` of a combination.
-fn term(graph: &Graph, factor: Id, name: &str, is_first: bool) -> String {
-    let number = graph.as_number(factor).cloned().unwrap_or_else(Number::one);
-    let sign = match (number.is_negative(), is_first) {
-        (true, true) => "-",
-        (true, false) => " - ",
-        (false, true) => "",
-        (false, false) => " + ",
-    };
-    let magnitude = number.abs();
-    if magnitude.is_one() {
-        format!("{sign}{name}")
-    } else {
-        format!("{sign}{} * {name}", magnitude.to_f64())
-    }
+    solved.is_balanced(work).then_some(())
 }

@@ -58,6 +58,18 @@ impl Graph {
         }
     }
 
+    /// What a quantity is, as part of what is built from it.
+    pub fn unnamed(&mut self, a: Id) -> Id {
+        match *self.node(a) {
+            Node::Quantity(inner) => inner,
+            Node::Negate(inner) => {
+                let inner = self.unnamed(inner);
+                self.negate(inner)
+            }
+            _ => a,
+        }
+    }
+
     pub fn negate(&mut self, a: Id) -> Id {
         match *self.node(a) {
             Node::Undefined => a,

@@ -1,10 +1,11 @@
-//! Linear equations with coefficients that depend on the configuration, solved by elimination.
+//! Linear equations with expressions as coefficients, solved by elimination.
 //!
 //! What vanishes is proved: every row carries its coefficients at one random state, on each branch, and
 //! they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones before
-//! numbers before what is positive by its structure, there first what is known early, before anything
-//! else, at last what the values of parameters may make zero; a division by what depends on the
-//! configuration is guarded ([`Graph::pivot`]).
+//! numbers before what is positive by its structure, there first what is known early; a division by
+//! what depends on the configuration is guarded ([`Graph::pivot`]). Where all that is left may
+//! vanish in some state though the equations are regular there, no pivot is chosen:
+//! [`super::determinant`].
 //!
 //! An equation that says nothing on some branch has the solution zero there for the unknown that it is
 //! solved for.
@@ -14,7 +15,8 @@ use crate::symbolic::number::Function;
 use crate::symbolic::zeros::Sample;
 
 /// `sum of coefficients * unknowns = right`
-pub struct Row {
+#[derive(Clone)]
+pub struct Equation {
     pub coefficients: Vec<Id>,
     pub right: Id,
     /// The coefficients at a random state.
@@ -43,10 +45,45 @@ pub struct Elimination {
     pub values: Vec<Id>,
     /// The guarded reciprocals, each with the unknown that it gives.
     pub pivots: Vec<(usize, Id)>,
-    /// Unknowns that the equations do not determine.
-    pub undetermined: Vec<usize>,
-    /// Rows that are left over.
-    pub spare: Vec<usize>,
+    /// The unknowns that the equations do not determine.
+    pub undetermined: Vec<Undetermined>,
+    /// The rows that are left over, with what is left of their right sides.
+    pub spare: Vec<(usize, Id)>,
+}
+
+/// An unknown that is determined only together with others.
+pub struct Undetermined {
+    pub column: usize,
+    /// A sum that is determined, of unknowns with factors, itself among them; by itself if it is in
+    /// none.
+    pub sum: Vec<(usize, Id)>,
+}
+
+/// What may be a pivot, the best first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    One,
+    Number,
+    EarlySquares,
+    Squares,
+    Early,
+    /// It may vanish in some state.
+    OfState,
+    /// It may vanish for some parameters: a coefficient of friction, a slope.
+    OfParameters,
+}
+
+/// Equations that are being solved.
+pub(super) struct System<'g> {
+    pub graph: &'g mut Graph,
+    pub rows: Vec<Equation>,
+    /// The coefficients as they were written.
+    written: Vec<Vec<Id>>,
+    unknowns: usize,
+    /// The rows that nothing is solved for yet.
+    left: Vec<usize>,
+    steps: Vec<Step>,
+    pivots: Vec<(usize, Id)>,
 }
 
 /// A row that is solved for an unknown, and one over its coefficient.
@@ -57,116 +94,41 @@ struct Step {
 }
 
 impl Graph {
-    pub fn solve_guarded(&mut self, mut rows: Vec<Row>, unknowns: usize) -> Elimination {
-        let written: Vec<Vec<Id>> = rows.iter().map(|row| row.coefficients.clone()).collect();
-        let mut left: Vec<usize> = (0..rows.len()).collect();
-        let mut steps: Vec<Step> = Vec::new();
-        let mut pivots = Vec::new();
-        while let Some((row, column)) = self.next_pivot(&rows, &left, unknowns, &steps) {
-            left.retain(|other| *other != row);
-            let divisor = rows[row].coefficients[column];
-            let divisor = match rows[row].active {
-                Some(active) => {
-                    let (zero, one) = (self.zero(), self.one());
-                    rows[row].right = self.select(active, rows[row].right, zero);
-                    self.select(active, divisor, one)
-                }
-                None => divisor,
-            };
-            let divisor = self.quantity(divisor);
-            let scale = match rows[row].sizes[column] {
-                Size::Squares => written[row][column],
-                Size::Product(size) => size,
-                Size::Terms => self.largest_term(rows[row].coefficients[column]),
-            };
-            let inverse = self.pivot(divisor, scale);
-            if matches!(self.node(inverse), Node::Pivot(..)) {
-                pivots.push((column, inverse));
+    pub fn solve(&mut self, rows: Vec<Equation>, unknowns: usize) -> Elimination {
+        let mut system = System {
+            graph: self,
+            written: rows.iter().map(|row| row.coefficients.clone()).collect(),
+            left: (0..rows.len()).collect(),
+            rows,
+            unknowns,
+            steps: Vec::new(),
+            pivots: Vec::new(),
+        };
+        while let Some((kind, row, column)) = system.next_pivot() {
+            if kind < Kind::OfState || !system.is_solved_at_once(row, column) {
+                system.eliminate(row, column);
             }
-            for &other in &left {
-                self.reduce(&mut rows, (row, column), other, inverse);
-            }
-            steps.push(Step {
-                row,
-                column,
-                inverse,
-            });
         }
-        let zero = self.zero();
-        let mut values = vec![zero; unknowns];
-        for step in steps.iter().rev() {
-            let mut rest = rows[step.row].right;
-            for other in (0..unknowns).filter(|other| *other != step.column) {
-                let known = self.multiply(rows[step.row].coefficients[other], values[other]);
-                rest = self.subtract(rest, known);
-            }
-            let value = if self.is_early(step.inverse) {
-                self.distribute(step.inverse, rest)
-            } else {
-                self.multiply(step.inverse, rest)
-            };
-            values[step.column] = self.quantity(value);
-        }
-        let solved = |column: &usize| steps.iter().any(|step| step.column == *column);
-        Elimination {
-            values,
-            pivots,
-            undetermined: (0..unknowns).filter(|column| !solved(column)).collect(),
-            spare: left,
-        }
+        system.finish()
     }
 
-    /// Takes a multiple of the row of a pivot from another, so that its unknown drops out.
-    fn reduce(&mut self, rows: &mut [Row], pivot: (usize, usize), other: usize, inverse: Id) {
-        let (row, column) = pivot;
-        if rows[other].sample[column].is_zero() {
-            rows[other].coefficients[column] = self.zero();
-            return;
+    /// The size of the largest term of a sum.
+    pub fn largest_term(&mut self, sum: Id) -> Id {
+        let mut largest = self.zero();
+        for (_, term) in self.terms(sum) {
+            let size = self.apply(Function::Abs, &[term]);
+            largest = self.larger(largest, size);
         }
-        let factor = self.multiply(rows[other].coefficients[column], inverse);
-        let ratio = rows[other].sample[column].over(&rows[row].sample[column]);
-        for index in 0..rows[other].coefficients.len() {
-            let sample = rows[other].sample[index].less(&ratio, &rows[row].sample[index]);
-            let vanishes = sample.is_zero() || index == column;
-            rows[other].coefficients[index] = if vanishes {
-                self.zero()
-            } else {
-                let change = self.multiply(factor, rows[row].coefficients[index]);
-                self.subtract(rows[other].coefficients[index], change)
-            };
-            rows[other].sample[index] = if vanishes { sample.nothing() } else { sample };
-        }
-        let change = self.multiply(factor, rows[row].right);
-        rows[other].right = self.subtract(rows[other].right, change);
+        largest
     }
 
-    /// The best coefficient that does not vanish.
-    fn next_pivot(
-        &self,
-        rows: &[Row],
-        left: &[usize],
-        unknowns: usize,
-        steps: &[Step],
-    ) -> Option<(usize, usize)> {
-        let open = (0..unknowns).filter(|column| steps.iter().all(|step| step.column != *column));
-        let candidates = open.flat_map(|column| left.iter().map(move |row| (*row, column)));
-        let there = candidates.filter(|(row, column)| !rows[*row].sample[*column].is_zero());
-        there.min_by_key(|&(row, column)| {
-            let coefficient = rows[row].coefficients[column];
-            let kind = match (self.as_number(coefficient), rows[row].sizes[column]) {
-                (Some(number), _) if number.abs().is_one() => 0,
-                (Some(_), _) => 1,
-                (None, Size::Squares) if self.is_early(coefficient) => 2,
-                (None, Size::Squares) => 3,
-                // a coefficient of friction, a slope
-                _ if self.may_be_zero_early(coefficient) => 6,
-                _ if self.is_early(coefficient) => 4,
-                _ => 5,
-            };
-            let others = rows[row].sample.iter().filter(|entry| !entry.is_zero());
-            let may_vanish = rows[row].sample[column].may_vanish();
-            (may_vanish, kind, others.count(), row, column)
-        })
+    /// Of two sizes.
+    pub(super) fn larger(&mut self, a: Id, b: Id) -> Id {
+        if self.is_zero(a) {
+            b
+        } else {
+            self.apply(Function::Max, &[a, b])
+        }
     }
 
     /// Whether what is known early, by itself or as a factor, may be zero: values of parameters are
@@ -186,18 +148,225 @@ impl Graph {
             _ => is_early,
         }
     }
+}
 
-    /// The size of the largest term of a sum.
-    pub fn largest_term(&mut self, sum: Id) -> Id {
-        let mut largest = self.zero();
-        for (_, term) in self.terms(sum) {
-            let size = self.apply(Function::Abs, &[term]);
-            largest = if self.is_zero(largest) {
-                size
-            } else {
-                self.apply(Function::Max, &[largest, size])
-            };
+impl System<'_> {
+    /// The best coefficient that does not vanish.
+    fn next_pivot(&self) -> Option<(Kind, usize, usize)> {
+        let open = self.open();
+        let candidates = open.flat_map(|column| self.left.iter().map(move |row| (*row, column)));
+        let there = candidates.filter(|(row, column)| self.is_there(*row, *column));
+        let best = there.min_by_key(|&(row, column)| {
+            let sample = &self.rows[row].sample;
+            let others = sample.iter().filter(|entry| !entry.is_zero());
+            let kind = self.kind(row, column);
+            (
+                sample[column].may_vanish(),
+                kind,
+                others.count(),
+                row,
+                column,
+            )
+        });
+        best.map(|(row, column)| (self.kind(row, column), row, column))
+    }
+
+    fn kind(&self, row: usize, column: usize) -> Kind {
+        let graph = &self.graph;
+        let coefficient = self.rows[row].coefficients[column];
+        let is_early = graph.is_early(coefficient);
+        match (graph.as_number(coefficient), self.rows[row].sizes[column]) {
+            (Some(number), _) if number.abs().is_one() => Kind::One,
+            (Some(_), _) => Kind::Number,
+            (None, Size::Squares) if is_early => Kind::EarlySquares,
+            (None, Size::Squares) => Kind::Squares,
+            _ if graph.may_be_zero_early(coefficient) => Kind::OfParameters,
+            _ if is_early => Kind::Early,
+            _ => Kind::OfState,
         }
-        largest
+    }
+
+    /// The unknowns that nothing gives yet.
+    fn open(&self) -> impl Iterator<Item = usize> {
+        let is_open = |column: &usize| self.steps.iter().all(|step| step.column != *column);
+        (0..self.unknowns).filter(is_open)
+    }
+
+    pub(super) fn is_there(&self, row: usize, column: usize) -> bool {
+        !self.rows[row].sample[column].is_zero()
+    }
+
+    /// The rows that are left and the open unknowns that have a part in what this row says of this
+    /// unknown.
+    pub(super) fn around(&self, row: usize, column: usize) -> (Vec<usize>, Vec<usize>) {
+        let (mut rows, mut columns) = (vec![row], vec![column]);
+        loop {
+            let count = rows.len() + columns.len();
+            let joins = |row: &usize| columns.iter().any(|column| self.is_there(*row, *column));
+            rows = self.left.iter().copied().filter(joins).collect();
+            let joins = |column: &usize| rows.iter().any(|row| self.is_there(*row, *column));
+            columns = self.open().filter(joins).collect();
+            if rows.len() + columns.len() == count {
+                return (rows, columns);
+            }
+        }
+    }
+
+    /// Solves a row for an unknown, which drops out of the others.
+    fn eliminate(&mut self, row: usize, column: usize) {
+        let divisor = self.rows[row].coefficients[column];
+        let divisor = match self.rows[row].active {
+            Some(active) => {
+                let (zero, one) = (self.graph.zero(), self.graph.one());
+                self.rows[row].right = self.graph.select(active, self.rows[row].right, zero);
+                self.graph.select(active, divisor, one)
+            }
+            None => divisor,
+        };
+        let divisor = self.graph.quantity(divisor);
+        let size = match self.rows[row].sizes[column] {
+            Size::Squares => self.written[row][column],
+            Size::Product(size) => size,
+            Size::Terms => self.graph.largest_term(self.rows[row].coefficients[column]),
+        };
+        let inverse = self.guarded(column, divisor, size);
+        self.give(row, column, inverse);
+        for other in self.left.clone() {
+            self.reduce((row, column), other, inverse);
+        }
+    }
+
+    /// One over what an unknown is divided by.
+    pub(super) fn guarded(&mut self, column: usize, divisor: Id, size: Id) -> Id {
+        let inverse = self.graph.pivot(divisor, size);
+        if matches!(self.graph.node(inverse), Node::Pivot(..)) {
+            self.pivots.push((column, inverse));
+        }
+        inverse
+    }
+
+    /// This row gives this unknown.
+    pub(super) fn give(&mut self, row: usize, column: usize, inverse: Id) {
+        self.left.retain(|other| *other != row);
+        self.steps.push(Step {
+            row,
+            column,
+            inverse,
+        });
+    }
+
+    /// Takes a multiple of the row of a pivot from another, so that its unknown drops out.
+    fn reduce(&mut self, (row, column): (usize, usize), other: usize, inverse: Id) {
+        let (graph, rows) = (&mut *self.graph, &mut self.rows);
+        if rows[other].sample[column].is_zero() {
+            rows[other].coefficients[column] = graph.zero();
+            return;
+        }
+        let factor = graph.multiply(rows[other].coefficients[column], inverse);
+        let ratio = rows[other].sample[column].over(&rows[row].sample[column]);
+        for index in 0..rows[other].coefficients.len() {
+            let sample = rows[other].sample[index].minus(&ratio.times(&rows[row].sample[index]));
+            let vanishes = sample.is_zero() || index == column;
+            rows[other].coefficients[index] = if vanishes {
+                graph.zero()
+            } else {
+                let change = graph.multiply(factor, rows[row].coefficients[index]);
+                graph.subtract(rows[other].coefficients[index], change)
+            };
+            rows[other].sample[index] = if vanishes { sample.nothing() } else { sample };
+        }
+        let change = if graph.is_early(factor) {
+            graph.distribute(factor, rows[row].right)
+        } else {
+            graph.multiply(factor, rows[row].right)
+        };
+        rows[other].right = graph.subtract(rows[other].right, change);
+    }
+
+    /// The values, each after those that it is made of.
+    fn finish(mut self) -> Elimination {
+        let zero = self.graph.zero();
+        let mut values = vec![zero; self.unknowns];
+        let open: Vec<usize> = self.open().collect();
+        // what an undetermined unknown changes in those that are solved for
+        let mut changes = vec![vec![zero; self.unknowns]; open.len()];
+        for (change, column) in changes.iter_mut().zip(&open) {
+            change[*column] = self.graph.one();
+        }
+        for step in self.order() {
+            let step = &self.steps[step];
+            let row = &self.rows[step.row];
+            let of_others = |graph: &mut Graph, values: &[Id], right: Id| {
+                let others = (0..values.len()).filter(|other| *other != step.column);
+                others.fold(right, |rest, other| {
+                    let known = graph.multiply(row.coefficients[other], values[other]);
+                    graph.subtract(rest, known)
+                })
+            };
+            let rest = of_others(self.graph, &values, row.right);
+            let value = if self.graph.is_early(step.inverse) {
+                self.graph.distribute(step.inverse, rest)
+            } else {
+                self.graph.multiply(step.inverse, rest)
+            };
+            values[step.column] = self.graph.quantity(value);
+            for change in &mut changes {
+                let rest = of_others(self.graph, change, zero);
+                change[step.column] = self.graph.multiply(step.inverse, rest);
+            }
+        }
+        let together = open
+            .iter()
+            .map(|column| self.together(*column, &open, &changes));
+        Elimination {
+            undetermined: together.collect(),
+            values,
+            pivots: self.pivots,
+            spare: self
+                .left
+                .iter()
+                .map(|row| (*row, self.rows[*row].right))
+                .collect(),
+        }
+    }
+
+    /// The steps, each after those whose unknowns it reads, else as they were taken.
+    fn order(&self) -> Vec<usize> {
+        let reads = |step: &usize, other: &usize| {
+            let coefficients = &self.rows[self.steps[*step].row].coefficients;
+            step != other && !self.graph.is_zero(coefficients[self.steps[*other].column])
+        };
+        let mut left: Vec<usize> = (0..self.steps.len()).collect();
+        let mut order = Vec::new();
+        let is_next = |left: &Vec<usize>| {
+            let waits = |step: &usize| left.iter().any(|other| reads(step, other));
+            left.iter().position(|step| !waits(step))
+        };
+        while let Some(place) = is_next(&left) {
+            order.push(left.remove(place));
+        }
+        order
+    }
+
+    /// `u_c - sum of (du_c / du_j) u_j`, of the first unknown c that this one changes.
+    fn together(&mut self, column: usize, open: &[usize], changes: &[Vec<Id>]) -> Undetermined {
+        let own = open.iter().position(|known| *known == column);
+        let is_changed = |of: &usize| {
+            let change = own.map(|own| changes[own][*of]);
+            !open.contains(of) && change.is_some_and(|change| !self.graph.vanishes(change))
+        };
+        let one = self.graph.one();
+        let Some(of) = (0..self.unknowns).find(is_changed) else {
+            let sum = vec![(column, one)];
+            return Undetermined { column, sum };
+        };
+        let mut sum = vec![(of, one)];
+        for (column, change) in open.iter().zip(changes) {
+            if !self.graph.vanishes(change[of]) {
+                sum.push((*column, self.graph.negate(change[of])));
+            }
+        }
+        sum.sort_unstable_by_key(|(column, _)| *column);
+        Undetermined { column, sum }
     }
 }

@@ -1,7 +1,6 @@
 //! Linear equations with expressions as coefficients.
 
+mod determinant;
 mod eliminate;
-mod solve;
 
-pub use eliminate::{Elimination, Row, Size};
-pub use solve::{Equation, Solution};
+pub use eliminate::{Elimination, Equation, Size, Undetermined};

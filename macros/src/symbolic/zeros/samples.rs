@@ -38,10 +38,19 @@ impl Sample {
         self.with(divisor, |a, b| Some(a * b.reciprocal()?))
     }
 
-    /// `self - factor * other`
-    pub fn less(&self, factor: &Self, other: &Self) -> Self {
-        let product = factor.with(other, |a, b| Some(a * b));
-        self.with(&product, |a, b| Some(a + -b))
+    /// `self * factor`
+    pub fn times(&self, factor: &Self) -> Self {
+        self.with(factor, |a, b| Some(a * b))
+    }
+
+    /// `self + other`
+    pub fn plus(&self, other: &Self) -> Self {
+        self.with(other, |a, b| Some(a + b))
+    }
+
+    /// `self - other`
+    pub fn minus(&self, other: &Self) -> Self {
+        self.with(other, |a, b| Some(a + -b))
     }
 
     fn with(&self, other: &Self, of: impl Fn(Residue, Residue) -> Option<Residue>) -> Self {

@@ -272,3 +272,58 @@ fn a_fixed_point_is_a_support_and_constraints() {
         assert!((end.attitude * Vector3::new(-0.02, -0.01, 0.45)).z - 0.31 < 1e-14);
     }
 }
+
+// a wheel on a pin that turns at a set pace; its bearing rubs by both components of what it carries, or drags
+// all of it at another point: on a pivot, and with constraints for it
+macro_rules! rubbing {
+    ($($name:ident { $motion:ident $(($pin:ident))?, [$($held:tt)*], [$($rub:tt)*] })*) => {$(
+        rigid_body!($name {
+            motion: $motion $(($pin))?,
+            mass: 2[kg],
+            inertia: 0.3[kg * m ^ 2],
+            fields: [weight = mass * world(0, -9.8)],
+            constraints: [$($held)* pace = angular_velocity - 1 - 0.3 * (2[1 / s] * t).sin()],
+            reactions: [motor = moment(_), bearing = world(_, _).at(pin)],
+            $($rub)*
+            outputs: [reactions],
+        });
+    )*};
+}
+
+rubbing! {
+    Rubbing { pivot(pin), [], [points: [pin = (0.4, 0.1)], joint_moments: [rub = -0.1 * (bearing.in_world().x + 2 * bearing.in_world().y)],] }
+    LooseRubbing { planar, [held = pin.position(),], [points: [pin = (0.4, 0.1)], joint_moments: [rub = -0.1 * (bearing.in_world().x + 2 * bearing.in_world().y)],] }
+    Dragging { pivot(pin), [], [points: [pin = (0.4, 0.1), far = (1, 0.2)], joint_forces: [rub = (-0.1 * bearing).at(far)],] }
+    LooseDragging { planar, [held = pin.position(),], [points: [pin = (0.4, 0.1), far = (1, 0.2)], joint_forces: [rub = (-0.1 * bearing).at(far)],] }
+}
+
+#[test]
+fn friction_follows_all_that_a_support_carries() {
+    for (angle, time) in [(0.3_f64, 0.0_f64), (1.7, 0.4), (-2.2, 1.3)] {
+        let angular_velocity = 1.0 + 0.3 * f64::sin(2.0 * time);
+        let held = Hinge {
+            angle,
+            angular_velocity,
+        };
+        let mut loose = Planar {
+            angle,
+            angular_velocity,
+            ..Planar::default()
+        };
+        LooseRubbing::default()
+            .project(time, &mut loose, &())
+            .unwrap();
+        let one = Rubbing::default().reactions(time, &held, &()).unwrap();
+        let other = LooseRubbing::default()
+            .reactions(time, &loose, &())
+            .unwrap();
+        assert!((one.bearing - other.bearing).norm() < 1e-12);
+        assert!((one.motor - other.motor).abs() < 1e-12);
+        let one = Dragging::default().reactions(time, &held, &()).unwrap();
+        let other = LooseDragging::default()
+            .reactions(time, &loose, &())
+            .unwrap();
+        assert!((one.bearing - other.bearing).norm() < 1e-12);
+        assert!((one.motor - other.motor).abs() < 1e-12);
+    }
+}

@@ -24,7 +24,6 @@ pub fn lower_description(
     let mut work = Workspace::new(graph, meanings, attitude);
     let mut scope = Scope::new(description, repeated);
     let named = outline.reactions.iter();
-    let named = named.filter(|_| outline.is_constrained);
     let mut lowering = Lowering {
         work: &mut work,
         scope: &mut scope,
@@ -34,6 +33,7 @@ pub fn lower_description(
         composed: None,
         has_parts: description.composition.is_some(),
         reactions: named.map(|(name, _)| name.to_string()).collect(),
+        is_constrained: outline.is_constrained,
     };
 
     let defaults = lowering.declarations(description, outline);
@@ -52,7 +52,9 @@ pub fn lower_description(
         .enumerate()
         .map(|(index, load)| lowering.reaction(index, load))
         .collect();
-    lowering.name_reactions(description, &reactions);
+    if outline.is_constrained {
+        lowering.name_reactions(description, &reactions);
+    }
     let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
     let pole = lowering.pole(description.pole.as_ref());
 

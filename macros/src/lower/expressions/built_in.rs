@@ -70,9 +70,13 @@ impl Lowering<'_> {
             "body" | "world" => {
                 format!("`{word}` makes a vector: write `{word}(..)` with components")
             }
-            _ if self.reactions.contains(&word) => format!(
+            _ if self.reactions.contains(&word) && self.is_constrained => format!(
                 "`{word}` is an unknown reaction, and only given loads can depend on it: write \
                  this out in the load"
+            ),
+            _ if self.reactions.contains(&word) => format!(
+                "`{word}` is an unknown reaction, and only given loads of a body with `constraints` \
+                 can depend on one"
             ),
             _ => format!("nothing here is called `{word}`{}", self.scope.hint(&word)),
         };

@@ -26,6 +26,8 @@ pub struct Lowering<'a> {
     pub state: &'a mut State,
     /// The names of the unknown reactions that loads can refer to: under constraints.
     pub reactions: Vec<String>,
+    /// Under constraints, loads may depend on them.
+    pub is_constrained: bool,
     /// Of a body that is composed of parts, once they are read.
     pub composed: Option<Composed>,
     /// Whether it is.

@@ -114,7 +114,7 @@ impl Lowering<'_> {
             );
         }
         match (self.point_of_load(written)?, &written.point) {
-            (Point::World(_), Some(Some(point))) if self.reactions.is_empty() => self.report(
+            (Point::World(_), Some(Some(point))) if !self.is_constrained => self.report(
                 point.extent,
                 "an unknown reaction acts at a point of the body, and this one is fixed in space",
             ),
@@ -206,9 +206,6 @@ impl Lowering<'_> {
 
     /// Under constraints, loads may depend on the unknown reactions, by their names: friction does.
     pub fn name_reactions(&mut self, description: &Description, reactions: &[Option<Reaction>]) {
-        if description.constraints.is_empty() {
-            return;
-        }
         let unknown = description.loads.iter().filter(|load| is_unknown(load));
         for (written, reaction) in unknown.zip(reactions) {
             let name = written.name.to_string();

@@ -113,7 +113,8 @@ fn columns<'m>(
     if !model.constraints.is_empty() {
         // what a support carries follows from the motion, and drives nothing
         let pushes = pushes(model, work, errors)?.into_iter();
-        columns.extend(pushes.filter(|push| !push.supports).map(|push| Column {
+        let driving = pushes.filter(|push| !push.supports || push.is_followed);
+        columns.extend(driving.map(|push| Column {
             load: &model.reactions[push.reaction],
             axis: push.axis,
             place: push.place,

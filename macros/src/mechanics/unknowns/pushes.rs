@@ -3,6 +3,8 @@
 //! A load may name an unknown reaction R, as friction does with `-mu R`. It is linear in R, or an
 //! error: `F(R) = F(given) + sum of u_j dF/dR . e_j`.
 
+use core::iter::once;
+
 use crate::errors::{Errors, Extent};
 use crate::families::{Family, LoadKind};
 use crate::mechanics::balances::{arm, free_moment, response};
@@ -24,7 +26,7 @@ pub struct Push {
     /// The same along which the body moves freely: the force in world axes, and the moment.
     pub force: Components,
     pub moment: Components,
-    /// It acts where the body is held, and makes no acceleration.
+    /// It acts where the body is held: by itself it makes no acceleration.
     pub supports: bool,
     /// The acceleration that it makes: of G, world axes; angular, body axes.
     pub linear: Components,
@@ -112,27 +114,18 @@ fn push(model: &Model, work: &mut Workspace, reaction: usize, axis: usize, place
     let followers = followers(model, work, reaction, direction);
     let is_followed = !followers.is_empty();
 
-    let center = model.state.center(work);
-    let (mut forces, mut moments) = (Vec::new(), Vec::new());
-    for (force, point, moment) in core::iter::once(own).chain(followers) {
-        moments.push(moment);
-        if !work.is_zero_vector(force) {
-            let arm = arm(model, work, point, center);
-            moments.push(work.cross(arm, force));
-            forces.push(force);
-        }
-    }
-    let (force, moment) = (work.sum(forces), work.sum(moments));
-    let load = (force, moment);
-    let force = work.components(force, Frame::World);
-    let moment = if model.motion.has_attitude() {
-        let moment = work.components(moment, Frame::Body);
-        free_moment(model, work, moment)
-    } else {
-        work.graph.zeros()
-    };
+    let followed = once(own).chain(followers).collect::<Vec<_>>();
+    let load = whole_load(model, work, &followed);
+    let (force, moment) = free_load(model, work, load);
     let (linear, angular) = response(model, work, force, moment);
-    let moves = [linear, angular].concat();
+    let own = if is_followed {
+        let own = whole_load(model, work, &[own]);
+        let (force, moment) = free_load(model, work, own);
+        response(model, work, force, moment)
+    } else {
+        (linear, angular)
+    };
+    let moves = [own.0, own.1].concat();
     Push {
         reaction,
         axis,
@@ -146,6 +139,41 @@ fn push(model: &Model, work: &mut Workspace, reaction: usize, axis: usize, place
         linear,
         angular,
     }
+}
+
+/// The force of loads, and their moment about the center.
+fn whole_load(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[(Vector, Point, Vector)],
+) -> (Vector, Vector) {
+    let center = model.state.center(work);
+    let (mut forces, mut moments) = (Vec::new(), Vec::new());
+    for &(force, point, moment) in loads {
+        moments.push(moment);
+        if !work.is_zero_vector(force) {
+            let arm = arm(model, work, point, center);
+            moments.push(work.cross(arm, force));
+            forces.push(force);
+        }
+    }
+    (work.sum(forces), work.sum(moments))
+}
+
+/// What of a load moves the body: the force in world axes, and the moment.
+fn free_load(
+    model: &Model,
+    work: &mut Workspace,
+    (force, moment): (Vector, Vector),
+) -> (Components, Components) {
+    let force = work.components(force, Frame::World);
+    let moment = if model.motion.has_attitude() {
+        let moment = work.components(moment, Frame::Body);
+        free_moment(model, work, moment)
+    } else {
+        work.graph.zeros()
+    };
+    (force, moment)
 }
 
 /// The loads that depend on a reaction, for one unit of it along `direction`: their forces, where

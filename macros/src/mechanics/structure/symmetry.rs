@@ -12,11 +12,10 @@
 //! more random state leave again, on every branch, are left in all states. Nothing of this is
 //! emitted but the answer.
 
-use std::collections::HashMap;
-
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::proofs::RandomState;
-use crate::model::{Attitude, Inertia, Model, Workspace};
+use crate::mechanics::variation::Direction;
+use crate::model::{Inertia, Model, Workspace};
 use crate::symbolic::{
     Algebra, Components, Function, Graph, Id, Node, Number, Residue, Residues, Spectrum, Tape,
     on_branches,
@@ -142,23 +141,26 @@ pub fn symmetries(
         &[0, 1, 2]
     };
     let of_body = if is_rod { &[] } else { axes };
-    let world = [0, 1, 2].map(|axis| turn_of_world(model, work, axis));
-    let body = [0, 1, 2].map(|axis| turn_of_body(model, work, axis));
+    let about = work.graph.unit_vectors();
+    let world = about.map(|e| Direction::turn_of_world(model, work, e));
+    let body = about.map(|e| Direction::turn_of_axes(model, work, e));
     let known = axis_of_tensor(model, work);
     // the linear acceleration, and that of the axis of a rod, are written in world axes
     [(linear, true), (angular, is_rod)].map(|(vector, is_in_world)| {
         let roots = roots(&mut work.graph, vector);
-        [(&world, is_in_world, axes), (&body, !is_in_world, of_body)].map(|(rates, turns, axes)| {
-            let case = Case {
-                work,
-                roots: &roots,
-                rates,
-                turns,
-                axes,
-                known: &known,
-            };
-            case.space()
-        })
+        [(&world, is_in_world, axes), (&body, !is_in_world, of_body)].map(
+            |(turns, is_turned, axes)| {
+                let case = Case {
+                    work,
+                    roots: &roots,
+                    turns,
+                    is_turned,
+                    axes,
+                    known: &known,
+                };
+                case.space()
+            },
+        )
     })
 }
 
@@ -201,17 +203,14 @@ fn roots(graph: &mut Graph, vector: &Components) -> Vec<Id> {
     vector.iter().copied().chain(guards).collect()
 }
 
-/// How symbols change.
-type Rates = HashMap<Id, Id>;
-
 /// Whether turns about the three axes change a vector, and what decides between its branches.
 struct Case<'a> {
     work: &'a Workspace,
     /// The vector first.
     roots: &'a [Id],
-    rates: &'a [Rates; 3],
-    /// Whether the axes are turned in which the vector is written.
-    turns: bool,
+    turns: &'a [Direction; 3],
+    /// Whether they turn the axes in which the vector is written.
+    is_turned: bool,
     /// Those about which there may be turns.
     axes: &'a [usize],
     /// An axis that may be one of them.
@@ -228,8 +227,8 @@ impl Case<'_> {
             return none;
         }
         let graph = &self.work.graph;
-        let rates = self.rates.iter().flat_map(|rates| rates.values().copied());
-        let all: Vec<Id> = self.roots.iter().copied().chain(rates).collect();
+        let changes = self.turns.iter().flat_map(|turn| turn.changes.values());
+        let all: Vec<Id> = self.roots.iter().chain(changes).copied().collect();
         let tape = graph.tape(&all);
         if !tape.is_told_by_residues() {
             return none;
@@ -265,19 +264,16 @@ impl Case<'_> {
         state: &RandomState,
     ) -> Vec<[Option<Residue>; 3]> {
         let values = tape.values(residues, |_, id| Some(state.of(self.work, id)));
-        let turned = [0, 1, 2].map(|axis| {
-            let rate = |symbol: Id| {
-                let rate = self.rates[axis].get(&symbol)?;
-                Some(*tape.of(&values, *rate))
-            };
-            tape.changes(residues, &values, rate)
+        let turned = self.turns.each_ref().map(|turn| {
+            let change = |symbol: Id| Some(*tape.of(&values, *turn.changes.get(&symbol)?));
+            tape.changes(residues, &values, change)
         });
         let change = |root: &Id| {
             let changes = turned.each_ref().map(|changes| tape.of(changes, *root));
             changes.map(|change| change.unwrap_or(Some(Residue::ZERO)))
         };
         let mut changes: Vec<[Option<Residue>; 3]> = self.roots.iter().map(change).collect();
-        if self.turns {
+        if self.is_turned {
             // less e x a
             for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
                 let part = |i: usize| tape.of(&values, self.roots[i]);
@@ -287,63 +283,4 @@ impl Case<'_> {
         }
         changes
     }
-}
-
-/// How the state changes as the world is turned about an axis.
-fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
-    let (graph, state) = (&mut work.graph, &model.state);
-    let e = graph.unit_vectors()[axis];
-    let mut rates = Rates::new();
-    let vectors = if model.motion.translates {
-        vec![state.position.world, state.velocity.world]
-    } else {
-        Vec::new()
-    };
-    let of_axis = state.axis.map(|axis| [axis.unit, axis.rate]);
-    for vector in vectors.into_iter().chain(of_axis.into_iter().flatten()) {
-        rates.extend(vector.into_iter().zip(graph.cross(e, vector)));
-    }
-    match work.attitude {
-        Attitude::Axis { angle, .. } => {
-            rates.insert(angle, e[2]);
-        }
-        Attitude::Quaternion { scalar, vector } => {
-            let half = graph.number(Number::ratio(1, 2));
-            let e = graph.scale_vector(half, e);
-            let along = graph.dot(e, vector);
-            rates.insert(scalar, graph.negate(along));
-            let (kept, swept) = (graph.scale_vector(scalar, e), graph.cross(e, vector));
-            rates.extend(vector.into_iter().zip(graph.add_vectors(kept, swept)));
-        }
-        Attitude::Fixed | Attitude::Line { .. } => {}
-    }
-    of_symbols(graph, rates)
-}
-
-/// How the state changes as the axes of the body are turned back about one of them.
-fn turn_of_body(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
-    let (graph, state) = (&mut work.graph, &model.state);
-    let e = graph.unit_vectors()[axis];
-    let w = state.angular_velocity;
-    let mut rates: Rates = w.into_iter().zip(graph.cross(e, w)).collect();
-    match work.attitude {
-        Attitude::Axis { angle, .. } => {
-            rates.insert(angle, graph.negate(e[2]));
-        }
-        Attitude::Quaternion { scalar, vector } => {
-            let half = graph.number(Number::ratio(1, 2));
-            let e = graph.scale_vector(half, e);
-            rates.insert(scalar, graph.dot(vector, e));
-            let (kept, swept) = (graph.scale_vector(scalar, e), graph.cross(e, vector));
-            rates.extend(vector.into_iter().zip(graph.subtract_vectors(swept, kept)));
-        }
-        Attitude::Fixed | Attitude::Line { .. } => {}
-    }
-    of_symbols(graph, rates)
-}
-
-/// What a motion does not have is zero and stays so.
-fn of_symbols(graph: &Graph, mut rates: Rates) -> Rates {
-    rates.retain(|id, _| matches!(graph.node(*id), Node::Symbol(_)));
-    rates
 }

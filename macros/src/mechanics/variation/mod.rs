@@ -1,8 +1,11 @@
 //! How expressions change with time and with the place of the body.
 
+mod direction;
 mod potential;
 mod rates;
+mod slopes;
 mod spring_arm;
 
+pub use direction::Direction;
 pub use potential::with_potentials;
 pub use rates::{Rates, rates};

@@ -15,8 +15,10 @@ use std::collections::{HashMap, HashSet};
 
 use crate::families::Family;
 use crate::model::{Attitude, Form, Frame, Load, Model, Turn, Vector, Workspace};
-use crate::symbolic::{Components, Id, Number};
+use crate::symbolic::{Components, Id};
 
+use super::direction::Direction;
+use super::slopes::Slopes;
 use super::spring_arm;
 
 /// What a potential amounts to.
@@ -28,9 +30,6 @@ struct Derived {
     /// At the axis of a rod, `-dU/du`; world axes.
     pull: Components,
 }
-
-/// Slopes of an energy, by symbol.
-type Slopes = HashMap<Id, Id>;
 
 /// The potentials become loads, in the form that makes the fewest operations.
 pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
@@ -98,13 +97,13 @@ fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
 fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
     let place = symbols_of_place(work, form);
     let one = work.graph.one();
-    let mut slopes = Slopes::new();
+    let mut slopes = Slopes::default();
     descend(work, &place, &[(energy, one)], &mut slopes);
     let mut moment = work.graph.zeros();
     let mut in_body = work.graph.zeros();
     // each vector is made of those that were turned before it
     for turn in form.turns.iter().rev() {
-        let slope = along(work, &slopes, turn.turned);
+        let slope = slopes.by(work, turn.turned);
         if work.graph.is_zero_vector(&slope) {
             continue;
         }
@@ -118,9 +117,8 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
             descend(work, &place, &weighted, &mut slopes);
         }
     }
-    let direct = attitude_moment(work, &slopes);
-    let pull = pull(work, &slopes);
-    let force = along(work, &slopes, form.displacement);
+    let (direct, pull) = of_attitude(work, &slopes);
+    let force = slopes.by(work, form.displacement);
     let slope = Vector {
         body: in_body,
         world: force,
@@ -187,57 +185,26 @@ fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
 
 /// Adds the slopes of the weighted sum.
 fn descend(work: &mut Workspace, place: &HashSet<Id>, weighted: &[(Id, Id)], slopes: &mut Slopes) {
-    let graph = &mut work.graph;
-    for (symbol, slope) in graph.gradient(weighted, |id| place.contains(&id)) {
-        let sum = match slopes.get(&symbol) {
-            Some(known) => graph.add(*known, slope),
-            None => slope,
-        };
-        slopes.insert(symbol, sum);
+    for (symbol, slope) in work.graph.gradient(weighted, |id| place.contains(&id)) {
+        slopes.add(work, symbol, slope);
     }
 }
 
-/// The slopes along the components of a vector.
-fn along(work: &mut Workspace, slopes: &Slopes, symbols: Components) -> Components {
-    let zero = work.graph.zero();
-    symbols.map(|symbol| slopes.get(&symbol).copied().unwrap_or(zero))
-}
-
-/// The moment of an energy that was written in terms of the attitude itself: `-dU/dangle` about the
-/// axis, or `K_i = -1/2 dU/dq . (q e_i)`, body axes; of a rod `-u x dU/du`.
-fn attitude_moment(work: &mut Workspace, slopes: &Slopes) -> Components {
-    let pull = pull(work, slopes);
-    let graph = &mut work.graph;
-    let zero = graph.zero();
-    let slope = |symbol: Id| slopes.get(&symbol).copied().unwrap_or(zero);
-    match work.attitude {
-        Attitude::Fixed => graph.zeros(),
-        Attitude::Line { axis, .. } => graph.cross(axis, pull),
-        Attitude::Axis { angle, direction } => {
-            let moment = graph.negate(slope(angle));
-            graph.scale_vector(moment, direction)
-        }
-        Attitude::Quaternion { scalar, vector } => {
-            // q e = (-v . e, w e + v x e), so the sum over e is w g - v g_0 + g x v
-            let (along_scalar, along_vector) = (slope(scalar), vector.map(slope));
-            let scaled = graph.scale_vector(scalar, along_vector);
-            let spread = graph.scale_vector(along_scalar, vector);
-            let swept = graph.cross(along_vector, vector);
-            let sum = graph.subtract_vectors(scaled, spread);
-            let sum = graph.add_vectors(sum, swept);
-            let half = graph.number(Number::ratio(-1, 2));
-            graph.scale_vector(half, sum)
-        }
+/// The moment of an energy that was written in terms of the attitude itself, and of a rod the pull
+/// at its axis, `-dU/du`.
+fn of_attitude(work: &mut Workspace, slopes: &Slopes) -> (Components, Components) {
+    if let Attitude::Line { axis, .. } = work.attitude {
+        let slope = slopes.by(work, axis);
+        let pull = work.graph.negate_vector(slope);
+        return (work.graph.cross(axis, pull), pull);
     }
-}
-
-/// `-dU/du` of the axis of a rod.
-fn pull(work: &mut Workspace, slopes: &Slopes) -> Components {
-    let Attitude::Line { axis, .. } = work.attitude else {
-        return work.graph.zeros();
-    };
-    let slope = along(work, slopes, axis);
-    work.graph.negate_vector(slope)
+    let moment = work.graph.unit_vectors().map(|e| {
+        let back = work.graph.negate_vector(e);
+        let back = work.vector(Frame::Body, back);
+        let back = Direction::turn(work, back);
+        slopes.along(work, &back)
+    });
+    (moment, work.graph.zeros())
 }
 
 /// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where

@@ -11,7 +11,7 @@ use crate::symbolic::{Components, Graph, Id, Stage};
 use super::frame::Frame;
 
 /// A vector, and its components in the other axes, or the symbols of them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Turn {
     /// The axes in which it was turned.
     pub to: Frame,

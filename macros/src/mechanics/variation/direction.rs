@@ -1,0 +1,110 @@
+//! Directions in which a state may change: tangent vectors of the space of states.
+//!
+//! The attitude changes by a small turn phi, whatever it is made of: what is fixed in the body by
+//! `phi x r`, and a quaternion by
+//!
+//! ```text
+//! q' = q (0, phi) / 2    phi in body axes        q' = (0, phi) q / 2    phi in world axes
+//! ```
+
+use std::collections::BTreeMap;
+
+use crate::model::{Attitude, Frame, Meaning, Model, Vector, Workspace};
+use crate::symbolic::{Components, Graph, Id, Node, Number};
+
+/// A direction in the space of states.
+pub struct Direction {
+    /// What each symbol changes by; others stay as they are.
+    pub changes: BTreeMap<Id, Id>,
+    /// The turn of the body.
+    pub turning: Vector,
+}
+
+impl Direction {
+    /// As the body moves, its velocities held; inputs are held, unless they move.
+    pub fn motion(model: &Model, work: &mut Workspace) -> Self {
+        let state = &model.state;
+        let turning = work.vector(Frame::Body, state.angular_velocity);
+        let mut motion = Self::turn(work, turning);
+        let (graph, changes) = (&work.graph, &mut motion.changes);
+        changes.insert(state.time, graph.one());
+        if model.motion.translates {
+            change(graph, changes, state.position.world, state.velocity.world);
+        }
+        if let Some(axis) = state.axis {
+            change(graph, changes, axis.unit, axis.rate);
+        }
+        for input in 0..model.derivatives.len() {
+            for part in [None, Some(0), Some(1), Some(2)] {
+                let symbol = work.meanings.symbol_of(Meaning::Input(input, part));
+                let rate = model.input_rate(work, input, part);
+                changes.extend(symbol.map(|symbol| graph.symbol_id(symbol)).zip(rate));
+            }
+        }
+        motion
+    }
+
+    /// The world is turned about `e`: what is written in its axes turns with it.
+    pub fn turn_of_world(model: &Model, work: &mut Workspace, e: Components) -> Self {
+        let state = &model.state;
+        let turning = work.vector(Frame::World, e);
+        let mut turn = Self::turn(work, turning);
+        let graph = &mut work.graph;
+        let linear = [state.position.world, state.velocity.world];
+        let linear = linear.into_iter().filter(|_| model.motion.translates);
+        for vector in linear.chain(state.axis.map(|axis| axis.rate)) {
+            let by = graph.cross(e, vector);
+            change(graph, &mut turn.changes, vector, by);
+        }
+        turn
+    }
+
+    /// The axes of the body are turned back about `e`: what is written in them turns with `e`.
+    pub fn turn_of_axes(model: &Model, work: &mut Workspace, e: Components) -> Self {
+        let w = model.state.angular_velocity;
+        let back = work.graph.negate_vector(e);
+        let turning = work.vector(Frame::Body, back);
+        let mut turn = Self::turn(work, turning);
+        let by = work.graph.cross(e, w);
+        change(&work.graph, &mut turn.changes, w, by);
+        turn
+    }
+
+    /// The body is turned, and nothing else changes.
+    pub fn turn(work: &mut Workspace, turning: Vector) -> Self {
+        let Vector { body, world } = turning;
+        let graph = &mut work.graph;
+        let mut changes = BTreeMap::new();
+        match work.attitude {
+            Attitude::Fixed => {}
+            Attitude::Axis { angle, direction } => {
+                let both = graph.add_vectors(body, world);
+                changes.insert(angle, graph.dot(direction, both));
+            }
+            Attitude::Line { axis, .. } => {
+                let by = graph.cross(world, axis);
+                change(graph, &mut changes, axis, by);
+            }
+            Attitude::Quaternion { scalar, vector } => {
+                let half = graph.number(Number::ratio(1, 2));
+                let both = graph.add_vectors(body, world);
+                let along = graph.dot(vector, both);
+                let along = graph.multiply(half, along);
+                changes.insert(scalar, graph.negate(along));
+                let apart = graph.subtract_vectors(body, world);
+                let swept = graph.cross(vector, apart);
+                let kept = graph.scale_vector(scalar, both);
+                let twice = graph.add_vectors(kept, swept);
+                let by = graph.scale_vector(half, twice);
+                change(graph, &mut changes, vector, by);
+            }
+        }
+        Self { changes, turning }
+    }
+}
+
+/// A vector changes; a component that the motion does not have stays zero.
+fn change(graph: &Graph, changes: &mut BTreeMap<Id, Id>, vector: Components, by: Components) {
+    let parts = vector.into_iter().zip(by);
+    changes.extend(parts.filter(|(part, _)| matches!(graph.node(*part), Node::Symbol(_))));
+}

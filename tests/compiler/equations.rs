@@ -73,7 +73,7 @@ fn dependent_rows_are_left_over() {
     assert!((factor[0] - 1.5).abs() < 1e-15);
 }
 
-/// Weights that are handed down from a root add up to its derivatives.
+/// Slopes that are handed down from a root add up to its derivatives.
 #[test]
 fn the_chain_rule_backwards_is_the_chain_rule() {
     let mut g = Graph::default();
@@ -89,21 +89,10 @@ fn the_chain_rule_backwards_is_the_chain_rule() {
         let choice = g.quantity(choice);
         g.subtract(choice, sine)
     };
-    let mut order = g.reachable(&[root], |_| true);
-    let mut weights = vec![(root, g.one())];
+    let one = g.one();
     let mut slopes = [g.zero(); 2];
-    while let Some(id) = order.pop() {
-        let own: Vec<Id> = weights
-            .iter()
-            .filter(|(to, _)| *to == id)
-            .map(|(_, weight)| *weight)
-            .collect();
-        let weight = g.sum(&own);
-        if let Some(index) = [x, y].iter().position(|symbol| *symbol == id) {
-            slopes[index] = weight;
-        } else {
-            weights.extend(g.pull_back(id, weight));
-        }
+    for (leaf, slope) in g.gradient(&[(root, one)], |id| id == x || id == y) {
+        slopes[usize::from(leaf == y)] = slope;
     }
     let expected = [x, y].map(|symbol| g.derivative(&[root], symbol)[0]);
     for (at_x, at_y) in [(0.3, 0.9), (1.4, 0.6), (-0.7, 2.0)] {
@@ -113,4 +102,41 @@ fn the_chain_rule_backwards_is_the_chain_rule() {
             assert!((found - expected).abs() < 1e-14, "{found} for {expected}");
         }
     }
+}
+
+/// What a leaf is made of does not matter: the slope along it is that along a symbol in its place.
+#[test]
+fn an_expression_can_be_a_leaf() {
+    let mut g = Graph::default();
+    let (x, y, z) = (
+        g.symbol(Stage::State),
+        g.symbol(Stage::State),
+        g.symbol(Stage::State),
+    );
+    let one = g.one();
+    let made = {
+        let divided = g.divide(x, y);
+        g.add(divided, y)
+    };
+    let mut slope = |leaf: Id| {
+        let (square, product) = (g.square(leaf), g.multiply(leaf, x));
+        let root = g.apply(Function::Sqrt, &[square]);
+        let ratio = g.divide(product, root);
+        let sine = g.apply(Function::Sin, &[leaf]);
+        let sum = g.add(ratio, sine);
+        let by = g.gradient(&[(sum, one)], |id| id == leaf);
+        assert_eq!(by.len(), 1);
+        by[0].1
+    };
+    let slopes = [slope(made), slope(z)];
+    let slopes = g.evaluate(&slopes, |id| {
+        if id == x {
+            0.3
+        } else if id == y {
+            0.5
+        } else {
+            1.1
+        }
+    });
+    assert_eq!(slopes[0].to_bits(), slopes[1].to_bits());
 }

@@ -96,14 +96,12 @@ fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
 /// Force and moment, made of turned vectors that are still kept apart.
 fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
     let place = symbols_of_place(work, form);
-    let one = work.graph.one();
-    let mut slopes = Slopes::default();
-    descend(work, &place, &[(energy, one)], &mut slopes);
+    let mut slopes = Slopes::along_leaves(work, energy, place.clone());
     let mut moment = work.graph.zeros();
     let mut in_body = work.graph.zeros();
     // each vector is made of those that were turned before it
     for turn in form.turns.iter().rev() {
-        let slope = slopes.by(work, turn.turned);
+        let slope = slopes.take(work, turn);
         if work.graph.is_zero_vector(&slope) {
             continue;
         }
@@ -111,10 +109,8 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
         moment = work.graph.add_vectors(moment, turning);
         if let Some(slope) = carried(work, form, turn, &place, slope) {
             in_body = work.graph.add_vectors(in_body, slope);
-        } else if depends_on_place(work, turn, &place) {
-            let back = work.turn(slope, turn.to.other());
-            let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();
-            descend(work, &place, &weighted, &mut slopes);
+        } else {
+            slopes.pass_on(work, turn, slope);
         }
     }
     let (direct, pull) = of_attitude(work, &slopes);
@@ -129,11 +125,6 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
         moment: work.graph.add_vectors(moment, direct),
         pull,
     }
-}
-
-fn depends_on_place(work: &Workspace, turn: &Turn, place: &HashSet<Id>) -> bool {
-    let graph = &work.graph;
-    graph.depends_on(&turn.vector, |id| place.contains(&id))
 }
 
 /// The slope along the position, in body axes, where what was turned into them is the position, or
@@ -181,13 +172,6 @@ fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
         Attitude::Line { axis, .. } => symbols.extend(axis),
     }
     symbols
-}
-
-/// Adds the slopes of the weighted sum.
-fn descend(work: &mut Workspace, place: &HashSet<Id>, weighted: &[(Id, Id)], slopes: &mut Slopes) {
-    for (symbol, slope) in work.graph.gradient(weighted, |id| place.contains(&id)) {
-        slopes.add(work, symbol, slope);
-    }
 }
 
 /// The moment of an energy that was written in terms of the attitude itself, and of a rod the pull

@@ -1,59 +1,84 @@
 //! Slopes: by how much an expression changes in any direction of the space of states.
 //!
-//! One sweep of the chain rule backwards gives all of them: the weight with which each part enters,
-//! from the expression down to the symbols of the state. A vector that was turned from one axes to
-//! the others is taken as a vector, whatever its rotation is made of; as the body turns by phi,
+//! The chain rule, backwards, gives all of them: from the expression down to its leaves, the symbols
+//! of the state and vectors that were turned from one axes to the others. These are taken as vectors,
+//! whatever their rotation is made of; as the body turns by phi,
 //!
 //! ```text
 //! u = R v:      p . u' = R^T p . (v' + phi x v)          phi and v in body axes
 //! u = R^T v:    p . u' = R p . v' - p . (phi x u)        phi and u in body axes
 //! ```
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::model::{Attitude, Frame, Meaning, Turn, Workspace};
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Components, Id, Node};
 
 use super::direction::Direction;
 
 /// The slopes of an expression.
-#[derive(Default)]
 pub struct Slopes {
-    /// Along each of its parts, symbols among them.
-    by_part: HashMap<Id, Id>,
-    /// Along vectors that were turned.
+    /// What is not looked into.
+    leaves: HashSet<Id>,
+    by_leaf: HashMap<Id, Id>,
     by_turned: Vec<(Turn, Components)>,
 }
 
 impl Slopes {
+    /// Along all that moves.
     pub fn of(work: &mut Workspace, value: Id) -> Self {
-        let (order, turns) = late_parts(work, value);
-        let mut slopes = Self::default();
-        let one = work.graph.one();
-        slopes.add(work, value, one);
-        for &id in order.iter().rev() {
-            match turns.get(&id) {
-                Some((turn, last)) if *last == id => slopes.pass_turned(work, turn, &turns),
-                Some(_) => {}
-                None => slopes.pass(work, id),
-            }
+        let (leaves, turns) = leaves(work, value);
+        let mut slopes = Self::along_leaves(work, value, leaves);
+        for turn in turns.iter().rev() {
+            let slope = slopes.take(work, turn);
+            slopes.by_turned.push((*turn, slope));
+            slopes.pass_on(work, turn, slope);
         }
         slopes
     }
 
-    pub fn add(&mut self, work: &mut Workspace, id: Id, slope: Id) {
+    /// Along these alone; turned vectors among them are not passed on.
+    pub fn along_leaves(work: &mut Workspace, value: Id, leaves: HashSet<Id>) -> Self {
+        let mut slopes = Self {
+            leaves,
+            by_leaf: HashMap::new(),
+            by_turned: Vec::new(),
+        };
+        let one = work.graph.one();
+        slopes.descend(work, &[(value, one)]);
+        slopes
+    }
+
+    /// Adds the slopes of a weighted sum.
+    fn descend(&mut self, work: &mut Workspace, weighted: &[(Id, Id)]) {
         let graph = &mut work.graph;
-        if graph.is_early(id) || graph.is_zero(slope) {
-            return;
+        for (leaf, slope) in graph.gradient(weighted, |id| self.leaves.contains(&id)) {
+            let sum = self.by_leaf.entry(leaf).or_insert_with(|| graph.zero());
+            *sum = graph.add(*sum, slope);
         }
-        let sum = self.by_part.entry(id).or_insert_with(|| graph.zero());
-        *sum = graph.add(*sum, slope);
+    }
+
+    /// The slope along a turned vector, which all that is made of it has been passed on to.
+    pub fn take(&mut self, work: &Workspace, turn: &Turn) -> Components {
+        let slope = self.by(work, turn.turned);
+        self.by_leaf.retain(|leaf, _| !turn.turned.contains(leaf));
+        slope
+    }
+
+    /// From a turned vector to what it was made of.
+    pub fn pass_on(&mut self, work: &mut Workspace, turn: &Turn, slope: Components) {
+        let is_leaf = |id: Id| self.leaves.contains(&id);
+        if work.graph.depends_on(&turn.vector, is_leaf) {
+            let back = work.turn(slope, turn.to.other());
+            let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();
+            self.descend(work, &weighted);
+        }
     }
 
     /// Along the components of a vector.
     pub fn by(&self, work: &Workspace, vector: Components) -> Components {
         let zero = work.graph.zero();
-        vector.map(|part| self.by_part.get(&part).copied().unwrap_or(zero))
+        vector.map(|part| self.by_leaf.get(&part).copied().unwrap_or(zero))
     }
 
     /// Along what the parts of a vector of the state are.
@@ -73,36 +98,11 @@ impl Slopes {
             terms.push(along_turned(work, phi, turn, *slope));
         }
         for (symbol, change) in direction.changes.iter().rev() {
-            if let Some(slope) = self.by_part.get(symbol) {
+            if let Some(slope) = self.by_leaf.get(symbol) {
                 terms.push(work.graph.multiply(*slope, *change));
             }
         }
         work.graph.sum(&terms)
-    }
-
-    fn pass(&mut self, work: &mut Workspace, id: Id) {
-        if let Some(slope) = self.by_part.get(&id).copied() {
-            for (operand, part) in work.graph.pull_back(id, slope) {
-                self.add(work, operand, part);
-            }
-        }
-    }
-
-    /// All components of a vector that was turned.
-    fn pass_turned(&mut self, work: &mut Workspace, turn: &Turn, turns: &Turned) {
-        let is_own = |id: &Id| turns.get(id).is_some_and(|(owner, _)| owner == turn);
-        let zero = work.graph.zero();
-        let slope = turn.turned.map(|id| {
-            let slope = self.by_part.get(&id).filter(|_| is_own(&id));
-            slope.copied().unwrap_or(zero)
-        });
-        self.by_turned.push((*turn, slope));
-        if turn.vector.iter().any(|id| !work.graph.is_early(*id)) {
-            let back = work.turn(slope, turn.to.other());
-            for (id, part) in turn.vector.into_iter().zip(back) {
-                self.add(work, id, part);
-            }
-        }
     }
 }
 
@@ -123,46 +123,38 @@ fn along_turned(work: &mut Workspace, phi: Components, turn: &Turn, slope: Compo
     work.graph.dot(by, swept)
 }
 
-/// For each component of a vector that was turned its turn, and the component that was made first,
-/// at which all slopes along the vector are known.
-type Turned = HashMap<Id, (Turn, Id)>;
-
-/// What `value` is made of and what the vectors are made of that were turned in it, children first;
-/// and these vectors.
-fn late_parts(work: &Workspace, value: Id) -> (Vec<Id>, Turned) {
+/// The late symbols that an expression follows, and the vectors that were turned in it, each after
+/// those it is made of.
+fn leaves(work: &Workspace, value: Id) -> (HashSet<Id>, Vec<Turn>) {
     let graph = &work.graph;
-    let is_late = |id: Id| !graph.is_early(id);
-    let mut roots = vec![value];
-    loop {
-        let mut order = graph.reachable(&roots, is_late);
-        order.retain(|id| is_late(*id));
-        let turns = turns_within(work, &order);
-        let vectors = turns.values().flat_map(|(turn, _)| turn.vector);
-        let is_new = |id: &Id| is_late(*id) && order.binary_search(id).is_err();
-        let known = roots.len();
-        roots.extend(vectors.filter(is_new));
-        if roots.len() == known {
-            return (order, turns);
-        }
-    }
-}
-
-/// The vectors among `order` that were turned: for each component of a result its turn, and the
-/// component that was made first, at which all weights of the result are known.
-fn turns_within(work: &Workspace, order: &[Id]) -> Turned {
-    let graph = &work.graph;
-    let mut found = HashMap::new();
+    let late = |parts: Components| parts.into_iter().filter(|id| !graph.is_early(*id));
+    let first = |turn: &Turn| late(turn.turned).min();
+    let mut turned: HashMap<Id, &Turn> = HashMap::new();
     for turn in &work.turned {
-        let is_there = |id: &&Id| order.binary_search(id).is_ok() && !found.contains_key(*id);
-        let there: Vec<Id> = turn.turned.iter().filter(is_there).copied().collect();
-        let late_parts = turn.vector.iter().filter(|id| !graph.is_early(**id)).max();
-        let Some(first) = there.iter().min().copied() else {
-            continue;
-        };
         // what is turned was made before, or the components do not say that they were turned
-        if late_parts.is_none_or(|part| *part < first) {
-            found.extend(there.into_iter().map(|id| (id, (*turn, first))));
+        if late(turn.vector).max() < first(turn) {
+            for part in late(turn.turned) {
+                turned.entry(part).or_insert(turn);
+            }
         }
     }
-    found
+    let (mut leaves, mut turns) = (HashSet::new(), Vec::new());
+    let (mut pending, mut seen) = (vec![value], HashSet::new());
+    while let Some(id) = pending.pop() {
+        if graph.is_early(id) || !seen.insert(id) {
+            continue;
+        }
+        if let Some(turn) = turned.get(&id) {
+            leaves.insert(id);
+            turns.push(**turn);
+            pending.extend(turn.vector);
+        } else if let Node::Symbol(_) = graph.node(id) {
+            leaves.insert(id);
+        } else {
+            pending.extend(graph.node(id).operands());
+        }
+    }
+    turns.sort_by_key(first);
+    turns.dedup();
+    (leaves, turns)
 }

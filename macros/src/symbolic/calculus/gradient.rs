@@ -1,13 +1,13 @@
-//! Gradients: the slopes of one expression along all of its symbols, in one sweep backwards.
+//! Gradients: the slopes of one expression along all of its leaves, in one sweep backwards.
 //!
 //! From a root to its operands, each node hands down how the root changes with it. Powers are taken
 //! as a whole, roots among them, so that no square root is divided away that was never needed; what
 //! is divided by is inverted once. A branch is differentiated where it is taken: its slopes carry
-//! their condition, and meet those of the other branch only at the symbols.
+//! their condition, and meet those of the other branch only at the leaves.
 
 use std::collections::HashMap;
 
-use crate::symbolic::algebra::takes_first;
+use crate::symbolic::algebra::{self, takes_first};
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::{Function, Number};
 
@@ -20,7 +20,7 @@ type Guard = usize;
 /// Slopes that were handed down, by node and by guard.
 struct Sweep {
     powers: Vec<Power>,
-    /// Whether a symbol of interest is in the node.
+    /// Whether a leaf is in the node.
     matters: Vec<bool>,
     slopes: Vec<Vec<(Guard, Id)>>,
     /// Of guards `2 n + 1` and `2 n + 2`: the guard around them, and the condition that the first
@@ -29,16 +29,16 @@ struct Sweep {
 }
 
 impl Graph {
-    /// How `sum of weight * root` changes with each of the `symbols` that it depends on, in the
-    /// order of the symbols.
+    /// How `sum of weight * root` changes with each of the leaves that it depends on, in the order
+    /// of these; what they are made of does not matter.
     pub fn gradient(
         &mut self,
         weighted: &[(Id, Id)],
-        is_of_interest: impl Fn(Id) -> bool,
+        is_leaf: impl Fn(Id) -> bool,
     ) -> Vec<(Id, Id)> {
         let roots: Vec<Id> = weighted.iter().map(|(root, _)| *root).collect();
-        let roots = self.invert_divisors(&roots);
-        let order = self.reachable(&roots, |_| true);
+        let roots = self.invert_divisors(&roots, &is_leaf);
+        let order = self.reachable(&roots, |id| !is_leaf(id));
         let size = order.last().map_or(0, |last| last.index() + 1);
         let mut sweep = Sweep {
             powers: vec![(self.zero(), 0); size],
@@ -47,11 +47,16 @@ impl Graph {
             branches: Vec::new(),
         };
         for &id in &order {
+            // a vector may have components that are zero
+            let is_leaf = is_leaf(id) && !self.is_early(id);
             let mut operands = self.node(id).operands();
-            let is_symbol = matches!(self.node(id), Node::Symbol(_));
-            sweep.matters[id.index()] = operands.any(|operand| sweep.matters[operand.index()])
-                || is_symbol && is_of_interest(id);
-            sweep.powers[id.index()] = self.power(id, |operand| sweep.powers[operand.index()]);
+            sweep.matters[id.index()] =
+                is_leaf || operands.any(|operand| sweep.matters[operand.index()]);
+            sweep.powers[id.index()] = if is_leaf {
+                (id, 2)
+            } else {
+                self.power(id, |operand| sweep.powers[operand.index()])
+            };
         }
         for (root, (_, weight)) in roots.into_iter().zip(weighted) {
             self.hand_down(&mut sweep, root, 0, *weight);
@@ -59,7 +64,7 @@ impl Graph {
         let mut found = Vec::new();
         for id in order.into_iter().rev() {
             let slopes = core::mem::take(&mut sweep.slopes[id.index()]);
-            if matches!(self.node(id), Node::Symbol(_)) {
+            if is_leaf(id) {
                 let slope = self.gather(&sweep.branches, slopes);
                 if !self.is_zero(slope) {
                     found.push((id, slope));
@@ -126,8 +131,9 @@ impl Graph {
     }
 
     /// `a / b` as `a` times an inverse power, the inverse being a statement.
-    fn invert_divisors(&mut self, roots: &[Id]) -> Vec<Id> {
+    fn invert_divisors(&mut self, roots: &[Id], is_leaf: impl Fn(Id) -> bool) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| match *graph.node(id) {
+            _ if is_leaf(id) => id,
             Node::Divide(a, b) if !graph.is_early(b) => {
                 let (a, b) = (image(a), image(b));
                 let (base, halves) = graph.whole_power(b);
@@ -220,6 +226,33 @@ impl Graph {
                     self.hand_down(sweep, operand, guard, part);
                 }
             }
+        }
+    }
+
+    /// The slopes of the operands of a node that is neither a power nor a choice.
+    fn pull_back(&mut self, id: Id, slope: Id) -> Vec<(Id, Id)> {
+        match *self.node(id) {
+            Node::Quantity(a) => vec![(a, slope)],
+            Node::Negate(a) => vec![(a, self.negate(slope))],
+            Node::Add(a, b) => vec![(a, slope), (b, slope)],
+            Node::Subtract(a, b) => vec![(a, slope), (b, self.negate(slope))],
+            Node::Multiply(a, b) => {
+                vec![(a, self.multiply(slope, b)), (b, self.multiply(slope, a))]
+            }
+            // by what is known early: all others are powers
+            Node::Divide(a, b) => vec![(a, self.divide(slope, b))],
+            Node::Unary(function, a) => {
+                let by_a = algebra::slope(self, function, &a, &id);
+                vec![(a, self.multiply(by_a, slope))]
+            }
+            Node::Binary(function, a, b) => {
+                let (by_a, by_b) = algebra::slopes(self, function, &a, &b, &id);
+                vec![
+                    (a, self.multiply(by_a, slope)),
+                    (b, self.multiply(by_b, slope)),
+                ]
+            }
+            _ => Vec::new(),
         }
     }
 

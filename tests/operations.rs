@@ -465,3 +465,27 @@ fn an_axis_of_symmetry() {
 fn a_turned_cube_turns_like_a_ball() {
     assert_eq!(of(principal_axes::Cube::OPERATIONS, "acceleration"), [0, 0]);
 }
+
+/// The rate of an angle is the angular velocity, also where parameters say about which axis.
+#[test]
+fn a_driven_hinge_costs_the_same_about_any_axis() {
+    rigid_body!(Leaning {
+        motion: fixed_axis(hinge, world(lean, 0.3, 1)),
+        params: [lean = 0.2],
+        inertia: principal(0.5, 0.7, 0.4),
+        mass: 3[kg],
+        points: [hinge = (0.4, -0.1, 0.2)],
+        constraints: [driven = attitude - 0.1 * (1[1 / s] * t).sin()],
+        reactions: [motor = moment(_ * body(lean, 0.3, 1))],
+    });
+    rigid_body!(Upright {
+        motion: fixed_axis(hinge, world(0, 0, 1)),
+        inertia: principal(0.5, 0.7, 0.4),
+        mass: 3[kg],
+        points: [hinge = (0.4, -0.1, 0.2)],
+        constraints: [driven = attitude - 0.1 * (1[1 / s] * t).sin()],
+        reactions: [motor = moment(_ * body(0, 0, 1))],
+    });
+    let of = |operations| row(operations, "violations");
+    assert_eq!(of(Leaning::OPERATIONS), of(Upright::OPERATIONS));
+}

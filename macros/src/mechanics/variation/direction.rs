@@ -28,9 +28,11 @@ impl Direction {
         let mut motion = Self::turn(work, turning);
         let (graph, changes) = (&work.graph, &mut motion.changes);
         changes.insert(state.time, graph.one());
-        if model.motion.translates {
-            change(graph, changes, state.position.world, state.velocity.world);
-        }
+        // w is known by its length, where parameters give its direction
+        let spin = work.meanings.symbol_of(Meaning::AngularVelocity(2));
+        let spin = spin.map(|symbol| graph.symbol_id(symbol));
+        changes.extend(work.angle().zip(spin));
+        change(graph, changes, state.position.world, state.velocity.world);
         if let Some(axis) = state.axis {
             change(graph, changes, axis.unit, axis.rate);
         }
@@ -50,8 +52,7 @@ impl Direction {
         let turning = work.vector(Frame::World, e);
         let mut turn = Self::turn(work, turning);
         let graph = &mut work.graph;
-        let linear = [state.position.world, state.velocity.world];
-        let linear = linear.into_iter().filter(|_| model.motion.translates);
+        let linear = [state.position.world, state.velocity.world].into_iter();
         for vector in linear.chain(state.axis.map(|axis| axis.rate)) {
             let by = graph.cross(e, vector);
             change(graph, &mut turn.changes, vector, by);
@@ -103,8 +104,9 @@ impl Direction {
     }
 }
 
-/// A vector changes; a component that the motion does not have stays zero.
+/// A vector of the state changes; what the motion does not have stays as it is.
 fn change(graph: &Graph, changes: &mut BTreeMap<Id, Id>, vector: Components, by: Components) {
+    let is_symbol = |id: Id| matches!(graph.node(id), Node::Symbol(_)) && !graph.is_early(id);
     let parts = vector.into_iter().zip(by);
-    changes.extend(parts.filter(|(part, _)| matches!(graph.node(*part), Node::Symbol(_))));
+    changes.extend(parts.filter(|(part, _)| is_symbol(*part)));
 }

@@ -16,7 +16,7 @@ pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};
 pub use kinematics::{
     Attitude, Axis, Frame, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use words::{AXES, Dimension, Doubtful, Labels, Meaning, Meanings, shown, why_not};
+pub use words::{AXES, Dimension, Doubtful, Labels, Meaning, shown, why_not};
 
 use body::entries;
 

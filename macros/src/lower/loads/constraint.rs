@@ -65,7 +65,7 @@ impl Lowering<'_> {
             Value::Scalar(id, _) => vec![(name.to_string(), id)],
             Value::Components(_, components, _) => self.named_components(name, components),
             Value::Vector(vector, _) => {
-                let components = self.work.components(vector, Frame::World);
+                let components = self.work.components(vector, Frame::WORLD);
                 self.named_components(name, components)
             }
             other => {

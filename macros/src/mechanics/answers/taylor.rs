@@ -13,7 +13,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
-use crate::model::{Attitude, Meaning, Model, Workspace};
+use crate::model::{Attitude, Frame, Meaning, Model, Workspace};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
 
 use super::axes::{self, Axes};
@@ -77,7 +77,8 @@ fn coordinates(
 ) -> Vec<Coordinate> {
     let motion = model.motion;
     let (axes, state) = (motion.axes(), &model.state);
-    let [position, velocity] = [state.position.world, state.velocity.world];
+    let [position, velocity] =
+        [state.position, state.velocity].map(|vector| work.part(vector, Frame::WORLD));
     let angular_velocity = state.angular_velocity;
     let mut list = Vec::new();
     let mut push = |symbols: &[Id], rates: &[Id]| {
@@ -94,7 +95,7 @@ fn coordinates(
     }
     if let Some(axis) = model.state.axis {
         push(&axis.unit, &axis.rate);
-    } else if let Attitude::Quaternion { scalar, vector } = work.attitude {
+    } else if let Attitude::Quaternion { scalar, vector } = work.attitude(Frame::BODY) {
         let [x, y, z] = vector;
         let rates = quaternion_rate(work, scalar, vector, turning);
         push(&[x, y, z, scalar], &rates);
@@ -187,13 +188,8 @@ fn check_smooth(
     };
     let known = errors.count();
     for load in &model.loads {
-        let parts = [
-            load.force.body,
-            load.force.world,
-            load.moment.body,
-            load.moment.world,
-        ];
-        if let Some(kink) = graph.first_kink(&parts.concat(), &moving) {
+        let parts = work.entries(&[load.force, load.moment]);
+        if let Some(kink) = graph.first_kink(&parts, &moving) {
             let (name, kink) = (&load.name, word(work, kink));
             errors.push(
                 asked,

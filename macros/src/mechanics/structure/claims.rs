@@ -148,7 +148,8 @@ fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
             .map(|(_, moment)| moment),
     );
     let total = work.sum(moments);
-    all_vanish(work, &[total.body, total.world].concat())
+    let entries = work.entries(&[total]);
+    all_vanish(work, &entries)
 }
 
 /// Whether the angular acceleration has no component along the axes of symmetry.

@@ -92,12 +92,8 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
 /// is `u x u''`.
 fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Components) {
     let state = &model.state;
-    let roots = [
-        state.acceleration.body,
-        state.acceleration.world,
-        state.angular_acceleration,
-    ]
-    .concat();
+    let mut roots = work.entries(&[state.acceleration]);
+    roots.extend(state.angular_acceleration);
     let zeros = work.graph.zeros();
     let (mut linear, mut angular) = (zeros, zeros);
     let graph = &work.graph;

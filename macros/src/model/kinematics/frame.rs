@@ -1,38 +1,27 @@
-//! Workspace: a vector is a physical object, whatever axes its components were written in.
-//!
-//! A [`Vector`] is the sum of a part with components in body axes and a part with components in
-//! world axes. Sums stay in the axes they were written in; only where components are read, or
-//! where vectors of both kinds are multiplied, one of them is turned. So all body-fixed forces are
-//! added before the one rotation, and the difference of two points of the body knows nothing of
-//! where the body is (`docs/trust.md`, H9).
+//! Frames, and how they are turned against the world.
 
 use crate::symbolic::{Components, Id};
 
-/// Axes in which components are written.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Frame {
-    Body,
-    World,
-}
+/// Axes in which components are written, by index: those of the ground, and those that turn with a
+/// body.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Frame(usize);
 
 impl Frame {
-    pub fn other(self) -> Self {
-        match self {
-            Self::Body => Self::World,
-            Self::World => Self::Body,
-        }
+    pub const WORLD: Self = Self(0);
+    pub const BODY: Self = Self(1);
+
+    pub fn index(self) -> usize {
+        self.0
     }
 
     /// As it is written.
     pub fn word(self) -> &'static str {
-        match self {
-            Self::Body => "body",
-            Self::World => "world",
-        }
+        if self == Self::WORLD { "world" } else { "body" }
     }
 }
 
-/// The rotation from body axes to world axes.
+/// The rotation from the axes of a body to those of the world.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Attitude {
     /// The axes stay parallel.
@@ -47,11 +36,4 @@ pub enum Attitude {
         direction: Components,
         axis: Components,
     },
-}
-
-/// A physical vector: the sum of its two parts.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Vector {
-    pub body: Components,
-    pub world: Components,
 }

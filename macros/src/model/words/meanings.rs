@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::symbolic::{Components, Graph, Id, Node, Stage, Symbol};
+use crate::symbolic::{Graph, Id, Node, Stage, Symbol};
 
 /// What a symbol stands for; the numbers are components, or indices of declarations.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -56,21 +56,5 @@ impl Meanings {
         let mut known = self.0.iter();
         let found = known.find(|(_, known)| **known == meaning);
         found.map(|(symbol, _)| *symbol)
-    }
-
-    /// Symbols for the axes of `range`, zero along the others.
-    pub fn vector(
-        &mut self,
-        graph: &mut Graph,
-        axes: core::ops::Range<usize>,
-        meaning: fn(usize) -> Meaning,
-    ) -> Components {
-        [0, 1, 2].map(|i| {
-            if axes.contains(&i) {
-                self.symbol(graph, Stage::State, meaning(i))
-            } else {
-                graph.zero()
-            }
-        })
     }
 }

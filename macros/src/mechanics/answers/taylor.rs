@@ -13,7 +13,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
-use crate::model::{Attitude, Frame, Meaning, Model, Workspace};
+use crate::model::{Attitude, Frame, Meaning, Model, Variable, Workspace};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
 
 use super::axes::{self, Axes};
@@ -90,6 +90,7 @@ fn coordinates(
     };
     let hinged = motion.is_hinged() || motion.is_planar;
     let one_angle = motion.has_attitude() && hinged;
+    let rate = one(work, state.body, Variable::AngularVelocity, 2);
     if motion.translates {
         push(&position[..axes], &velocity[..axes]);
     }
@@ -100,10 +101,7 @@ fn coordinates(
         let rates = quaternion_rate(work, scalar, vector, turning);
         push(&[x, y, z, scalar], &rates);
     } else if one_angle {
-        push(
-            &one(work, Meaning::Angle),
-            &one(work, Meaning::AngularVelocity(2)),
-        );
+        push(&one(work, state.body, Variable::Angle, 0), &rate);
     }
     if motion.translates {
         push(&velocity[..axes], &linear[..axes]);
@@ -111,7 +109,7 @@ fn coordinates(
     if let Some(axis) = model.state.axis {
         push(&axis.rate, angular);
     } else if one_angle {
-        push(&one(work, Meaning::AngularVelocity(2)), &angular[2..]);
+        push(&rate, &angular[2..]);
     } else if motion.has_attitude() {
         push(&angular_velocity, angular);
     }
@@ -120,8 +118,8 @@ fn coordinates(
     list
 }
 
-fn one(work: &Workspace, meaning: Meaning) -> Vec<Id> {
-    let symbol = work.meanings.symbol_of(meaning);
+fn one(work: &Workspace, body: Frame, variable: Variable, part: usize) -> Vec<Id> {
+    let symbol = work.meanings.symbol_of(Meaning::Of(body, variable, part));
     let id = symbol.map(|symbol| work.graph.symbol_id(symbol));
     id.into_iter().collect()
 }

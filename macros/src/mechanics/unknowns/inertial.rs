@@ -1,7 +1,7 @@
 //! What the given loads and the inertia leave of the balances.
 
 use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about, resultant};
-use crate::model::{Frame, Inertia, Load, Meaning, Model, Vector, Workspace};
+use crate::model::{Frame, Inertia, Load, Meaning, Model, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 /// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
@@ -64,11 +64,15 @@ pub fn accelerations(
             return None;
         };
         match work.meanings.of(*symbol) {
-            Meaning::LinearAcceleration(axis) => Some((id, linear[axis])),
-            Meaning::AngularAcceleration(axis) if model.motion.is_hinged() => {
-                Some((id, angular[axis]))
+            Meaning::Of(_, Variable::LinearAcceleration, axis) => Some((id, linear[axis])),
+            Meaning::Of(_, Variable::AngularAcceleration, axis) => {
+                let known = if model.motion.is_hinged() {
+                    angular
+                } else {
+                    rate
+                };
+                Some((id, known[axis]))
             }
-            Meaning::AngularAcceleration(axis) => Some((id, rate[axis])),
             _ => None,
         }
     };

@@ -7,7 +7,7 @@
 
 use crate::errors::Errors;
 use crate::families::LoadKind;
-use crate::model::{Meaning, Model, Reaction, Vector, Workspace};
+use crate::model::{Meaning, Model, Reaction, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;
@@ -102,8 +102,8 @@ fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Comp
             continue;
         };
         match work.meanings.of(*symbol) {
-            Meaning::LinearAcceleration(axis) => linear[axis] = id,
-            Meaning::AngularAcceleration(axis) => angular[axis] = id,
+            Meaning::Of(_, Variable::LinearAcceleration, axis) => linear[axis] = id,
+            Meaning::Of(_, Variable::AngularAcceleration, axis) => angular[axis] = id,
             _ => {}
         }
     }

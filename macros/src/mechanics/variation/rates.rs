@@ -15,7 +15,7 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Attitude, Axis, Frame, Meaning, Model, Turn, Workspace};
+use crate::model::{Attitude, Axis, Frame, Meaning, Model, Turn, Variable, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 /// The derivative of an expression in time; inputs are held, unless they move.
@@ -139,29 +139,34 @@ impl Sweep<'_> {
     fn symbol(&mut self, meaning: Meaning, weight: Id) {
         let state = &self.model.state;
         let rate = match meaning {
-            Meaning::Velocity(axis) => {
+            Meaning::Of(_, Variable::Velocity, axis) => {
                 self.linear[axis] = weight;
                 return;
             }
-            Meaning::AngularVelocity(axis) => {
+            Meaning::Of(_, Variable::AngularVelocity, axis) => {
                 self.angular[axis] = weight;
                 return;
             }
-            Meaning::AxisRate(axis) => {
+            Meaning::Of(_, Variable::AxisRate, axis) => {
                 self.axis[axis] = weight;
                 return;
             }
             Meaning::Time => self.work.graph.one(),
-            Meaning::Position(axis) => self.work.part(state.velocity, Frame::WORLD)[axis],
-            Meaning::Angle => match self.work.meanings.symbol_of(Meaning::AngularVelocity(2)) {
-                Some(symbol) => self.work.graph.symbol_id(symbol),
-                None => return,
-            },
-            Meaning::Axis(part) => match state.axis {
+            Meaning::Of(_, Variable::Position, axis) => {
+                self.work.part(state.velocity, Frame::WORLD)[axis]
+            }
+            Meaning::Of(body, Variable::Angle, _) => {
+                let rate = Meaning::Of(body, Variable::AngularVelocity, 2);
+                match self.work.meanings.symbol_of(rate) {
+                    Some(symbol) => self.work.graph.symbol_id(symbol),
+                    None => return,
+                }
+            }
+            Meaning::Of(_, Variable::Axis, part) => match state.axis {
                 Some(axis) => axis.rate[part],
                 None => return,
             },
-            Meaning::Quaternion(part) => self.quaternion_rate(part),
+            Meaning::Of(_, Variable::Quaternion, part) => self.quaternion_rate(part),
             Meaning::Input(input, part) => match self.model.input_rate(self.work, input, part) {
                 Some(rate) => rate,
                 None => return,

@@ -10,10 +10,11 @@ use std::collections::BTreeSet;
 
 use crate::symbolic::{Components, Graph, Id};
 
-use super::frame::{Attitude, Frame};
+use super::attitude::Attitude;
 use super::turned_vector::Turns;
 use super::vector::{Part, Vector};
 use super::workspace::Workspace;
+use crate::model::words::Frame;
 
 impl Workspace {
     pub fn vector(&mut self, frame: Frame, components: Components) -> Vector {

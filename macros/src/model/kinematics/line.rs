@@ -2,9 +2,10 @@
 
 use crate::symbolic::Components;
 
-use super::frame::{Attitude, Frame};
+use super::attitude::Attitude;
 use super::vector::Vector;
 use super::workspace::Workspace;
+use crate::model::words::Frame;
 
 impl Workspace {
     /// A vector that is fixed in the body, from its components in body axes.

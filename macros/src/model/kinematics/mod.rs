@@ -2,7 +2,7 @@
 //! worked out in.
 
 mod algebra;
-mod frame;
+mod attitude;
 mod line;
 mod point;
 mod state;
@@ -11,7 +11,7 @@ mod turning;
 mod vector;
 mod workspace;
 
-pub use frame::{Attitude, Frame};
+pub use attitude::Attitude;
 pub use point::Point;
 pub use state::{Axis, State, Support, state_symbols};
 pub use turned_vector::{Turn, Turns};

@@ -2,8 +2,8 @@
 
 use crate::symbolic::Components;
 
-use super::frame::Frame;
 use super::vector::Vector;
+use crate::model::words::Frame;
 
 /// A point, in metres.
 #[derive(Clone, Copy, Debug)]

@@ -3,16 +3,18 @@
 use std::ops::Range;
 
 use crate::model::joints::{Motion, Orientation};
-use crate::model::words::Meaning;
+use crate::model::words::{Frame, Meaning, Variable};
 use crate::symbolic::{Components, Id, Stage};
 
-use super::frame::{Attitude, Frame};
+use super::attitude::Attitude;
 use super::point::Point;
 use super::vector::Vector;
 use super::workspace::Workspace;
 
 /// The state of a body, in symbols. What a motion does not have is zero.
 pub struct State {
+    /// The frame of the body, by which it is known.
+    pub body: Frame,
     pub time: Id,
     /// Position, velocity and acceleration of G.
     pub position: Vector,
@@ -44,7 +46,7 @@ impl State {
     /// The velocity of a point of the body at this offset, less that of G.
     pub fn swept(&self, work: &mut Workspace, offset: Components) -> Vector {
         if let (Attitude::Line { direction, .. }, Some(axis)) =
-            (work.attitude(Frame::BODY), self.axis)
+            (work.attitude(self.body), self.axis)
         {
             let along = work.graph.dot(direction, offset);
             let swept = work.graph.scale_vector(along, axis.rate);
@@ -68,9 +70,9 @@ impl State {
     /// Holds a point of the body: G moves as the body turns about it.
     pub fn hold(&mut self, work: &mut Workspace, support: Support) {
         if let (Some(direction), Attitude::Axis { angle, .. }) =
-            (support.direction, work.attitude(Frame::BODY))
+            (support.direction, work.attitude(self.body))
         {
-            work.set_attitude(Frame::BODY, Attitude::Axis { angle, direction });
+            work.set_attitude(self.body, Attitude::Axis { angle, direction });
             let along = |rate: Components| rate[2];
             let rates = [
                 along(self.angular_velocity),
@@ -120,7 +122,7 @@ pub struct Support {
 
 /// The symbols of a motion's state and the attitude that they make. What a support adds comes with
 /// [`State::hold`]: until then the axis of a hinge is z. That of a rod comes with its direction.
-pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
+pub fn state_symbols(body: Frame, motion: Motion, work: &mut Workspace) -> State {
     let linear = if motion.translates {
         0..motion.axes()
     } else {
@@ -132,37 +134,42 @@ pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
         Orientation::Fixed | Orientation::Line => 0..0,
     };
     let time = work.symbol(Stage::State, Meaning::Time);
+    let symbol = |work: &mut Workspace, variable: Variable, part: usize| {
+        work.symbol(Stage::State, Meaning::Of(body, variable, part))
+    };
     match motion.orientation {
         Orientation::Angle => {
-            let angle = work.symbol(Stage::State, Meaning::Angle);
+            let angle = symbol(work, Variable::Angle, 0);
             let direction = work.graph.unit_vectors()[2];
-            work.set_attitude(Frame::BODY, Attitude::Axis { angle, direction });
+            work.set_attitude(body, Attitude::Axis { angle, direction });
         }
         Orientation::Quaternion => {
-            let scalar = work.symbol(Stage::State, Meaning::Quaternion(0));
-            let vector = [1, 2, 3].map(|i| work.symbol(Stage::State, Meaning::Quaternion(i)));
-            work.set_attitude(Frame::BODY, Attitude::Quaternion { scalar, vector });
+            let scalar = symbol(work, Variable::Quaternion, 0);
+            let vector = [1, 2, 3].map(|part| symbol(work, Variable::Quaternion, part));
+            work.set_attitude(body, Attitude::Quaternion { scalar, vector });
         }
         Orientation::Fixed | Orientation::Line => {}
     }
-    let mut components = |axes: &Range<usize>, meaning: fn(usize) -> Meaning| {
+    let mut components = |axes: &Range<usize>, variable: Variable| {
+        let meaning = |axis| Meaning::Of(body, variable, axis);
         work.symbols(Stage::State, axes.clone(), meaning)
     };
-    let position = components(&linear, Meaning::Position);
-    let velocity = components(&linear, Meaning::Velocity);
-    let mut angular_velocity = components(&angular, Meaning::AngularVelocity);
-    let acceleration = components(&linear, Meaning::LinearAcceleration);
-    let mut angular_acceleration = components(&angular, Meaning::AngularAcceleration);
+    let position = components(&linear, Variable::Position);
+    let velocity = components(&linear, Variable::Velocity);
+    let mut angular_velocity = components(&angular, Variable::AngularVelocity);
+    let acceleration = components(&linear, Variable::LinearAcceleration);
+    let mut angular_acceleration = components(&angular, Variable::AngularAcceleration);
     let mut axis = None;
     if motion.is_line() {
-        let unit = components(&(0..3), Meaning::Axis);
-        let rate = components(&(0..3), Meaning::AxisRate);
-        let acceleration = components(&(0..3), Meaning::AxisAcceleration);
+        let unit = components(&(0..3), Variable::Axis);
+        let rate = components(&(0..3), Variable::AxisRate);
+        let acceleration = components(&(0..3), Variable::AxisAcceleration);
         axis = Some(Axis { unit, rate });
         angular_velocity = work.graph.cross(unit, rate);
         angular_acceleration = work.graph.cross(unit, acceleration);
     }
     State {
+        body,
         time,
         position: work.vector(Frame::WORLD, position),
         velocity: work.vector(Frame::WORLD, velocity),

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use crate::symbolic::{Components, Graph, Id, Stage};
 
-use super::frame::Frame;
+use crate::model::words::Frame;
 
 /// A vector, and its components in the other axes, or the symbols of them.
 #[derive(Clone, Copy, Debug)]

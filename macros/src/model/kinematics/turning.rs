@@ -1,9 +1,9 @@
 //! How vectors are turned from one frame to the other.
 
-use crate::model::words::AXES;
+use crate::model::words::{AXES, Frame};
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
-use super::frame::{Attitude, Frame};
+use super::attitude::Attitude;
 use super::turned_vector::Turn;
 use super::workspace::Workspace;
 

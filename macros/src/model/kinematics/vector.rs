@@ -2,7 +2,7 @@
 
 use crate::symbolic::Components;
 
-use super::frame::Frame;
+use crate::model::words::Frame;
 
 /// A physical vector: the sum of its parts.
 #[derive(Clone, Copy, Debug)]

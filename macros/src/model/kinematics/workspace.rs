@@ -1,11 +1,11 @@
 //! What a description is worked out in.
 
-use crate::model::words::{Doubtful, Labels, Meaning, Meanings};
+use crate::model::words::{Doubtful, Frame, Labels, Meaning, Meanings, Variable};
 use std::ops::Range;
 
 use crate::symbolic::{Components, Graph, Id, Node, Stage};
 
-use super::frame::{Attitude, Frame};
+use super::attitude::Attitude;
 use super::turned_vector::{Turn, Turns};
 use super::vector::Vectors;
 
@@ -73,6 +73,14 @@ impl Workspace {
             Attitude::Axis { angle, .. } => Some(angle),
             _ => None,
         }
+    }
+
+    /// Whether expressions depend on one of these variables of a motion.
+    pub fn depend_on(&self, roots: &[Id], variables: &[Variable]) -> bool {
+        self.graph.depends_on(roots, |id| match self.meaning(id) {
+            Some(Meaning::Of(_, variable, _)) => variables.contains(&variable),
+            _ => false,
+        })
     }
 
     /// The rotation of a frame against the world.

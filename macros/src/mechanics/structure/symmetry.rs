@@ -16,7 +16,7 @@ use std::collections::HashMap;
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::proofs::RandomState;
-use crate::model::{Attitude, Inertia, Model, Workspace};
+use crate::model::{Attitude, Frame, Inertia, Model, Workspace};
 use crate::symbolic::{
     Algebra, Components, Function, Graph, Id, Node, Number, Residue, Residues, Spectrum, Tape,
     on_branches,
@@ -291,11 +291,13 @@ impl Case<'_> {
 
 /// How the state changes as the world is turned about an axis.
 fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
-    let (graph, state) = (&mut work.graph, &model.state);
+    let (state, attitude) = (&model.state, work.attitude(Frame::BODY));
+    let place = [state.position, state.velocity].map(|vector| work.part(vector, Frame::WORLD));
+    let graph = &mut work.graph;
     let e = graph.unit_vectors()[axis];
     let mut rates = Rates::new();
     let vectors = if model.motion.translates {
-        vec![state.position.world, state.velocity.world]
+        place.to_vec()
     } else {
         Vec::new()
     };
@@ -303,7 +305,7 @@ fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
     for vector in vectors.into_iter().chain(of_axis.into_iter().flatten()) {
         rates.extend(vector.into_iter().zip(graph.cross(e, vector)));
     }
-    match work.attitude {
+    match attitude {
         Attitude::Axis { angle, .. } => {
             rates.insert(angle, e[2]);
         }
@@ -322,11 +324,12 @@ fn turn_of_world(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
 
 /// How the state changes as the axes of the body are turned back about one of them.
 fn turn_of_body(model: &Model, work: &mut Workspace, axis: usize) -> Rates {
-    let (graph, state) = (&mut work.graph, &model.state);
+    let (state, attitude) = (&model.state, work.attitude(Frame::BODY));
+    let graph = &mut work.graph;
     let e = graph.unit_vectors()[axis];
     let w = state.angular_velocity;
     let mut rates: Rates = w.into_iter().zip(graph.cross(e, w)).collect();
-    match work.attitude {
+    match attitude {
         Attitude::Axis { angle, .. } => {
             rates.insert(angle, graph.negate(e[2]));
         }

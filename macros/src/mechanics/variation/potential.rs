@@ -58,8 +58,9 @@ pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
 
 fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) -> Load {
     let name = model.potentials.list[index].name.clone();
+    let in_world = work.part(derived.force, Frame::WORLD);
     let labels = &mut work.labels;
-    labels.vector(&format!("{name}_force"), derived.force.world);
+    labels.vector(&format!("{name}_force"), in_world);
     let moment = format!("{name}_moment");
     if model.motion.is_planar {
         labels.name(derived.moment[2], moment);
@@ -73,7 +74,7 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
         family: Family::Field,
         force: derived.force,
         point: center,
-        moment: work.vector(Frame::Body, derived.moment),
+        moment: work.vector(Frame::BODY, derived.moment),
         pull: model.state.axis.map(|_| derived.pull),
         potential: Some(derived.energy),
         mention: None,
@@ -85,8 +86,9 @@ fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
     let mut roots = Vec::new();
     if model.motion.translates {
         let force = work.sum(derived.iter().map(|one| one.force));
-        roots.extend(work.turn(force.body, Frame::World));
-        roots.extend(force.world);
+        for (frame, part) in work.parts(force).to_vec() {
+            roots.extend(work.turn(part, frame, Frame::WORLD));
+        }
     }
     if model.motion.has_attitude() {
         roots.extend(derived.iter().flat_map(|one| one.moment));
@@ -101,7 +103,7 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
     let mut slopes = Slopes::new();
     descend(work, &place, &[(energy, one)], &mut slopes);
     let mut moment = work.graph.zeros();
-    let mut in_body = work.graph.zeros();
+    let mut carrying = Vector::ZERO;
     // each vector is made of those that were turned before it
     for turn in form.turns.iter().rev() {
         let slope = along(work, &slopes, turn.turned);
@@ -111,9 +113,10 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
         let turning = turning(work, turn, slope);
         moment = work.graph.add_vectors(moment, turning);
         if let Some(slope) = carried(work, form, turn, &place, slope) {
-            in_body = work.graph.add_vectors(in_body, slope);
+            let slope = work.vector(turn.to, slope);
+            carrying = work.add(carrying, slope);
         } else if depends_on_place(work, turn, &place) {
-            let back = work.turn(slope, turn.to.other());
+            let back = work.turn(slope, turn.to, turn.from);
             let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();
             descend(work, &place, &weighted, &mut slopes);
         }
@@ -121,10 +124,8 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
     let direct = attitude_moment(work, &slopes);
     let pull = pull(work, &slopes);
     let force = along(work, &slopes, form.displacement);
-    let slope = Vector {
-        body: in_body,
-        world: force,
-    };
+    let force = work.vector(Frame::WORLD, force);
+    let slope = work.add(carrying, force);
     Derived {
         energy,
         force: work.negate(slope),
@@ -147,7 +148,7 @@ fn carried(
     place: &HashSet<Id>,
     slope: Components,
 ) -> Option<Components> {
-    if turn.to == Frame::World {
+    if turn.to == Frame::WORLD {
         return None;
     }
     let graph = &mut work.graph;
@@ -157,15 +158,12 @@ fn carried(
 
 /// The moment that a slope along a turned vector amounts to.
 fn turning(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
-    match turn.to {
-        Frame::World => {
-            let back = work.turn(slope, Frame::Body);
-            work.graph.cross(back, turn.vector)
-        }
-        Frame::Body => {
-            let (factor, moment) = spring_arm::moment(work, turn.turned, slope);
-            work.graph.scale_vector(factor, moment)
-        }
+    if turn.to == Frame::WORLD {
+        let back = work.turn(slope, turn.to, turn.from);
+        work.graph.cross(back, turn.vector)
+    } else {
+        let (factor, moment) = spring_arm::moment(work, turn, slope);
+        work.graph.scale_vector(factor, moment)
     }
 }
 
@@ -173,7 +171,7 @@ fn turning(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
 fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
     let mut symbols: HashSet<Id> = form.displacement.into_iter().collect();
     symbols.extend(form.turns.iter().flat_map(|turn| turn.turned));
-    match work.attitude {
+    match work.attitude(Frame::BODY) {
         Attitude::Fixed => {}
         Attitude::Axis { angle, .. } => symbols.extend([angle]),
         Attitude::Quaternion { scalar, vector } => {
@@ -206,11 +204,11 @@ fn along(work: &mut Workspace, slopes: &Slopes, symbols: Components) -> Componen
 /// The moment of an energy that was written in terms of the attitude itself: `-dU/dangle` about the
 /// axis, or `K_i = -1/2 dU/dq . (q e_i)`, body axes; of a rod `-u x dU/du`.
 fn attitude_moment(work: &mut Workspace, slopes: &Slopes) -> Components {
-    let pull = pull(work, slopes);
+    let (pull, attitude) = (pull(work, slopes), work.attitude(Frame::BODY));
     let graph = &mut work.graph;
     let zero = graph.zero();
     let slope = |symbol: Id| slopes.get(&symbol).copied().unwrap_or(zero);
-    match work.attitude {
+    match attitude {
         Attitude::Fixed => graph.zeros(),
         Attitude::Line { axis, .. } => graph.cross(axis, pull),
         Attitude::Axis { angle, direction } => {
@@ -233,7 +231,7 @@ fn attitude_moment(work: &mut Workspace, slopes: &Slopes) -> Components {
 
 /// `-dU/du` of the axis of a rod.
 fn pull(work: &mut Workspace, slopes: &Slopes) -> Components {
-    let Attitude::Line { axis, .. } = work.attitude else {
+    let Attitude::Line { axis, .. } = work.attitude(Frame::BODY) else {
         return work.graph.zeros();
     };
     let slope = along(work, slopes, axis);
@@ -250,32 +248,25 @@ fn expand(model: &Model, work: &mut Workspace, form: &Form, derived: &[Derived])
     }
     for turn in &form.turns {
         let vector = replace(work, &turn.vector, &values);
-        let turned = work.turn([vector[0], vector[1], vector[2]], turn.to);
+        let turned = work.turn([vector[0], vector[1], vector[2]], turn.from, turn.to);
         values.extend(turn.turned.into_iter().zip(turned));
     }
     let roots: Vec<Id> = derived
         .iter()
         .flat_map(|one| {
-            let Vector { body, world } = one.force;
-            [one.energy]
-                .into_iter()
-                .chain([body, world, one.moment, one.pull].concat())
+            let force = work.entries(&[one.force]);
+            [&[one.energy], force.as_slice(), &one.moment, &one.pull].concat()
         })
         .collect();
-    let images = replace(work, &roots, &values);
-    let vector = |parts: &[Id]| [parts[0], parts[1], parts[2]];
-    images
-        .chunks(13)
-        .map(|parts| Derived {
-            energy: parts[0],
-            force: Vector {
-                body: vector(&parts[1..4]),
-                world: vector(&parts[4..7]),
-            },
-            moment: vector(&parts[7..10]),
-            pull: vector(&parts[10..13]),
-        })
-        .collect()
+    let mut images = replace(work, &roots, &values).into_iter();
+    let mut image = |id: Id| images.next().unwrap_or(id);
+    let expanded = derived.iter().map(|one| Derived {
+        energy: image(one.energy),
+        force: work.map(one.force, |_, part| part.map(&mut image)),
+        moment: one.moment.map(&mut image),
+        pull: one.pull.map(&mut image),
+    });
+    expanded.collect()
 }
 
 fn replace(work: &mut Workspace, roots: &[Id], values: &HashMap<Id, Id>) -> Vec<Id> {

@@ -15,7 +15,7 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Attitude, Axis, Frame, Meaning, Model, Turn, Workspace};
+use crate::model::{Attitude, Axis, Frame, Meaning, Model, Turn, Variable, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 /// The derivative of an expression in time; inputs are held, unless they move.
@@ -139,29 +139,34 @@ impl Sweep<'_> {
     fn symbol(&mut self, meaning: Meaning, weight: Id) {
         let state = &self.model.state;
         let rate = match meaning {
-            Meaning::Velocity(axis) => {
+            Meaning::Of(_, Variable::Velocity, axis) => {
                 self.linear[axis] = weight;
                 return;
             }
-            Meaning::AngularVelocity(axis) => {
+            Meaning::Of(_, Variable::AngularVelocity, axis) => {
                 self.angular[axis] = weight;
                 return;
             }
-            Meaning::AxisRate(axis) => {
+            Meaning::Of(_, Variable::AxisRate, axis) => {
                 self.axis[axis] = weight;
                 return;
             }
             Meaning::Time => self.work.graph.one(),
-            Meaning::Position(axis) => state.velocity.world[axis],
-            Meaning::Angle => match self.work.meanings.symbol_of(Meaning::AngularVelocity(2)) {
-                Some(symbol) => self.work.graph.symbol_id(symbol),
-                None => return,
-            },
-            Meaning::Axis(part) => match state.axis {
+            Meaning::Of(_, Variable::Position, axis) => {
+                self.work.part(state.velocity, Frame::WORLD)[axis]
+            }
+            Meaning::Of(body, Variable::Angle, _) => {
+                let rate = Meaning::Of(body, Variable::AngularVelocity, 2);
+                match self.work.meanings.symbol_of(rate) {
+                    Some(symbol) => self.work.graph.symbol_id(symbol),
+                    None => return,
+                }
+            }
+            Meaning::Of(_, Variable::Axis, part) => match state.axis {
                 Some(axis) => axis.rate[part],
                 None => return,
             },
-            Meaning::Quaternion(part) => self.quaternion_rate(part),
+            Meaning::Of(_, Variable::Quaternion, part) => self.quaternion_rate(part),
             Meaning::Input(input, part) => match self.model.input_rate(self.work, input, part) {
                 Some(rate) => rate,
                 None => return,
@@ -188,8 +193,9 @@ impl Sweep<'_> {
     /// A part of `q' = q (0, w) / 2`.
     fn quaternion_rate(&mut self, part: usize) -> Id {
         let w = self.model.state.angular_velocity;
+        let attitude = self.work.attitude(Frame::BODY);
         let graph = &mut self.work.graph;
-        let Attitude::Quaternion { scalar, vector } = self.work.attitude else {
+        let Attitude::Quaternion { scalar, vector } = attitude else {
             return graph.zero();
         };
         let twice = if part == 0 {
@@ -215,16 +221,18 @@ impl Sweep<'_> {
         });
         let (w, plane) = (
             self.model.state.angular_velocity,
-            matches!(self.work.attitude, Attitude::Axis { .. }),
+            matches!(self.work.attitude(Frame::BODY), Attitude::Axis { .. }),
         );
         let work = &mut *self.work;
-        let back = turn.to.other();
         let moves = turn.vector.iter().any(|id| !work.graph.is_early(*id));
         // about an axis, w has the same components in both axes, and the result is there already
         let (swept, by) = match turn.to {
-            Frame::World if plane => (work.graph.cross(w, turn.turned), weights),
-            Frame::World => (work.graph.cross(w, turn.vector), work.turn(weights, back)),
-            Frame::Body => {
+            Frame::WORLD if plane => (work.graph.cross(w, turn.turned), weights),
+            Frame::WORLD => (
+                work.graph.cross(w, turn.vector),
+                work.turn(weights, turn.to, turn.from),
+            ),
+            _ => {
                 let swept = work.graph.cross(w, turn.turned);
                 (work.graph.negate_vector(swept), weights)
             }
@@ -232,7 +240,7 @@ impl Sweep<'_> {
         let rate = work.graph.dot(by, swept);
         self.rates.push(rate);
         if moves {
-            let parts = self.work.turn(weights, back);
+            let parts = self.work.turn(weights, turn.to, turn.from);
             for (id, part) in turn.vector.into_iter().zip(parts) {
                 self.add_weight(id, part);
             }

@@ -6,9 +6,8 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Lowering, Scope, is_drive, is_unknown};
 use crate::model::{
-    Declared, ENTRIES, Labels, Load, Meanings, Model, Outline, Reaction, Workspace, state_symbols,
+    Declared, ENTRIES, Frame, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
 };
-use crate::symbolic::Graph;
 use crate::syntax::{self, Description};
 
 /// Gives a description its meaning. `None` if anything was wrong with it.
@@ -18,10 +17,8 @@ pub fn lower_description(
     errors: &mut Errors,
 ) -> Option<(Model, Workspace)> {
     let repeated = check_names(description, errors);
-    let mut graph = Graph::default();
-    let mut meanings = Meanings::default();
-    let (mut state, attitude) = state_symbols(outline.motion, &mut graph, &mut meanings);
-    let mut work = Workspace::new(graph, meanings, attitude);
+    let mut work = Workspace::new();
+    let mut state = state_symbols(Frame::BODY, outline.motion, &mut work);
     let mut scope = Scope::new(description, repeated);
     let named = outline.reactions.iter();
     let mut lowering = Lowering {

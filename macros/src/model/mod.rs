@@ -14,9 +14,9 @@ pub use body::{
 };
 pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};
 pub use kinematics::{
-    Attitude, Axis, Frame, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
+    Attitude, Axis, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use words::{AXES, Dimension, Doubtful, Labels, Meaning, Meanings, shown, why_not};
+pub use words::{AXES, Dimension, Doubtful, Frame, Labels, Meaning, Variable, shown, why_not};
 
 use body::entries;
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fuzz::model::Meaning;
+use fuzz::model::{Meaning, Variable};
 
 use crate::description::body::{Body, Motion};
 
@@ -47,16 +47,18 @@ impl Layout {
 
     /// The coordinate that a symbol stands for.
     pub fn place(&self, meaning: Meaning) -> Option<usize> {
-        Some(match meaning {
-            Meaning::Position(i) => self.position.start + i,
-            Meaning::Velocity(i) => self.velocity.start + i,
-            Meaning::Angle => self.attitude.start,
-            Meaning::Quaternion(0) => self.attitude.start + 3,
-            Meaning::Quaternion(i) => self.attitude.start + i - 1,
-            Meaning::Axis(i) => self.attitude.start + i,
+        let Meaning::Of(_, variable, i) = meaning else {
+            return None;
+        };
+        Some(match variable {
+            Variable::Position => self.position.start + i,
+            Variable::Velocity => self.velocity.start + i,
+            Variable::Angle => self.attitude.start,
+            Variable::Quaternion => self.attitude.start + (i + 3) % 4,
+            Variable::Axis => self.attitude.start + i,
             // about the one axis that there is
-            Meaning::AngularVelocity(i) if self.turning.len() == 1 && i == 2 => self.turning.start,
-            Meaning::AngularVelocity(i) | Meaning::AxisRate(i) => self.turning.start + i,
+            Variable::AngularVelocity if self.turning.len() == 1 && i == 2 => self.turning.start,
+            Variable::AngularVelocity | Variable::AxisRate => self.turning.start + i,
             _ => return None,
         })
     }

@@ -168,8 +168,8 @@ mod tests {
         const SEVEN: [usize; 10] = [
             4502, 17459, 18425, 19922, 25991, 26117, 28288, 31894, 32989, 34329,
         ];
-        const ONE: [usize; 8] = [
-            95_318, 177_541, 208_584, 209_219, 249_427, 323_434, 337_488, 486_532,
+        const ONE: [usize; 9] = [
+            95_318, 177_541, 208_584, 209_219, 249_427, 323_434, 337_488, 486_532, 779_367,
         ];
         let numbers = SEVEN.map(|first| (7, first));
         for (seed, first) in numbers.into_iter().chain(ONE.map(|first| (1, first))) {

@@ -9,29 +9,16 @@ use quote::{ToTokens, format_ident, quote};
 use crate::families::LoadKind;
 use crate::model::AXES;
 use crate::model::Declared;
-use crate::model::Meaning;
 use crate::model::Motion;
+use crate::model::{Meaning, Variable};
 use crate::symbolic::{Id, Number, Program, Stage};
 
 use super::block::Block;
 use super::naming::local;
 use super::writer::{Source, Writer};
 
-/// The component that a meaning stands for, if it is one of those of a place.
-type Component = fn(Meaning) -> Option<usize>;
-
 /// Components that are read together: where, and the name of each; a scalar has one.
-type Place = (Source, TokenStream, Vec<String>, Component);
-
-/// The component that a meaning of this kind has.
-macro_rules! component_of {
-    ($kind:ident) => {
-        |meaning| match meaning {
-            Meaning::$kind(component) => Some(component),
-            _ => None,
-        }
-    };
-}
+type Place = (Source, TokenStream, Vec<String>, Variable);
 
 /// Where the parts of a state and of an acceleration are.
 fn places(motion: Motion) -> Vec<Place> {
@@ -43,39 +30,30 @@ fn places(motion: Motion) -> Vec<Place> {
         let one = has_angle.then(|| vec![name.to_owned()]);
         one.unwrap_or_else(|| vector(prefix))
     };
-    let of_state = |path: TokenStream, names: Vec<String>, component: Component| {
-        (Source::State, quote!(#state.#path), names, component)
+    let of_state = |path: TokenStream, names: Vec<String>, variable: Variable| {
+        (Source::State, quote!(#state.#path), names, variable)
     };
     // the acceleration of a motion with one kind of coordinates is not a struct
     let is_struct = motion.translates && motion.has_attitude();
-    let of_acceleration = |name: &str, names: Vec<String>, component: Component| {
+    let of_acceleration = |name: &str, names: Vec<String>, variable: Variable| {
         let name = format_ident!("{name}");
         let part = is_struct.then(|| quote!(#acceleration.#name));
         let path = part.unwrap_or_else(|| quote!((*#acceleration)));
-        (Source::Acceleration, path, names, component)
+        (Source::Acceleration, path, names, variable)
     };
     let quaternion = ["qx", "qy", "qz", "qw"].map(str::to_owned).to_vec();
-    let of_quaternion: Component = |meaning| match meaning {
-        Meaning::Quaternion(part) => Some((part + 3) % 4),
-        _ => None,
-    };
-    let of_angle: Component = |meaning| (meaning == Meaning::Angle).then_some(0);
-    let (rate, turning) = (angular("w", "w"), component_of!(AngularVelocity));
-    let (alpha, change) = (
-        angular("alpha", "alpha_"),
-        component_of!(AngularAcceleration),
-    );
+    let (rate, alpha) = (angular("w", "w"), angular("alpha", "alpha_"));
     vec![
-        of_state(quote!(position), vector(""), component_of!(Position)),
-        of_state(quote!(angle), vec!["angle".to_owned()], of_angle),
-        of_state(quote!(attitude.coords), quaternion, of_quaternion),
-        of_state(quote!(axis.into_inner()), vector("u"), component_of!(Axis)),
-        of_state(quote!(velocity), vector("v"), component_of!(Velocity)),
-        of_state(quote!(angular_velocity), rate, turning),
-        of_state(quote!(axis_rate), vector("rate_"), component_of!(AxisRate)),
-        of_acceleration("linear", vector("a"), component_of!(LinearAcceleration)),
-        of_acceleration("angular", alpha, change),
-        of_acceleration("axis", vector("axis_"), component_of!(AxisAcceleration)),
+        of_state(quote!(position), vector(""), Variable::Position),
+        of_state(quote!(angle), vec!["angle".to_owned()], Variable::Angle),
+        of_state(quote!(attitude.coords), quaternion, Variable::Quaternion),
+        of_state(quote!(axis.into_inner()), vector("u"), Variable::Axis),
+        of_state(quote!(velocity), vector("v"), Variable::Velocity),
+        of_state(quote!(angular_velocity), rate, Variable::AngularVelocity),
+        of_state(quote!(axis_rate), vector("rate_"), Variable::AxisRate),
+        of_acceleration("linear", vector("a"), Variable::LinearAcceleration),
+        of_acceleration("angular", alpha, Variable::AngularAcceleration),
+        of_acceleration("axis", vector("axis_"), Variable::AxisAcceleration),
     ]
 }
 
@@ -95,8 +73,14 @@ impl Block<'_> {
             self.names.insert(id, local("time"));
         }
         tokens.extend(self.read_reactions(&symbols));
-        for (source, path, names, component) in places(model.motion) {
-            let found = found(&symbols, component);
+        for (source, path, names, variable) in places(model.motion) {
+            let found = found(&symbols, |meaning| match meaning {
+                Meaning::Of(_, Variable::Quaternion, part) if variable == Variable::Quaternion => {
+                    Some((part + 3) % 4)
+                }
+                Meaning::Of(_, known, part) if known == variable => Some(part),
+                _ => None,
+            });
             if !found.is_empty() {
                 self.reads.push(source);
                 tokens.extend(self.read_components(&found, &path, &names));

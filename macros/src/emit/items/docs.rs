@@ -6,7 +6,7 @@ use quote::quote;
 
 use crate::emit::code::{Method, private};
 use crate::mechanics::Report;
-use crate::model::{Declared, Frame, Outline};
+use crate::model::{Declared, Outline};
 use crate::symbolic::Cost;
 
 use super::addition::Addition;
@@ -179,9 +179,8 @@ fn constants(
 /// `arm`: unit, axes and default of a field.
 pub fn declared_doc(declared: &Declared) -> String {
     let axes = match declared.frame {
-        Some(Frame::Body) => ", body axes",
-        Some(Frame::World) => ", world axes",
-        None => "",
+        Some(frame) => format!(", {} axes", frame.word()),
+        None => String::new(),
     };
     let moving = if declared.moves {
         ", when it is given"

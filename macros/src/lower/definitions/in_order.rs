@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use crate::lower::expressions::{Lowering, Value};
-use crate::model::{Defaults, Dimension, Mass, Outline, Vector, Workspace, shown};
-use crate::symbolic::Id;
+use crate::model::{Defaults, Dimension, Frame, Mass, Outline, Workspace, shown};
+use crate::symbolic::{Graph, Id};
 use crate::syntax::{Composition, Description, Expression};
 
 use super::order::{Definition, definition_order, split_at_axis, split_at_support};
@@ -155,19 +155,17 @@ impl Lowering<'_> {
                 Value::Scalar(id, dimension)
             }
             Value::Vector(vector, dimension) => {
-                let vector = Vector {
-                    body: graph.quantities(vector.body),
-                    world: graph.quantities(vector.world),
-                };
-                labels.vector(
-                    &if graph.is_zero_vector(&vector.world) {
-                        name.to_owned()
+                let vector = self.work.map(vector, Graph::quantities);
+                let parts = self.work.parts(vector).to_vec();
+                let is_alone = parts.len() == 1;
+                for (frame, part) in parts {
+                    let labels = &mut self.work.labels;
+                    if is_alone || frame == Frame::WORLD {
+                        labels.vector(name, part);
                     } else {
-                        format!("{name}_body")
-                    },
-                    vector.body,
-                );
-                labels.vector(name, vector.world);
+                        labels.vector(&format!("{name}_{}", frame.word()), part);
+                    }
+                }
                 Value::Vector(vector, dimension)
             }
             Value::Components(frame, components, dimension) => {

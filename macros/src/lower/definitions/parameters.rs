@@ -4,7 +4,7 @@ use crate::lower::expressions::{
     Lowering, UNTURNED, Value, dimension, has_placeholder, lower_unit, strip_unit,
 };
 use crate::model::{Declared, Defaults, Dimension, Frame, Meaning, Point};
-use crate::symbolic::{Components, Id, Number, Stage};
+use crate::symbolic::{Id, Number, Stage};
 use crate::syntax::{Declaration, Expression, Kind};
 
 impl Lowering<'_> {
@@ -54,19 +54,16 @@ impl Lowering<'_> {
             );
         };
         let vector = self.as_vector(default)?;
-        let components = if frame == Frame::Body {
-            vector.body
-        } else {
-            vector.world
-        };
+        let components = self.work.part(vector, frame);
         let axes = self.motion.axes();
         let numbers: Option<Vec<Number>> = components[..axes]
             .iter()
             .map(|id| self.constant(*id, value))
             .collect();
         declared.default = Some(numbers?);
-        let symbols =
-            self.vector_symbols(Stage::Parameter, |axis| Meaning::Param(index, Some(axis)));
+        let symbols = self.work.symbols(Stage::Parameter, 0..axes, |axis| {
+            Meaning::Param(index, Some(axis))
+        });
         defaults.extend(symbols.into_iter().zip(components));
         Some(Value::Vector(
             self.work.vector(frame, symbols),
@@ -90,8 +87,8 @@ impl Lowering<'_> {
             return self.value(value);
         }
         let (frame, components) = match self.point(value)? {
-            Point::Body(components) => (Frame::Body, components),
-            Point::World(components) => (Frame::World, components),
+            Point::Body(components) => (Frame::BODY, components),
+            Point::World(components) => (Frame::WORLD, components),
             Point::Moving(_) => return None,
         };
         Some(Value::Components(frame, components, Dimension::LENGTH))
@@ -150,7 +147,7 @@ impl Lowering<'_> {
     /// A vector in body axes that is given from outside may have any direction, and one of a rod
     /// not.
     fn check_not_in_rod(&mut self, frame: Option<Frame>, value: &Expression) -> Option<()> {
-        if frame == Some(Frame::Body) && self.motion.is_line() {
+        if frame == Some(Frame::BODY) && self.motion.is_line() {
             return self.report(
                 value.extent,
                 format!(
@@ -232,22 +229,11 @@ impl Lowering<'_> {
                 "all components of an open vector are open: write `_`",
             );
         }
-        let symbols = self.vector_symbols(stage, meaning);
+        let symbols = self.work.symbols(stage, 0..axes, meaning);
         Some(Value::Vector(
             self.work.vector(frame, symbols),
             declared.dimension,
         ))
-    }
-
-    fn vector_symbols(&mut self, stage: Stage, meaning: impl Fn(usize) -> Meaning) -> Components {
-        let axes = self.motion.axes();
-        [0, 1, 2].map(|axis| {
-            if axis < axes {
-                self.work.symbol(stage, meaning(axis))
-            } else {
-                self.work.graph.zero()
-            }
-        })
     }
 
     fn constant(&mut self, id: Id, place: &Expression) -> Option<Number> {

@@ -2,7 +2,7 @@
 //! `.at(world(..))`.
 
 use crate::lower::expressions::Lowering;
-use crate::model::{Defaults, Dimension, Point, Support};
+use crate::model::{Defaults, Dimension, Frame, Point, Support};
 use crate::syntax::{self, Description, Expression};
 
 impl Lowering<'_> {
@@ -94,36 +94,29 @@ impl Lowering<'_> {
         defaults: &Defaults,
     ) -> Option<crate::symbolic::Components> {
         let vector = self.vector(written, Dimension::ANY, "a direction")?;
-        let graph = &mut self.work.graph;
-        let components = match (
-            graph.is_zero_vector(&vector.body),
-            graph.is_zero_vector(&vector.world),
-        ) {
-            (true, false) if self.motion.is_line() => {
+        let components = match *self.work.parts(vector) {
+            [(Frame::WORLD, _)] if self.motion.is_line() => {
                 return self.report(
                     written.extent,
                     "the axis of a rod has a direction in the body: write `body(..)`",
                 );
             }
-            (true, false) => vector.world,
-            (false, true) => vector.body,
-            (true, true) => {
+            [(_, components)] => components,
+            [] => {
                 return self.report(
                     written.extent,
                     "an axis has a direction, and this vector is zero",
                 );
             }
-            (false, false) => {
+            _ => {
                 return self.report(
                     written.extent,
                     "write the direction of the axis in body axes alone, or in world axes alone",
                 );
             }
         };
-        if components
-            .iter()
-            .any(|component| !graph.is_early(*component))
-        {
+        let graph = &mut self.work.graph;
+        if !graph.are_early(&components) {
             let place = self.late_name(written);
             return self.report(
                 place,

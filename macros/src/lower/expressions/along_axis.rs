@@ -6,7 +6,7 @@
 //! is made.
 
 use crate::errors::Extent;
-use crate::model::{Attitude, Defaults, Point, Vector};
+use crate::model::{Attitude, Defaults, Frame, Point, Vector};
 use crate::symbolic::Components;
 use crate::syntax::{Description, Support};
 
@@ -43,10 +43,11 @@ impl Lowering<'_> {
         };
         let direction = self.direction(direction.as_ref()?, defaults)?;
         let axis = self.state.axis?;
-        self.work.attitude = Attitude::Line {
+        let axis_of_rod = Attitude::Line {
             direction,
             axis: axis.unit,
         };
+        self.work.set_attitude(Frame::BODY, axis_of_rod);
         let swept = (self.state.angular_velocity, axis.rate);
         self.work.swept.push(swept);
         Some(())
@@ -81,7 +82,7 @@ impl Lowering<'_> {
 
     /// Whether a vector of the body is along the axis, if it is a rod.
     pub fn is_along_axis(&mut self, components: Components) -> bool {
-        let Attitude::Line { direction, .. } = self.work.attitude else {
+        let Attitude::Line { direction, .. } = self.work.attitude(Frame::BODY) else {
             return true;
         };
         let graph = &mut self.work.graph;

@@ -1,7 +1,7 @@
 //! Signs, sums, products, comparisons and choices.
 
 use crate::errors::Extent;
-use crate::model::{Dimension, Point, Vector};
+use crate::model::{Dimension, Frame, Point, Vector};
 use crate::symbolic::{Comparison, Id};
 use crate::syntax::{Expression, Kind, Operator, Prefix, Step};
 
@@ -228,14 +228,10 @@ impl Lowering<'_> {
             Point::Body(offset) | Point::World(offset) => self.work.fixed_in_body(offset),
         };
         let offset = self.work.add(from_center, vector);
-        let graph = &self.work.graph;
-        let is_fixed = graph.is_zero_vector(&offset.world)
-            && offset
-                .body
-                .iter()
-                .all(|component| graph.is_early(*component));
+        let part = self.work.part(offset, Frame::BODY);
+        let is_fixed = self.work.is_in(offset, Frame::BODY) && self.work.graph.are_early(&part);
         Some(Value::Point(if is_fixed {
-            Point::Body(offset.body)
+            Point::Body(part)
         } else {
             Point::Moving(offset)
         }))

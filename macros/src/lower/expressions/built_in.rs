@@ -32,7 +32,7 @@ impl Lowering<'_> {
                 } else {
                     (axis.rate, Dimension::FREQUENCY)
                 };
-                let vector = self.work.vector(Frame::World, components);
+                let vector = self.work.vector(Frame::WORLD, components);
                 Some(Value::Vector(vector, dimension))
             }
             "attitude" if self.motion.is_line() => self.report(
@@ -40,7 +40,7 @@ impl Lowering<'_> {
                 format!("{UNTURNED}: write `axis`, the unit vector along it"),
             ),
             "attitude" if !self.motion.has_attitude() => self.absent(name, "attitude"),
-            "attitude" => match self.work.attitude {
+            "attitude" => match self.work.attitude(Frame::BODY) {
                 Attitude::Axis { angle, .. } => Some(Value::Scalar(angle, Dimension::NONE)),
                 _ => Some(Value::Attitude),
             },
@@ -52,7 +52,7 @@ impl Lowering<'_> {
                 Dimension::FREQUENCY,
             )),
             "angular_velocity" => {
-                let vector = self.work.vector(Frame::Body, self.state.angular_velocity);
+                let vector = self.work.vector(Frame::BODY, self.state.angular_velocity);
                 Some(Value::Vector(vector, Dimension::FREQUENCY))
             }
             _ => self.unknown_name(name),

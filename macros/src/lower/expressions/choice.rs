@@ -1,6 +1,5 @@
 //! Choices between two values by a condition.
 
-use crate::model::Vector;
 use crate::syntax::Expression;
 
 use super::lowering::{Lowering, dimension};
@@ -52,9 +51,9 @@ impl Lowering<'_> {
                 "both branches are scalars, or both are vectors",
             );
         };
-        let graph = &mut self.work.graph;
-        let body = [0, 1, 2].map(|i| graph.select(chosen_by, a.body[i], b.body[i]));
-        let world = [0, 1, 2].map(|i| graph.select(chosen_by, a.world[i], b.world[i]));
-        Some(Value::Vector(Vector { body, world }, dimension))
+        let chosen = self.work.combine(&[a, b], |graph, parts| {
+            [0, 1, 2].map(|i| graph.select(chosen_by, parts[0][i], parts[1][i]))
+        });
+        Some(Value::Vector(chosen, dimension))
     }
 }

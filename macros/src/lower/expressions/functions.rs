@@ -37,7 +37,7 @@ impl Lowering<'_> {
                 let vector = if word == "body" {
                     self.body_vector(components, extent)?
                 } else {
-                    self.work.vector(Frame::World, components)
+                    self.work.vector(Frame::WORLD, components)
                 };
                 Some(Value::Vector(vector, dimension))
             }

@@ -139,7 +139,7 @@ impl Lowering<'_> {
         let is_undefined = match &value {
             Value::Scalar(id, _) | Value::Condition(id) => undefined(id),
             Value::Components(_, components, _) => components.iter().any(undefined),
-            Value::Vector(vector, _) => vector.body.iter().chain(&vector.world).any(undefined),
+            Value::Vector(vector, _) => self.work.entries(&[*vector]).iter().any(undefined),
             Value::Point(_) | Value::Attitude => false,
         };
         if is_undefined {
@@ -221,8 +221,7 @@ impl Lowering<'_> {
                     !components.iter().all(|id| self.work.graph.is_early(*id))
                 }
                 Some(Value::Vector(vector, _)) => {
-                    let mut components = vector.body.iter().chain(&vector.world);
-                    !components.all(|id| self.work.graph.is_early(*id))
+                    !self.work.graph.are_early(&self.work.entries(&[vector]))
                 }
                 Some(_) => false,
                 None => Scope::is_changing(&word),

@@ -19,44 +19,37 @@ impl Lowering<'_> {
         }
         match self.value(expression)? {
             Value::Point(point) => Some(point),
-            Value::Components(Frame::Body, components, found) => {
-                self.fixed_point(Point::Body(components), found, expression)
-            }
-            Value::Components(Frame::World, components, found) => {
-                self.fixed_point(Point::World(components), found, expression)
+            Value::Components(frame, components, found) => {
+                self.fixed_point(Point::in_frame(frame, components), found, expression)
             }
             Value::Vector(vector, found) => {
-                let graph = &self.work.graph;
-                match (
-                    graph.is_zero_vector(&vector.body),
-                    graph.is_zero_vector(&vector.world),
-                ) {
-                    (true, true) => match written_frame(expression) {
-                        Some(Frame::Body) => {
-                            self.fixed_point(Point::Body(vector.body), found, expression)
-                        }
-                        Some(Frame::World) => {
-                            self.fixed_point(Point::World(vector.world), found, expression)
-                        }
-                        None => self.report(
+                let (frame, part) = match *self.work.parts(vector) {
+                    [] => (written_frame(expression), self.work.graph.zeros()),
+                    [(frame, part)] => (Some(frame), part),
+                    _ => {
+                        return self.report(
                             expression.extent,
-                            "this is the zero vector, which points to G and to the origin alike: \
-                             write `G` or `world(..)`",
-                        ),
-                    },
-                    (true, _) if self.motion.is_line() && !graph.is_early(vector.world[0]) => self
+                            "a point is fixed in the body or in space: write its offset in body \
+                             axes alone, or its position in world axes alone",
+                        );
+                    }
+                };
+                let graph = &self.work.graph;
+                match frame {
+                    None => self.report(
+                        expression.extent,
+                        "this is the zero vector, which points to G and to the origin alike: \
+                         write `G` or `world(..)`",
+                    ),
+                    Some(Frame::WORLD) if self.motion.is_line() && !graph.is_early(part[0]) => self
                         .report(
                             expression.extent,
                             "a point of a rod is written with its coordinates in the body, `(x, y, \
                              z)`, or from another point, as `G + s * axis`",
                         ),
-                    (true, _) => self.fixed_point(Point::World(vector.world), found, expression),
-                    (_, true) => self.fixed_point(Point::Body(vector.body), found, expression),
-                    _ => self.report(
-                        expression.extent,
-                        "a point is fixed in the body or in space: write its offset in body axes \
-                         alone, or its position in world axes alone",
-                    ),
+                    Some(frame) => {
+                        self.fixed_point(Point::in_frame(frame, part), found, expression)
+                    }
                 }
             }
             other => self.report(
@@ -96,7 +89,7 @@ impl Lowering<'_> {
             Kind::Call(word, parts) if word == "body" => {
                 self.component_list(parts, expression.extent).map(Some)
             }
-            Kind::Unit(inner, unit) if written_frame(inner) == Some(Frame::Body) => {
+            Kind::Unit(inner, unit) if written_frame(inner) == Some(Frame::BODY) => {
                 let Some((components, found)) = self.tuple(inner)? else {
                     return Some(None);
                 };

@@ -26,11 +26,7 @@ impl Lowering<'_> {
         let (vector, of_vector) = self.vector_argument(&arguments[0])?;
         let zero = self.work.graph.zero();
         let axis = [zero, zero, w];
-        let graph = &mut self.work.graph;
-        let turned = Vector {
-            body: graph.cross(axis, vector.body),
-            world: graph.cross(axis, vector.world),
-        };
+        let turned = self.work.map(vector, |graph, part| graph.cross(axis, part));
         let of_turned = self.multiplied(of_w, of_vector, method)?;
         Some(Value::Vector(turned, of_turned))
     }
@@ -100,9 +96,9 @@ impl Lowering<'_> {
             ),
             frame => {
                 let frame = if frame == "in_body" {
-                    Frame::Body
+                    Frame::BODY
                 } else {
-                    Frame::World
+                    Frame::WORLD
                 };
                 let components = self.work.components(vector, frame);
                 Some(Value::Components(frame, components, of_vector))
@@ -113,10 +109,9 @@ impl Lowering<'_> {
     /// A cross product: in the plane, its component along z.
     fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
         if self.motion.is_planar {
-            Value::Scalar(
-                self.work.graph.add(product.body[2], product.world[2]),
-                dimension,
-            )
+            let [body, world] =
+                [Frame::BODY, Frame::WORLD].map(|frame| self.work.part(product, frame));
+            Value::Scalar(self.work.graph.add(body[2], world[2]), dimension)
         } else {
             Value::Vector(product, dimension)
         }
@@ -161,25 +156,25 @@ impl Lowering<'_> {
                 let swept = self.swept(offset);
                 self.work.add(self.state.velocity, swept)
             }
-            (Point::World(_), _) => self.work.zero_vector(),
+            (Point::World(_), _) => Vector::ZERO,
         };
         Some(Value::Vector(vector, dimension))
     }
 
     /// `w x r`, each part in its own axes: those of w change together, and `w x w` is zero.
     fn swept(&mut self, offset: Vector) -> Vector {
-        let w = self.state.angular_velocity;
-        let in_world = if self.motion.is_planar || self.work.graph.is_zero_vector(&offset.world) {
-            w
-        } else {
-            let w = self.work.vector(Frame::Body, w);
-            self.work.components(w, Frame::World)
-        };
-        let graph = &mut self.work.graph;
-        Vector {
-            body: graph.cross(w, offset.body),
-            world: graph.cross(in_world, offset.world),
+        let mut swept = Vector::ZERO;
+        for (frame, part) in self.work.parts(offset).to_vec() {
+            let mut w = self.state.angular_velocity;
+            if frame != Frame::BODY && !self.motion.is_planar {
+                let turning = self.work.vector(Frame::BODY, w);
+                w = self.work.components(turning, frame);
+            }
+            let product = self.work.graph.cross(w, part);
+            let product = self.work.vector(frame, product);
+            swept = self.work.add(swept, product);
         }
+        swept
     }
 
     pub fn field(&mut self, receiver: &Expression, field: &Ident) -> Option<Value> {
@@ -207,7 +202,7 @@ impl Lowering<'_> {
                 },
             ),
             Value::Attitude => {
-                let Attitude::Quaternion { scalar, vector } = self.work.attitude else {
+                let Attitude::Quaternion { scalar, vector } = self.work.attitude(Frame::BODY) else {
                     return None;
                 };
                 match ["w", "i", "j", "k"].iter().position(|part| *part == word) {

@@ -82,9 +82,9 @@ pub fn has_placeholder(value: &Expression) -> bool {
 pub fn written_frame(value: &Expression) -> Option<Frame> {
     match &value.kind {
         Kind::Unit(operand, _) | Kind::Prefix(_, operand) => written_frame(operand),
-        Kind::Tuple(_) => Some(Frame::Body),
-        Kind::Call(name, _) if name == "body" => Some(Frame::Body),
-        Kind::Call(name, _) if name == "world" => Some(Frame::World),
+        Kind::Tuple(_) => Some(Frame::BODY),
+        Kind::Call(name, _) if name == "body" => Some(Frame::BODY),
+        Kind::Call(name, _) if name == "world" => Some(Frame::WORLD),
         _ => None,
     }
 }

@@ -7,7 +7,7 @@
 use proc_macro2::Ident;
 
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Inertia};
+use crate::model::{Dimension, Frame, Inertia};
 use crate::symbolic::{Components, Function, Graph, Id};
 use crate::syntax::Expression;
 
@@ -98,18 +98,18 @@ impl Lowering<'_> {
     /// A constant vector in body axes that is not zero.
     fn body_direction(&mut self, written: &Expression) -> Option<Components> {
         let vector = self.vector(written, Dimension::ANY, "a direction")?;
-        let graph = &self.work.graph;
-        if !graph.is_zero_vector(&vector.world) {
+        if !self.work.is_in(vector, Frame::BODY) {
             return self.report(
                 written.extent,
                 "this direction is fixed in the body: write `body(..)`",
             );
         }
-        if graph.is_zero_vector(&vector.body) {
+        if vector.is_zero() {
             return self.report(written.extent, "the zero vector has no direction");
         }
-        self.check_early(written, &vector.body, CONSTANT)?;
-        Some(vector.body)
+        let direction = self.work.part(vector, Frame::BODY);
+        self.check_early(written, &direction, CONSTANT)?;
+        Some(direction)
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::lower::expressions::{Lowering, Value};
-use crate::model::{AXES, Constraint, Declared, Frame, Level, Meaning};
+use crate::model::{AXES, Constraint, Declared, Frame, Level, Meaning, Variable};
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Description, Expression};
 
@@ -65,7 +65,7 @@ impl Lowering<'_> {
             Value::Scalar(id, _) => vec![(name.to_string(), id)],
             Value::Components(_, components, _) => self.named_components(name, components),
             Value::Vector(vector, _) => {
-                let components = self.work.components(vector, Frame::World);
+                let components = self.work.components(vector, Frame::WORLD);
                 self.named_components(name, components)
             }
             other => {
@@ -165,25 +165,11 @@ impl Lowering<'_> {
 
     /// `None` of what depends on no part of the state.
     fn level(&self, value: Id) -> Option<Level> {
-        let graph = &self.work.graph;
-        let depends = |wanted: fn(Meaning) -> bool| {
-            graph.depends_on(&[value], |id| self.work.meaning(id).is_some_and(wanted))
-        };
-        let is_rate = |meaning| {
-            matches!(
-                meaning,
-                Meaning::Velocity(_) | Meaning::AngularVelocity(_) | Meaning::AxisRate(_)
-            )
-        };
-        if depends(is_rate) {
+        use Variable::{Angle, AngularVelocity, Axis, AxisRate, Position, Quaternion, Velocity};
+        let depends = |variables: &[Variable]| self.work.depend_on(&[value], variables);
+        if depends(&[Velocity, AngularVelocity, AxisRate]) {
             return Some(Level::Velocity);
         }
-        let is_place = |meaning| {
-            matches!(
-                meaning,
-                Meaning::Position(_) | Meaning::Angle | Meaning::Quaternion(_) | Meaning::Axis(_)
-            )
-        };
-        depends(is_place).then_some(Level::Position)
+        depends(&[Position, Angle, Quaternion, Axis]).then_some(Level::Position)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::families::LoadKind;
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Frame, Load, Point};
+use crate::model::{Dimension, Frame, Load, Point, Vector};
 use crate::syntax::{self, Written};
 
 impl Lowering<'_> {
@@ -13,12 +13,12 @@ impl Lowering<'_> {
             LoadKind::Moment if self.motion.is_planar => {
                 let moment = self.scalar(value, Dimension::MOMENT, "a moment")?;
                 let zero = self.work.graph.zero();
-                Some(self.work.vector(Frame::Body, [zero, zero, moment]))
+                Some(self.work.vector(Frame::BODY, [zero, zero, moment]))
             }
             LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
         });
         let point = self.point_of_load(written);
-        let (vector, zero) = (vector?, self.work.zero_vector());
+        let (vector, zero) = (vector?, Vector::ZERO);
         let (force, moment) = match written.kind {
             LoadKind::Force => (vector, zero),
             LoadKind::Moment => (zero, vector),
@@ -58,7 +58,8 @@ impl Lowering<'_> {
         };
         let value = written.value.as_ref()?;
         let point = self.point(value)?;
-        let is_center = point == Point::Body(self.work.graph.zeros());
+        let graph = &self.work.graph;
+        let is_center = matches!(point, Point::Body(offset) if graph.is_zero_vector(&offset));
         if !self.motion.knows_position && !is_center {
             return self.report(
                 value.extent,

@@ -38,13 +38,13 @@ impl Lowering<'_> {
             .collect();
         let mut forms = Vec::new();
         if !list.is_empty() {
-            let (form, has_choice) = self.potential_form(description, Frame::Body)?;
+            let (form, has_choice) = self.potential_form(description, Frame::BODY)?;
             for (potential, charges) in list.iter_mut().zip(&form.charges) {
                 potential.charges = Some(*charges);
             }
             forms.push(form);
             if has_choice {
-                forms.push(self.potential_form(description, Frame::World)?.0);
+                forms.push(self.potential_form(description, Frame::WORLD)?.0);
             }
         }
         Some(Potentials { list, forms })
@@ -86,7 +86,7 @@ impl Lowering<'_> {
     /// it.
     fn displacement(&mut self) -> Components {
         if self.motion.translates {
-            return self.state.position.world;
+            return self.work.part(self.state.position, Frame::WORLD);
         }
         let axes = self.motion.axes();
         let graph = &mut self.work.graph;
@@ -97,8 +97,8 @@ impl Lowering<'_> {
                 graph.zero()
             }
         });
-        let held = self.state.position.world;
-        self.state.position.world = graph.add_vectors(held, displacement);
+        let displaced = self.work.vector(Frame::WORLD, displacement);
+        self.state.position = self.work.add(self.state.position, displaced);
         displacement
     }
 
@@ -144,8 +144,8 @@ impl Lowering<'_> {
 
     /// The symbols of velocity and angular velocity, or of the rate of an axis.
     fn rates(&self) -> Vec<Id> {
-        let velocity = self.state.velocity;
-        let all = [velocity.body, velocity.world, self.state.turning()].concat();
+        let mut all = self.work.entries(&[self.state.velocity]);
+        all.extend(self.state.turning());
         self.late_symbols(&all)
     }
 
@@ -198,7 +198,7 @@ impl Lowering<'_> {
                     let components = match value {
                         Value::Scalar(id, _) | Value::Condition(id) => vec![id],
                         Value::Components(_, components, _) => components.to_vec(),
-                        Value::Vector(vector, _) => [vector.body, vector.world].concat(),
+                        Value::Vector(vector, _) => self.work.entries(&[vector]),
                         Value::Point(_) | Value::Attitude => Vec::new(),
                     };
                     self.depends(&components, symbols)

@@ -8,7 +8,7 @@ use crate::families::LoadKind;
 use crate::lower::expressions::{
     Lowering, UNTURNED, Value, direction, is_unknown, lower_unit, placeholders,
 };
-use crate::model::{Dimension, Frame, Meaning, Point, Reaction};
+use crate::model::{Dimension, Frame, Meaning, Point, Reaction, Vector};
 use crate::symbolic::{Components, Id, Stage};
 use crate::syntax::{self, Description, Expression, Kind, UnitExpression};
 
@@ -22,7 +22,7 @@ impl Lowering<'_> {
             None => None,
         };
         let (frame, given) = match along {
-            Some(_) => (Frame::World, self.work.graph.zeros()),
+            Some(_) => (Frame::WORLD, self.work.graph.zeros()),
             None => self.known_part(value, written.kind)?,
         };
         let axes = if self.is_planar_moment(written) {
@@ -30,14 +30,8 @@ impl Lowering<'_> {
         } else {
             0..self.motion.axes()
         };
-        let symbols = [0, 1, 2].map(|axis| {
-            if axes.contains(&axis) {
-                self.work
-                    .symbol(Stage::State, Meaning::Reaction(index, axis))
-            } else {
-                self.work.graph.zero()
-            }
-        });
+        let meaning = |axis| Meaning::Reaction(index, axis);
+        let symbols = self.work.symbols(Stage::State, axes, meaning);
         Some(Reaction {
             name: written.name.clone(),
             kind: written.kind,
@@ -46,7 +40,7 @@ impl Lowering<'_> {
             given,
             unknown: self.unknown_components(written),
             along,
-            symbols: self.work.vector(Frame::World, symbols),
+            symbols: self.work.vector(Frame::WORLD, symbols),
         })
     }
 
@@ -67,7 +61,7 @@ impl Lowering<'_> {
             None => None,
         };
         let (frame, given) = match along {
-            Some(_) => (Frame::World, self.work.graph.zeros()),
+            Some(_) => (Frame::WORLD, self.work.graph.zeros()),
             None => self.known_part(value, written.kind)?,
         };
         if !self.work.graph.is_zero_vector(&given) {
@@ -84,7 +78,7 @@ impl Lowering<'_> {
             given,
             unknown: self.unknown_components(written),
             along,
-            symbols: self.work.zero_vector(),
+            symbols: Vector::ZERO,
         })
     }
 
@@ -142,7 +136,7 @@ impl Lowering<'_> {
             // the moment of a planar body
             let is_moment = kind == LoadKind::Moment && self.motion.is_planar;
             return if is_moment {
-                Some((Frame::Body, zeros))
+                Some((Frame::BODY, zeros))
             } else {
                 self.report(
                     inner.extent,
@@ -193,7 +187,7 @@ impl Lowering<'_> {
 
     fn frame_of_reaction(&mut self, word: &Ident) -> Option<Frame> {
         if word != "body" {
-            return Some(Frame::World);
+            return Some(Frame::WORLD);
         }
         if self.motion.is_line() {
             return self.report(
@@ -201,7 +195,7 @@ impl Lowering<'_> {
                 format!("{UNTURNED}: write `world(_, _, _)`, or `_ * axis` along it"),
             );
         }
-        Some(Frame::Body)
+        Some(Frame::BODY)
     }
 
     /// Under constraints, loads may depend on the unknown reactions, by their names: friction does.
@@ -217,7 +211,8 @@ impl Lowering<'_> {
             let value = match reaction.kind {
                 LoadKind::Force => Value::Vector(symbols, Dimension::FORCE),
                 LoadKind::Moment if self.motion.is_planar => {
-                    Value::Scalar(symbols.world[2], Dimension::MOMENT)
+                    let about_normal = self.work.part(symbols, Frame::WORLD)[2];
+                    Value::Scalar(about_normal, Dimension::MOMENT)
                 }
                 LoadKind::Moment => Value::Vector(symbols, Dimension::MOMENT),
             };

@@ -39,7 +39,10 @@ impl Lowering<'_> {
         let dipole = moment(graph, &charges);
         // where the motion of G is not modelled, positions count from G; where a point of the body
         // is held, they do from there
-        let Vector { body, world } = self.state.position;
+        let position = self.state.position;
+        let [body, world] =
+            [Frame::BODY, Frame::WORLD].map(|frame| self.work.part(position, frame));
+        let graph = &mut self.work.graph;
         let from_held = charges
             .iter()
             .map(|(charge, offset)| (*charge, graph.add_vectors(body, *offset)));
@@ -48,7 +51,7 @@ impl Lowering<'_> {
         let moved = graph.scale_vector(net, world);
         self.work.labels.name(net, format!("{name}_charge"));
         self.work.labels.vector(&format!("{name}_dipole"), turned);
-        let moved = self.work.vector(Frame::World, moved);
+        let moved = self.work.vector(Frame::WORLD, moved);
         let turned = self.work.fixed_in_body(turned);
         let whole = self.work.add(moved, turned);
         let work = self.work.dot(field, whole);
@@ -66,13 +69,13 @@ impl Lowering<'_> {
                 format!("a field is a vector, and this is {}", value.kind()),
             );
         };
-        if !self.work.graph.is_zero_vector(&vector.body) {
+        if !self.work.is_in(vector, Frame::WORLD) {
             return self.report(
                 written.extent,
                 "a uniform field does not turn with the body: write it in world axes",
             );
         }
-        self.check_same_everywhere(written, &vector.world, "a uniform field")?;
+        self.check_same_everywhere(written, &self.work.entries(&[vector]), "a uniform field")?;
         Some((vector, dimension))
     }
 
@@ -144,15 +147,9 @@ impl Lowering<'_> {
     /// The symbols of the state, those of turned vectors among them.
     fn state_symbols(&self) -> Vec<Id> {
         let state = &self.state;
-        let mut roots = [
-            state.position.body,
-            state.position.world,
-            state.velocity.body,
-            state.velocity.world,
-            state.angular_velocity,
-        ]
-        .concat();
-        match self.work.attitude {
+        let mut roots = self.work.entries(&[state.position, state.velocity]);
+        roots.extend(state.angular_velocity);
+        match self.work.attitude(Frame::BODY) {
             Attitude::Fixed => {}
             Attitude::Axis { angle, .. } => roots.push(angle),
             Attitude::Quaternion { scalar, vector } => {

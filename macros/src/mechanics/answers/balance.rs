@@ -74,10 +74,8 @@ pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]
 
 /// Puts the reactions that were solved for into the given loads that depend on them.
 fn solve_loads(model: &Model, work: &mut Workspace, balance: &mut Balance, solved: &[Components]) {
-    let symbols = model
-        .reactions
-        .iter()
-        .map(|reaction| reaction.symbols.world);
+    let reactions = model.reactions.iter();
+    let symbols = reactions.map(|reaction| work.part(reaction.symbols, Frame::WORLD));
     let values: Vec<(Id, Id)> = symbols
         .zip(solved)
         .flat_map(|(symbols, value)| symbols.into_iter().zip(*value))
@@ -94,8 +92,8 @@ fn solve_loads(model: &Model, work: &mut Workspace, balance: &mut Balance, solve
 }
 
 fn in_world(work: &mut Workspace, force: Vector, moment: Vector) -> Resultant {
-    let force = work.components(force, Frame::World);
-    let moment = work.components(moment, Frame::World);
+    let force = work.components(force, Frame::WORLD);
+    let moment = work.components(moment, Frame::WORLD);
     work.labels
         .describe("force", "sum of the forces, world axes");
     work.labels
@@ -141,7 +139,7 @@ pub fn from_pole(model: &Model, work: &mut Workspace) -> Vector {
 /// (1.8): `F_iG = -m a`.
 fn inertial_force(model: &Model, work: &mut Workspace) -> Vector {
     let Some(mass) = model.mass else {
-        return work.zero_vector();
+        return Vector::ZERO;
     };
     let acceleration = model.state.acceleration;
     let rate = work.scale(mass, acceleration);
@@ -169,7 +167,7 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
         }
     };
     let moment = graph.negate_vector(change);
-    work.vector(Frame::Body, moment)
+    work.vector(Frame::BODY, moment)
 }
 
 /// What is spread over the body is listed at G.
@@ -188,9 +186,9 @@ fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
         list.push(LoadExpressions {
             name,
             family,
-            force: work.components(force, Frame::World),
+            force: work.components(force, Frame::WORLD),
             point: position(model, work, point),
-            moment: work.components(moment, Frame::World),
+            moment: work.components(moment, Frame::WORLD),
         });
     }
     list
@@ -198,5 +196,5 @@ fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
 
 fn position(model: &Model, work: &mut Workspace, point: Point) -> Components {
     let position = model.state.place(work, point);
-    work.components(position, Frame::World)
+    work.components(position, Frame::WORLD)
 }

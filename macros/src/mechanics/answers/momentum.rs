@@ -1,7 +1,7 @@
 //! Linear and angular momentum, in world axes.
 
 use crate::mechanics::balances::transform;
-use crate::model::{Frame, Inertia, Model, Workspace};
+use crate::model::{Frame, Inertia, Model, Vector, Workspace};
 use crate::symbolic::Components;
 
 use super::balance::from_pole;
@@ -20,20 +20,20 @@ pub fn derive_momentum(model: &Model, work: &mut Workspace) -> Momentum {
     let w = model.state.angular_velocity;
     let moving = match model.mass {
         Some(mass) => work.scale(mass, model.state.velocity),
-        None => work.zero_vector(),
+        None => Vector::ZERO,
     };
-    let linear = work.components(moving, Frame::World);
+    let linear = work.components(moving, Frame::WORLD);
     let graph = &mut work.graph;
     let spin = match model.inertia {
         Inertia::Absent => graph.zeros(),
         Inertia::Scalar(inertia) => graph.scale_vector(inertia, w),
         Inertia::Spatial(rows) => transform(graph, &rows, w),
     };
-    let spin = work.vector(Frame::Body, spin);
-    let angular = work.components(spin, Frame::World);
+    let spin = work.vector(Frame::BODY, spin);
+    let angular = work.components(spin, Frame::WORLD);
     let arm = from_pole(model, work);
     let orbital = work.cross(arm, moving);
-    let orbital = work.components(orbital, Frame::World);
+    let orbital = work.components(orbital, Frame::WORLD);
     let about_pole = work.graph.add_vectors(angular, orbital);
     Momentum {
         linear,

@@ -14,14 +14,9 @@ pub struct Partial {
 pub fn list_partial(model: &Model, work: &Workspace) -> Vec<Partial> {
     let graph = &work.graph;
     let loads = model.loads.iter().map(|load| {
-        let vectors = [load.force, load.moment];
-        let parts = vectors
-            .iter()
-            .flat_map(|vector| vector.body.into_iter().chain(vector.world));
-        let mut parts: Vec<Id> = parts
-            .chain(load.pull.into_iter().flatten())
-            .filter(|part| !graph.is_early(*part))
-            .collect();
+        let mut parts = work.entries(&[load.force, load.moment]);
+        parts.extend(load.pull.into_iter().flatten());
+        parts.retain(|part| !graph.is_early(*part));
         parts.sort_unstable();
         parts.dedup();
         Partial {

@@ -13,7 +13,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
-use crate::model::{Attitude, Meaning, Model, Workspace};
+use crate::model::{Attitude, Frame, Meaning, Model, Variable, Workspace};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
 
 use super::axes::{self, Axes};
@@ -77,7 +77,8 @@ fn coordinates(
 ) -> Vec<Coordinate> {
     let motion = model.motion;
     let (axes, state) = (motion.axes(), &model.state);
-    let [position, velocity] = [state.position.world, state.velocity.world];
+    let [position, velocity] =
+        [state.position, state.velocity].map(|vector| work.part(vector, Frame::WORLD));
     let angular_velocity = state.angular_velocity;
     let mut list = Vec::new();
     let mut push = |symbols: &[Id], rates: &[Id]| {
@@ -89,20 +90,18 @@ fn coordinates(
     };
     let hinged = motion.is_hinged() || motion.is_planar;
     let one_angle = motion.has_attitude() && hinged;
+    let rate = one(work, state.body, Variable::AngularVelocity, 2);
     if motion.translates {
         push(&position[..axes], &velocity[..axes]);
     }
     if let Some(axis) = model.state.axis {
         push(&axis.unit, &axis.rate);
-    } else if let Attitude::Quaternion { scalar, vector } = work.attitude {
+    } else if let Attitude::Quaternion { scalar, vector } = work.attitude(Frame::BODY) {
         let [x, y, z] = vector;
         let rates = quaternion_rate(work, scalar, vector, turning);
         push(&[x, y, z, scalar], &rates);
     } else if one_angle {
-        push(
-            &one(work, Meaning::Angle),
-            &one(work, Meaning::AngularVelocity(2)),
-        );
+        push(&one(work, state.body, Variable::Angle, 0), &rate);
     }
     if motion.translates {
         push(&velocity[..axes], &linear[..axes]);
@@ -110,7 +109,7 @@ fn coordinates(
     if let Some(axis) = model.state.axis {
         push(&axis.rate, angular);
     } else if one_angle {
-        push(&one(work, Meaning::AngularVelocity(2)), &angular[2..]);
+        push(&rate, &angular[2..]);
     } else if motion.has_attitude() {
         push(&angular_velocity, angular);
     }
@@ -119,8 +118,8 @@ fn coordinates(
     list
 }
 
-fn one(work: &Workspace, meaning: Meaning) -> Vec<Id> {
-    let symbol = work.meanings.symbol_of(meaning);
+fn one(work: &Workspace, body: Frame, variable: Variable, part: usize) -> Vec<Id> {
+    let symbol = work.meanings.symbol_of(Meaning::Of(body, variable, part));
     let id = symbol.map(|symbol| work.graph.symbol_id(symbol));
     id.into_iter().collect()
 }
@@ -187,13 +186,8 @@ fn check_smooth(
     };
     let known = errors.count();
     for load in &model.loads {
-        let parts = [
-            load.force.body,
-            load.force.world,
-            load.moment.body,
-            load.moment.world,
-        ];
-        if let Some(kink) = graph.first_kink(&parts.concat(), &moving) {
+        let parts = work.entries(&[load.force, load.moment]);
+        if let Some(kink) = graph.first_kink(&parts, &moving) {
             let (name, kink) = (&load.name, word(work, kink));
             errors.push(
                 asked,

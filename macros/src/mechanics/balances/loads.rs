@@ -2,7 +2,7 @@
 
 use crate::errors::Errors;
 use crate::families::{Family, LoadKind};
-use crate::model::{Load, Meaning, Model, Point, Vector, Workspace};
+use crate::model::{Frame, Load, Meaning, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Graph, Id, Node};
 
 /// The sum of all forces.
@@ -18,7 +18,7 @@ pub fn moments_about(
     pole: Point,
 ) -> Vec<Vector> {
     let moment = |load: &Load| {
-        if work.is_zero_vector(load.force) {
+        if load.force.is_zero() {
             return load.moment;
         }
         let arm = arm(model, work, load.point, pole);
@@ -55,13 +55,13 @@ pub fn check_moment_free(
     let center = model.state.center(work);
     let moments = moments_about(model, work, loads, center);
     let total = work.sum(moments.iter().copied());
-    if work.is_zero_vector(total) {
+    if total.is_zero() {
         return Some(());
     }
     let unbalanced: Vec<&Load> = loads
         .iter()
         .zip(&moments)
-        .filter(|(_, moment)| !work.is_zero_vector(**moment))
+        .filter(|(_, moment)| !moment.is_zero())
         .map(|(load, _)| load)
         .collect();
     for load in unbalanced {
@@ -81,7 +81,7 @@ pub fn given_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vec
     let parts = written.into_iter().map(|(kind, point, frame, given)| {
         let given = work.vector(frame, given);
         match kind {
-            LoadKind::Moment => (work.zero_vector(), given),
+            LoadKind::Moment => (Vector::ZERO, given),
             LoadKind::Force => {
                 let arm = arm(model, work, point, pole);
                 (given, work.cross(arm, given))
@@ -108,8 +108,8 @@ pub fn uniform_field(model: &Model, work: &Workspace, load: &Load) -> Option<Com
     let force = load.force;
     let is_uniform = load.family == Family::Field
         && load.potential.is_none()
-        && work.is_zero_vector(load.moment)
-        && (graph.is_zero_vector(&force.body) || !model.motion.has_attitude())
-        && !graph.depends_on(&[force.body, force.world].concat(), of_state);
+        && load.moment.is_zero()
+        && (work.is_in(force, Frame::WORLD) || !model.motion.has_attitude())
+        && !graph.depends_on(&work.entries(&[force]), of_state);
     is_uniform.then_some(offset)
 }

@@ -88,18 +88,16 @@ fn linear_acceleration(
     let one = work.graph.one();
     let inverse_mass = work.graph.divide(one, mass);
     work.labels.name(inverse_mass, "inverse_mass");
-    let mut specific =
-        |force: Components| force.map(|component| work.graph.distribute(inverse_mass, component));
-    let specific = Vector {
-        body: specific(resultant.body),
-        world: specific(resultant.world),
-    };
+    let specific = work.map(resultant, |graph, force| {
+        force.map(|component| graph.distribute(inverse_mass, component))
+    });
     work.labels.describe(
         "specific_force",
         "what is fixed in the body: sum of F / m, body axes",
     );
-    work.labels.vector("specific_force", specific.body);
-    let acceleration = work.components(specific, Frame::World);
+    let in_body = work.part(specific, Frame::BODY);
+    work.labels.vector("specific_force", in_body);
+    let acceleration = work.components(specific, Frame::WORLD);
     let acceleration = work.graph.results(acceleration);
     work.labels.vector(name, acceleration);
     acceleration
@@ -114,7 +112,7 @@ fn angular_acceleration(
     name: &str,
 ) -> Components {
     let moment = work.sum(moments);
-    let moment = work.components(moment, Frame::Body);
+    let moment = work.components(moment, Frame::BODY);
     let angular = match (
         inertia_about_center(model, work),
         model.hinge(&mut work.graph),

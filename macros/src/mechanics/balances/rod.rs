@@ -15,7 +15,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::proofs::{all_vanish, samples};
-use crate::model::{Attitude, Axis, Inertia, Load, Model, Point, Workspace};
+use crate::model::{Attitude, Axis, Frame, Inertia, Load, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::loads::{arm, moments_about};
@@ -62,19 +62,19 @@ fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
     let center = Point::Body(work.graph.zeros());
     let mut list = Vec::new();
     for load in &model.loads {
-        let (force, moment) = (load.force, load.moment);
-        if let (Point::Body(offset), Attitude::Line { direction, .. }) = (load.point, work.attitude)
-        {
+        let attitude = work.attitude(Frame::BODY);
+        if let (Point::Body(offset), Attitude::Line { direction, .. }) = (load.point, attitude) {
             let along = work.graph.dot(direction, offset);
-            list.push(work.graph.scale_vector(along, force.world));
-        } else if !work.is_zero_vector(force) {
+            let force = work.part(load.force, Frame::WORLD);
+            list.push(work.graph.scale_vector(along, force));
+        } else if !load.force.is_zero() {
             let arm = arm(model, work, load.point, center);
-            let moment = work.cross(arm, force);
-            list.push(pull_of(work, axis, moment.world));
+            let moment = work.cross(arm, load.force);
+            list.push(pull_of(work, axis, moment));
         }
         list.push(match load.pull {
             Some(pull) => pull,
-            None => pull_of(work, axis, moment.world),
+            None => pull_of(work, axis, load.moment),
         });
     }
     let zeros = work.graph.zeros();
@@ -98,7 +98,8 @@ fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
 }
 
 /// B of a moment K: of a multiple of `u x b`, that of b; else `K x u`.
-fn pull_of(work: &mut Workspace, axis: Axis, moment: Components) -> Components {
+fn pull_of(work: &mut Workspace, axis: Axis, moment: Vector) -> Components {
+    let moment = work.part(moment, Frame::WORLD);
     let opposite = work.graph.negate_vector(moment);
     let (one, minus_one) = (work.graph.one(), work.graph.integer(-1));
     for (sign, mut rest) in [(one, moment), (minus_one, opposite)] {
@@ -108,7 +109,7 @@ fn pull_of(work: &mut Workspace, axis: Axis, moment: Components) -> Components {
             if let Some((_, pull)) = known {
                 return work.graph.scale_vector(factor, *pull);
             }
-            let Some((common, without)) = work.common_factor(rest) else {
+            let Some((common, without)) = work.common_factor(rest, Frame::WORLD) else {
                 break;
             };
             factor = work.graph.multiply(factor, common);
@@ -169,7 +170,8 @@ pub fn check_loads(
         .into_iter()
         .enumerate()
         .map(|(index, moment)| {
-            let along = work.graph.dot(axis.unit, moment.world);
+            let moment = work.part(moment, Frame::WORLD);
+            let along = work.graph.dot(axis.unit, moment);
             (loads[index].extent, along)
         })
         .collect();

@@ -78,14 +78,14 @@ fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
         .map(|(reaction, (force, moment))| (reaction.name.to_string(), force, moment))
         .collect();
     let frame = if model.motion.is_line() {
-        Frame::World
+        Frame::WORLD
     } else {
-        Frame::Body
+        Frame::BODY
     };
     let all = loads.into_iter().chain(reactions);
     all.map(|(name, force, moment)| Contribution {
         name,
-        force: work.components(force, Frame::World),
+        force: work.components(force, Frame::WORLD),
         moment: work.components(moment, frame),
     })
     .collect()

@@ -1,6 +1,6 @@
 //! The closed forms that there are, and what a load may depend on in each.
 
-use crate::model::{Meaning, Motion, Workspace};
+use crate::model::{Meaning, Motion, Variable, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::axial_torque::AxialTorque;
@@ -111,14 +111,15 @@ pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
 
 /// A rank and a word for what changes in time.
 pub fn cause(meaning: Meaning) -> Option<(u8, &'static str)> {
+    use Variable::{Angle, AngularVelocity, Axis, AxisRate, Position, Quaternion, Velocity};
     Some(match meaning {
         Meaning::Input(..) => (0, "an input (make it a parameter if it is held)"),
         Meaning::Time => (1, "the time"),
-        Meaning::Velocity(_) => (2, "the velocity"),
-        Meaning::Position(_) => (3, "the position"),
-        Meaning::AngularVelocity(_) | Meaning::AxisRate(_) => (4, "the angular velocity"),
-        Meaning::Quaternion(_) | Meaning::Axis(_) => (5, "the attitude"),
-        Meaning::Angle => (6, "the angle"),
+        Meaning::Of(_, Velocity, _) => (2, "the velocity"),
+        Meaning::Of(_, Position, _) => (3, "the position"),
+        Meaning::Of(_, AngularVelocity | AxisRate, _) => (4, "the angular velocity"),
+        Meaning::Of(_, Quaternion | Axis, _) => (5, "the attitude"),
+        Meaning::Of(_, Angle, _) => (6, "the angle"),
         _ => return None,
     })
 }

@@ -14,7 +14,7 @@
 //! computed.
 
 use crate::mechanics::proofs::{all_vanish, cancels_in_half_turns};
-use crate::model::{Attitude, Frame, Model, Vector, Workspace};
+use crate::model::{Attitude, Frame, Model, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 use super::axis_of_symmetry::axes_of_symmetry;
@@ -63,13 +63,13 @@ fn couple_on(work: &mut Workspace, couple: Components, axis: Components) -> Comp
 
 /// A vector in world axes, in those of the body.
 fn seen_from_body(work: &mut Workspace, world: Components) -> Components {
-    let body = work.graph.zeros();
-    work.components(Vector { body, world }, Frame::Body)
+    let vector = work.vector(Frame::WORLD, world);
+    work.components(vector, Frame::BODY)
 }
 
 /// The vectors `W_l`, if the moment depends on nothing but the attitude.
 fn arms(work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
-    let Attitude::Quaternion { scalar, vector } = work.attitude else {
+    let Attitude::Quaternion { scalar, vector } = work.attitude(Frame::BODY) else {
         return None;
     };
     let parts = [[scalar].as_slice(), vector.as_slice()].concat();

@@ -1,6 +1,6 @@
 //! A state of a body at random, modulo the prime of the test for zeros.
 
-use crate::model::{Meaning, Workspace};
+use crate::model::{Meaning, Variable, Workspace};
 use crate::symbolic::{Id, Residue, free};
 
 /// A random state. What is not free of it is rational in what is: a unit quaternion and a unit
@@ -41,9 +41,9 @@ impl RandomState {
     /// The value of a symbol.
     pub fn of(&self, work: &Workspace, id: Id) -> Residue {
         match work.meaning(id) {
-            Some(Meaning::Quaternion(part)) => self.quaternion[part],
-            Some(Meaning::Axis(part)) => self.axis[part],
-            Some(Meaning::AxisRate(part)) => self.axis_rate[part],
+            Some(Meaning::Of(_, Variable::Quaternion, part)) => self.quaternion[part],
+            Some(Meaning::Of(_, Variable::Axis, part)) => self.axis[part],
+            Some(Meaning::Of(_, Variable::AxisRate, part)) => self.axis_rate[part],
             _ => free(id, self.number),
         }
     }

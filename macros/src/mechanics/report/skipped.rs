@@ -2,8 +2,8 @@
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::structure::{Structure, Symmetry};
-use crate::model::{AXES, Inertia, Meaning, Model, Workspace};
-use crate::symbolic::{Components, Id, Node};
+use crate::model::{AXES, Inertia, Model, Variable, Workspace};
+use crate::symbolic::{Components, Id};
 
 use super::skipped_loads::skip_loads;
 
@@ -97,9 +97,6 @@ fn skip_gyroscopic(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
     }
 }
 
-/// A part of the state: whether the motion has it, its name, and its symbols.
-type Part = (bool, &'static str, fn(Meaning) -> bool);
-
 /// Parts of the state that the accelerations do not depend on.
 fn skip_state(
     model: &Model,
@@ -109,35 +106,28 @@ fn skip_state(
     skipped: &mut Vec<String>,
 ) {
     let roots: Vec<Id> = linear.iter().chain(angular).copied().collect();
-    let graph = &work.graph;
-    let depends = |wanted: fn(Meaning) -> bool| {
-        graph.depends_on(&roots, |id| matches!(graph.node(id), Node::Symbol(symbol) if wanted(work.meanings.of(*symbol))))
-    };
     let (moves, turns) = (model.motion.translates, model.motion.has_attitude());
     let is_rod = model.motion.is_line();
-    let parts: [Part; 6] = [
-        (moves, "position", |meaning| {
-            matches!(meaning, Meaning::Position(_))
-        }),
-        (moves, "velocity", |meaning| {
-            matches!(meaning, Meaning::Velocity(_))
-        }),
-        (is_rod, "axis", |meaning| {
-            matches!(meaning, Meaning::Axis(_))
-        }),
-        (is_rod, "axis rate", |meaning| {
-            matches!(meaning, Meaning::AxisRate(_))
-        }),
-        (turns && !is_rod, "attitude", |meaning| {
-            matches!(meaning, Meaning::Angle | Meaning::Quaternion(_))
-        }),
-        (turns && !is_rod, "angular velocity", |meaning| {
-            matches!(meaning, Meaning::AngularVelocity(_))
-        }),
+    // whether the motion has it, its name, and its variables
+    let parts: [(bool, &str, &[Variable]); 6] = [
+        (moves, "position", &[Variable::Position]),
+        (moves, "velocity", &[Variable::Velocity]),
+        (is_rod, "axis", &[Variable::Axis]),
+        (is_rod, "axis rate", &[Variable::AxisRate]),
+        (
+            turns && !is_rod,
+            "attitude",
+            &[Variable::Angle, Variable::Quaternion],
+        ),
+        (
+            turns && !is_rod,
+            "angular velocity",
+            &[Variable::AngularVelocity],
+        ),
     ];
     let unread: Vec<&str> = parts
         .into_iter()
-        .filter(|(there, _, wanted)| *there && !depends(*wanted))
+        .filter(|(there, _, variables)| *there && !work.depend_on(&roots, variables))
         .map(|(_, name, _)| name)
         .collect();
     if !unread.is_empty() {

@@ -14,7 +14,7 @@ pub fn skip_loads(
 ) {
     skip_resultant(model, work, skipped);
     skip_moments(model, work, skipped);
-    skip_potentials(model, work, skipped);
+    skip_potentials(model, skipped);
     merge_charges(model, skipped);
     merge_constants(model, work, skipped);
     skip_rotation(work, &[*linear, *angular].concat(), skipped);
@@ -23,12 +23,12 @@ pub fn skip_loads(
 
 /// Forces that add up to nothing leave a couple.
 fn skip_resultant(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
-    let acts = |load: &Load| !work.is_zero_vector(load.force);
+    let acts = |load: &Load| !load.force.is_zero();
     if !model.motion.translates || !model.loads.iter().any(acts) {
         return;
     }
     let sum = resultant(work, &model.loads);
-    if model.constraints.is_empty() && work.is_zero_vector(sum) {
+    if model.constraints.is_empty() && sum.is_zero() {
         skipped.push("the acceleration of G: the sum of the forces is zero".to_owned());
     }
 }
@@ -47,20 +47,21 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
         let Point::Body(offset) = point else {
             continue;
         };
-        if load.potential.is_some() || work.is_zero_vector(force) {
+        if load.potential.is_some() || force.is_zero() {
             continue;
         }
+        let (in_body, in_world) = (
+            work.part(force, Frame::BODY),
+            work.part(force, Frame::WORLD),
+        );
         let graph = &mut work.graph;
         let arm = graph.subtract_vectors(offset, held);
-        let (is_fixed, turning) = (
-            graph.is_zero_vector(&force.world),
-            graph.cross(arm, force.body),
-        );
+        let turning = graph.cross(arm, in_body);
         let reason = if graph.is_zero_vector(&arm) {
             format!("it acts at {center}")
-        } else if is_fixed && graph.is_zero_vector(&turning) {
+        } else if graph.is_zero_vector(&in_world) && graph.is_zero_vector(&turning) {
             format!("it acts along a line through {center}")
-        } else if is_along_axis(model, work, force.world) {
+        } else if is_along_axis(model, work, in_world) {
             "it acts along the axis".to_owned()
         } else {
             continue;
@@ -71,7 +72,7 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
 }
 
 /// What a potential does not depend on makes no force, or no moment.
-fn skip_potentials(model: &Model, work: &Workspace, skipped: &mut Vec<String>) {
+fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
     let derived = model.loads.iter().filter(|load| load.potential.is_some());
     for load in derived {
         let parts = [
@@ -88,7 +89,7 @@ fn skip_potentials(model: &Model, work: &Workspace, skipped: &mut Vec<String>) {
             ),
         ];
         for (there, vector, part, place) in parts {
-            if there && work.is_zero_vector(vector) {
+            if there && vector.is_zero() {
                 let name = &load.name;
                 skipped.push(format!(
                     "the {part} of `{name}`: its potential does not depend on the {place}"
@@ -120,7 +121,7 @@ fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
         let constant = |load: &&Load| is_constant(work, load, frame);
         model.loads.iter().filter(constant).count()
     };
-    let (in_body, in_world) = (count(Frame::Body), count(Frame::World));
+    let (in_body, in_world) = (count(Frame::BODY), count(Frame::WORLD));
     for (count, axes) in [(in_body, "body"), (in_world, "world")] {
         if count > 1 {
             let sum = if turns && axes == "body" {
@@ -142,8 +143,8 @@ fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
         let (Point::Body(offset), graph) = (load.point, &work.graph) else {
             return false;
         };
-        is_constant(work, load, Frame::Body)
-            && !(graph.is_zero_vector(&offset) && graph.is_zero_vector(&load.moment.body))
+        is_constant(work, load, Frame::BODY)
+            && !(graph.is_zero_vector(&offset) && load.moment.is_zero())
     };
     if turns && is_folded && model.state.support.is_none() && model.loads.iter().any(turning) {
         skipped.push(
@@ -159,37 +160,29 @@ fn is_constant(work: &Workspace, load: &Load, frame: Frame) -> bool {
     let Point::Body(offset) = load.point else {
         return false;
     };
-    let ([force, moment], others) = match frame {
-        Frame::Body => (
-            [load.force.body, load.moment.body],
-            [load.force.world, load.moment.world].concat(),
-        ),
-        Frame::World => (
-            [load.force.world, load.moment.world],
-            [load.force.body, load.moment.body, load.moment.world, offset].concat(),
-        ),
-    };
-    let acts = !(graph.is_zero_vector(&force) && graph.is_zero_vector(&moment));
-    let is_alone = others.iter().all(|part| graph.is_zero(*part));
-    let is_early = force
-        .iter()
-        .chain(&moment)
-        .all(|part| graph.is_early(*part));
-    load.potential.is_none() && acts && is_alone && is_early
+    let acts = !(load.force.is_zero() && load.moment.is_zero());
+    let is_alone = work.is_in(load.force, frame) && work.is_in(load.moment, frame);
+    let is_at_center = load.moment.is_zero() && graph.is_zero_vector(&offset);
+    let is_early = graph.are_early(&work.entries(&[load.force, load.moment]));
+    load.potential.is_none()
+        && acts
+        && is_alone
+        && is_early
+        && (frame == Frame::BODY || is_at_center)
 }
 
 /// Of the rotation, one column turns what is along an axis of the body, one row what is along one
 /// of the world.
 fn skip_rotation(work: &mut Workspace, roots: &[Id], skipped: &mut Vec<String>) {
-    if !matches!(work.attitude, Attitude::Quaternion { .. }) {
+    if !matches!(work.attitude(Frame::BODY), Attitude::Quaternion { .. }) {
         return;
     }
     let turns = work.turned.clone();
     let graph = &mut work.graph;
     let reachable = graph.reachable(roots, |_| true);
     let parts = [
-        (Frame::World, "columns", "body"),
-        (Frame::Body, "rows", "world"),
+        (Frame::WORLD, "columns", "body"),
+        (Frame::BODY, "rows", "world"),
     ];
     for (to, lines, axes) in parts {
         let mut along = [false; 3];

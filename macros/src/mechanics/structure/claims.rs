@@ -5,8 +5,8 @@ use std::collections::HashMap;
 
 use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Inertia, Meaning, Model, Workspace};
-use crate::symbolic::{Components, Id, Node, Number};
+use crate::model::{Inertia, Meaning, Model, Variable, Workspace};
+use crate::symbolic::{Components, Id, Number};
 
 use super::symmetry::{Space, Symmetry, symmetries};
 
@@ -83,10 +83,10 @@ pub fn derive_structure(
 fn quantity(meaning: Meaning) -> Option<usize> {
     match meaning {
         Meaning::Time => Some(0),
-        Meaning::Position(_) => Some(1),
-        Meaning::Velocity(_) => Some(2),
-        Meaning::Angle | Meaning::Quaternion(_) | Meaning::Axis(_) => Some(3),
-        Meaning::AngularVelocity(_) | Meaning::AxisRate(_) => Some(4),
+        Meaning::Of(_, Variable::Position, _) => Some(1),
+        Meaning::Of(_, Variable::Velocity, _) => Some(2),
+        Meaning::Of(_, Variable::Angle | Variable::Quaternion | Variable::Axis, _) => Some(3),
+        Meaning::Of(_, Variable::AngularVelocity | Variable::AxisRate, _) => Some(4),
         Meaning::Input(..) => Some(5),
         _ => None,
     }
@@ -95,20 +95,13 @@ fn quantity(meaning: Meaning) -> Option<usize> {
 fn reads(work: &Workspace, roots: &[Id]) -> [bool; 6] {
     let mut reads = [false; 6];
     for id in work.graph.reachable(roots, |_| true) {
-        if let Some(meaning) = meaning(work, id)
+        if let Some(meaning) = work.meaning(id)
             && let Some(index) = quantity(meaning)
         {
             reads[index] = true;
         }
     }
     reads
-}
-
-fn meaning(work: &Workspace, id: Id) -> Option<Meaning> {
-    match work.graph.node(id) {
-        Node::Symbol(symbol) => Some(work.meanings.of(*symbol)),
-        _ => None,
-    }
 }
 
 /// Whether whatever acts has no moment.
@@ -148,7 +141,8 @@ fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
             .map(|(_, moment)| moment),
     );
     let total = work.sum(moments);
-    all_vanish(work, &[total.body, total.world].concat())
+    let entries = work.entries(&[total]);
+    all_vanish(work, &entries)
 }
 
 /// Whether the angular acceleration has no component along the axes of symmetry.
@@ -177,13 +171,14 @@ fn stays_in_plane(
     if model.motion.is_planar || model.motion.is_hinged() {
         return false;
     }
-    let is_out_of_plane = |meaning: Meaning| match meaning {
-        Meaning::Position(i) | Meaning::Velocity(i) | Meaning::Axis(i) | Meaning::AxisRate(i) => {
-            i == axis
+    let is_out_of_plane = |meaning: Meaning| {
+        use Variable::{AngularVelocity, Axis, AxisRate, Position, Quaternion, Velocity};
+        match meaning {
+            Meaning::Of(_, Position | Velocity | Axis | AxisRate, i) => i == axis,
+            Meaning::Of(_, Quaternion, i) => i != 0 && i != axis + 1,
+            Meaning::Of(_, AngularVelocity, i) => i != axis,
+            _ => false,
         }
-        Meaning::Quaternion(i) => i != 0 && i != axis + 1,
-        Meaning::AngularVelocity(i) => i != axis,
-        _ => false,
     };
     let is_rod = model.motion.is_line();
     let turning = (0..3).filter(|i| (*i == axis) == is_rod);
@@ -191,7 +186,7 @@ fn stays_in_plane(
     let zero = work.graph.zero();
     let mut flat = HashMap::new();
     for id in work.graph.reachable(&roots, |_| true) {
-        if meaning(work, id).is_some_and(is_out_of_plane) {
+        if work.meaning(id).is_some_and(is_out_of_plane) {
             flat.insert(id, zero);
         }
     }

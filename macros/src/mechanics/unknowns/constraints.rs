@@ -141,11 +141,11 @@ fn rows_left(
     if balances.is_empty() || !is_asked {
         return Some(Vec::new());
     }
-    let in_body = |push: &&Push| model.reactions[push.reaction].frame == Frame::Body;
+    let in_body = |push: &&Push| model.reactions[push.reaction].frame == Frame::BODY;
     let frame = if model.motion.is_supported() && supporting.iter().all(in_body) {
-        Frame::Body
+        Frame::BODY
     } else {
-        Frame::World
+        Frame::WORLD
     };
     let in_frame = |work: &mut Workspace, (force, moment): (Vector, Vector)| {
         let force = work.components(force, frame);
@@ -288,7 +288,7 @@ fn assemble(
             whole.push(work.scale(*value, push.direction));
         }
         let whole = work.sum(whole);
-        let vector = work.components(whole, Frame::World);
+        let vector = work.components(whole, Frame::WORLD);
         let vector = work.graph.results(vector);
         work.labels.vector(&name, vector);
         vectors.push(vector);

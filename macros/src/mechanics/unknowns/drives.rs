@@ -51,7 +51,7 @@ pub fn solve_drives(
 ) -> Option<Vec<Vector>> {
     let columns = columns(model, work, errors)?;
     if let Some(axis) = model.state.axis {
-        let moments = columns.iter().map(|column| column.turning(model));
+        let moments = columns.iter().map(|column| column.turning(model, work));
         check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
     }
     let rest = if model.constraints.is_empty() {
@@ -81,7 +81,7 @@ pub fn solve_drives(
     }
     let mut vectors = Vec::new();
     for drive in &model.drives {
-        let mut whole = work.zero_vector();
+        let mut whole = Vector::ZERO;
         let own = columns.iter().zip(&elimination.values);
         for (column, value) in own.filter(|(column, _)| column.load.name == drive.name) {
             let part = work.scale(*value, column.direction);
@@ -97,9 +97,9 @@ impl Column<'_> {
         self.load.component_name(model.motion, self.axis)
     }
 
-    /// Of a rod.
-    fn turning(&self, model: &Model) -> (String, Extent, Components) {
-        (self.name(model), self.place, self.moment.world)
+    fn turning(&self, model: &Model, work: &Workspace) -> (String, Extent, Components) {
+        let moment = work.part(self.moment, Frame::WORLD);
+        (self.name(model), self.place, moment)
     }
 }
 
@@ -127,7 +127,7 @@ fn columns<'m>(
         for (axis, place) in &drive.unknown {
             let direction = drive.direction(work, *axis);
             let (force, moment) = match drive.kind {
-                LoadKind::Moment => (work.zero_vector(), direction),
+                LoadKind::Moment => (Vector::ZERO, direction),
                 LoadKind::Force => {
                     let arm = arm(model, work, drive.point, center);
                     (direction, work.cross(arm, direction))
@@ -159,11 +159,11 @@ fn as_many(
     columns: &[Column<'_>],
     rest: (Vector, Vector),
 ) -> Option<Vec<Equation>> {
-    use Frame::{Body, World};
+    let (world, body) = (Frame::WORLD, Frame::BODY);
     // the moments about an axis that is fixed in the body
     let is_hinged = model.motion.is_hinged();
-    for frames in [(World, Body), (Body, Body), (World, World), (Body, World)] {
-        if is_hinged && frames.1 == World {
+    for frames in [(world, body), (body, body), (world, world), (body, world)] {
+        if is_hinged && frames.1 == world {
             continue;
         }
         let equations = balances(work, rows, columns, rest, frames);
@@ -213,17 +213,16 @@ fn nearest(
     columns: &[Column<'_>],
     rest: (Vector, Vector),
 ) -> Vec<Equation> {
-    let graph = &work.graph;
-    let is_in_body = |column: &Column<'_>| graph.is_zero_vector(&column.force.world);
+    let is_in_body = |column: &Column<'_>| work.is_in(column.force, Frame::BODY);
     // a mass is the same in all axes
     let of_forces = if model.motion.has_attitude() && columns.iter().all(is_in_body) {
-        Frame::Body
+        Frame::BODY
     } else {
-        Frame::World
+        Frame::WORLD
     };
     let in_axes = |work: &mut Workspace, force: Vector, moment: Vector| {
         let force = work.components(force, of_forces);
-        let moment = work.components(moment, Frame::Body);
+        let moment = work.components(moment, Frame::BODY);
         (force, free_moment(model, work, moment))
     };
     let loads: Vec<(Components, Components)> = columns
@@ -235,7 +234,7 @@ fn nearest(
         .filter(|row| is_held(model, row))
         .cloned()
         .collect();
-    let frames = (Frame::World, Frame::World);
+    let frames = (Frame::WORLD, Frame::WORLD);
     let mut held = balances(work, &held, columns, rest, frames);
     let rest = in_axes(work, rest.0, rest.1);
     let mut system = Vec::new();

@@ -1,7 +1,7 @@
 //! What the given loads and the inertia leave of the balances.
 
 use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about, resultant};
-use crate::model::{Frame, Inertia, Load, Meaning, Model, Vector, Workspace};
+use crate::model::{Frame, Inertia, Load, Meaning, Model, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 /// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
@@ -19,12 +19,8 @@ pub fn inertial(
     };
     let symbols: Vec<(Id, Id)> = accelerations(model, work, linear, &rate, angular);
     let acceleration = model.state.acceleration;
-    let graph = &mut work.graph;
-    let acceleration = Vector {
-        body: graph.replaced(acceleration.body, &symbols),
-        world: graph.replaced(acceleration.world, &symbols),
-    };
-    let zero = work.zero_vector();
+    let acceleration = work.map(acceleration, |graph, part| graph.replaced(part, &symbols));
+    let zero = Vector::ZERO;
     let force = match model.mass {
         Some(mass) => {
             let rate = work.scale(mass, acceleration);
@@ -46,7 +42,7 @@ pub fn inertial(
         }
     };
     let change = graph.negate_vector(change);
-    let moment = work.vector(Frame::Body, change);
+    let moment = work.vector(Frame::BODY, change);
     (force, moment)
 }
 
@@ -60,25 +56,23 @@ pub fn accelerations(
 ) -> Vec<(Id, Id)> {
     let graph = &work.graph;
     let state = &model.state;
-    let symbols: Vec<Id> = graph.reachable(
-        &[
-            state.acceleration.body,
-            state.acceleration.world,
-            state.angular_acceleration,
-        ]
-        .concat(),
-        |_| true,
-    );
+    let mut roots = work.entries(&[state.acceleration]);
+    roots.extend(state.angular_acceleration);
+    let symbols = graph.reachable(&roots, |_| true);
     let value = |id: Id| {
         let Node::Symbol(symbol) = graph.node(id) else {
             return None;
         };
         match work.meanings.of(*symbol) {
-            Meaning::LinearAcceleration(axis) => Some((id, linear[axis])),
-            Meaning::AngularAcceleration(axis) if model.motion.is_hinged() => {
-                Some((id, angular[axis]))
+            Meaning::Of(_, Variable::LinearAcceleration, axis) => Some((id, linear[axis])),
+            Meaning::Of(_, Variable::AngularAcceleration, axis) => {
+                let known = if model.motion.is_hinged() {
+                    angular
+                } else {
+                    rate
+                };
+                Some((id, known[axis]))
             }
-            Meaning::AngularAcceleration(axis) => Some((id, rate[axis])),
             _ => None,
         }
     };
@@ -109,18 +103,19 @@ pub fn inertial_change(
         Inertia::Spatial(rows) => graph.transform(&rows, rate),
     };
     let change = graph.negate_vector(change);
-    let acceleration = Vector {
-        body: swept,
-        world: linear,
-    };
+    let (swept, linear) = (
+        work.vector(Frame::BODY, swept),
+        work.vector(Frame::WORLD, linear),
+    );
+    let acceleration = work.add(swept, linear);
     let force = match model.mass {
         Some(mass) => {
             let rate = work.scale(mass, acceleration);
             work.negate(rate)
         }
-        None => work.zero_vector(),
+        None => Vector::ZERO,
     };
-    (force, work.vector(Frame::Body, change))
+    (force, work.vector(Frame::BODY, change))
 }
 
 /// Sum of the given forces and their moment about the center, less the inertial ones.

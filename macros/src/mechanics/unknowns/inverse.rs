@@ -7,7 +7,7 @@
 
 use crate::errors::Errors;
 use crate::families::LoadKind;
-use crate::model::{Meaning, Model, Reaction, Vector, Workspace};
+use crate::model::{Meaning, Model, Reaction, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;
@@ -92,12 +92,8 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
 /// is `u x u''`.
 fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Components) {
     let state = &model.state;
-    let roots = [
-        state.acceleration.body,
-        state.acceleration.world,
-        state.angular_acceleration,
-    ]
-    .concat();
+    let mut roots = work.entries(&[state.acceleration]);
+    roots.extend(state.angular_acceleration);
     let zeros = work.graph.zeros();
     let (mut linear, mut angular) = (zeros, zeros);
     let graph = &work.graph;
@@ -106,8 +102,8 @@ fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Comp
             continue;
         };
         match work.meanings.of(*symbol) {
-            Meaning::LinearAcceleration(axis) => linear[axis] = id,
-            Meaning::AngularAcceleration(axis) => angular[axis] = id,
+            Meaning::Of(_, Variable::LinearAcceleration, axis) => linear[axis] = id,
+            Meaning::Of(_, Variable::AngularAcceleration, axis) => angular[axis] = id,
             _ => {}
         }
     }

@@ -10,7 +10,7 @@ use crate::families::{Family, LoadKind};
 use crate::mechanics::balances::{arm, free_moment, response};
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Frame, Load, Meaning, Model, Point, Reaction, Vector, Workspace};
-use crate::symbolic::{Components, Graph, Id, Node};
+use crate::symbolic::{Components, Id, Node};
 
 /// One unit of an unknown.
 pub struct Push {
@@ -46,9 +46,9 @@ pub fn given_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
     for index in 0..model.reactions.len() {
         let (frame, given) = (model.reactions[index].frame, model.reactions[index].given);
         let given = work.vector(frame, given);
-        let in_world = work.components(given, Frame::World);
-        values.extend(symbols(model, index).into_iter().zip(in_world));
-        let zero = work.zero_vector();
+        let in_world = work.components(given, Frame::WORLD);
+        values.extend(symbols(model, work, index).into_iter().zip(in_world));
+        let zero = Vector::ZERO;
         let reaction = &model.reactions[index];
         let (force, moment) = match reaction.kind {
             LoadKind::Force => (given, zero),
@@ -67,27 +67,20 @@ pub fn given_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
         });
     }
     for load in &model.loads {
-        let graph = &mut work.graph;
+        let mut without = |vector| work.map(vector, |graph, part| graph.replaced(part, &values));
         loads.push(Load {
             name: load.name.clone(),
-            force: without(graph, load.force, &values),
-            moment: without(graph, load.moment, &values),
+            force: without(load.force),
+            moment: without(load.moment),
             ..*load
         });
     }
     loads
 }
 
-fn without(graph: &mut Graph, vector: Vector, values: &[(Id, Id)]) -> Vector {
-    Vector {
-        body: graph.replaced(vector.body, values),
-        world: graph.replaced(vector.world, values),
-    }
-}
-
 /// The symbols of a reaction, by axis; zero where it has none.
-fn symbols(model: &Model, reaction: usize) -> Components {
-    model.reactions[reaction].symbols.world
+fn symbols(model: &Model, work: &Workspace, reaction: usize) -> Components {
+    work.part(model.reactions[reaction].symbols, Frame::WORLD)
 }
 
 /// What each unknown does; a load that depends on one in another way than linearly is an error.
@@ -106,7 +99,7 @@ pub fn pushes(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Optio
 fn push(model: &Model, work: &mut Workspace, reaction: usize, axis: usize, place: Extent) -> Push {
     let Reaction { kind, point, .. } = model.reactions[reaction];
     let direction = model.reactions[reaction].direction(work, axis);
-    let zero = work.zero_vector();
+    let zero = Vector::ZERO;
     let own = match kind {
         LoadKind::Force => (direction, point, zero),
         LoadKind::Moment => (zero, point, direction),
@@ -151,7 +144,7 @@ fn whole_load(
     let (mut forces, mut moments) = (Vec::new(), Vec::new());
     for &(force, point, moment) in loads {
         moments.push(moment);
-        if !work.is_zero_vector(force) {
+        if !force.is_zero() {
             let arm = arm(model, work, point, center);
             moments.push(work.cross(arm, force));
             forces.push(force);
@@ -166,9 +159,9 @@ fn free_load(
     work: &mut Workspace,
     (force, moment): (Vector, Vector),
 ) -> (Components, Components) {
-    let force = work.components(force, Frame::World);
+    let force = work.components(force, Frame::WORLD);
     let moment = if model.motion.has_attitude() {
-        let moment = work.components(moment, Frame::Body);
+        let moment = work.components(moment, Frame::BODY);
         free_moment(model, work, moment)
     } else {
         work.graph.zeros()
@@ -184,12 +177,12 @@ fn followers(
     reaction: usize,
     direction: Vector,
 ) -> Vec<(Vector, Point, Vector)> {
-    let unit = work.components(direction, Frame::World);
-    let symbols = symbols(model, reaction);
+    let unit = work.components(direction, Frame::WORLD);
+    let symbols = symbols(model, work, reaction);
     let mut followers = Vec::new();
     for load in model.loads.iter().filter(|load| load.mention.is_some()) {
+        let roots = work.entries(&[load.force, load.moment]);
         let graph = &mut work.graph;
-        let roots = parts(load);
         let mut changes = vec![graph.zero(); roots.len()];
         for (symbol, part) in symbols.into_iter().zip(unit) {
             if matches!(graph.node(symbol), Node::Symbol(_)) && !graph.is_zero(part) {
@@ -201,20 +194,14 @@ fn followers(
             }
         }
         if changes.iter().any(|change| !graph.is_zero(*change)) {
-            let vector = |first: usize| Vector {
-                body: [changes[first], changes[first + 1], changes[first + 2]],
-                world: [changes[first + 3], changes[first + 4], changes[first + 5]],
-            };
-            followers.push((vector(0), load.point, vector(6)));
+            let mut changes = changes.into_iter();
+            let mut change = |id: Id| changes.next().unwrap_or(id);
+            let [force, moment] = [load.force, load.moment]
+                .map(|vector| work.map(vector, |_, part| part.map(&mut change)));
+            followers.push((force, load.point, moment));
         }
     }
     followers
-}
-
-/// All components of a load.
-fn parts(load: &Load) -> Vec<Id> {
-    let (force, moment) = (load.force, load.moment);
-    [force.body, force.world, moment.body, moment.world].concat()
 }
 
 /// Loads are linear in the reactions they name: each is what it is without them and what its slopes
@@ -225,10 +212,10 @@ fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Opt
         let load = &model.loads[index];
         let place = load.mention.unwrap_or(load.extent);
         let name = load.name.to_string();
-        let roots = parts(load);
+        let roots = work.entries(&[load.force, load.moment]);
         let place_of_load = match load.point {
             Point::Body(offset) | Point::World(offset) => offset.to_vec(),
-            Point::Moving(offset) => [offset.body, offset.world].concat(),
+            Point::Moving(offset) => work.entries(&[offset]),
         };
         if !reactions_in(work, &place_of_load).is_empty() {
             errors.push(

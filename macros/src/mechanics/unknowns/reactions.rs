@@ -53,7 +53,7 @@ pub fn derive_reactions(
     determined?;
     let in_world = unknown.into_iter().map(|reaction| {
         let whole = assemble(work, &solved, reaction);
-        let vector = work.components(whole, Frame::World);
+        let vector = work.components(whole, Frame::WORLD);
         let vector = work.graph.results(vector);
         work.labels.vector(&reaction.name.to_string(), vector);
         vector
@@ -127,17 +127,17 @@ fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Res
             return Err(place);
         }
         let arm = arm(model, work, point, center);
-        let has_arm = kind == LoadKind::Force && !work.is_zero_vector(arm);
-        in_world &= !has_arm && (is_free || written == Frame::World);
-        if !is_free && written == Frame::World {
+        let has_arm = kind == LoadKind::Force && !arm.is_zero();
+        in_world &= !has_arm && (is_free || written == Frame::WORLD);
+        if !is_free && written == Frame::WORLD {
             mixed = mixed.or(place);
         }
     }
     // without an attitude the axes are the same
     if in_world || !model.motion.has_attitude() {
-        return Ok(Frame::World);
+        return Ok(Frame::WORLD);
     }
-    mixed.map_or(Ok(Frame::Body), Err)
+    mixed.map_or(Ok(Frame::BODY), Err)
 }
 
 /// Whether the unknown components of a reaction are the same unknowns in the axes of the body and

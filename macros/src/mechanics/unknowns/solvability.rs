@@ -46,12 +46,12 @@ fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
     }
     let center = model.state.center(work);
     let arm = arm(model, work, point, center);
-    let arm = work.components(arm, Frame::Body);
+    let arm = work.components(arm, Frame::BODY);
     let graph = &mut work.graph;
     // d.(P - C) x e = e.d x (P - C); without an axis, any d
     let swept = hinge.map_or(arm, |d| graph.cross(d, arm));
     let stays = swept.map(|component| graph.vanishes(component));
-    let turns_with_body = frame == Frame::Body || is_whole;
+    let turns_with_body = frame == Frame::BODY || is_whole;
     match hinge {
         Some(_) if turns_with_body => !stays[axis],
         // what is written in world axes turns through all directions across the axis

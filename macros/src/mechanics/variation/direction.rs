@@ -9,7 +9,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::model::{Attitude, Frame, Meaning, Model, Vector, Workspace};
+use crate::model::{Attitude, Frame, Meaning, Model, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 /// A direction in the space of states.
@@ -24,15 +24,18 @@ impl Direction {
     /// As the body moves, its velocities held; inputs are held, unless they move.
     pub fn motion(model: &Model, work: &mut Workspace) -> Self {
         let state = &model.state;
-        let turning = work.vector(Frame::Body, state.angular_velocity);
+        let turning = work.vector(Frame::BODY, state.angular_velocity);
         let mut motion = Self::turn(work, turning);
+        let [place, velocity] = world_parts(work, [state.position, state.velocity]);
         let (graph, changes) = (&work.graph, &mut motion.changes);
         changes.insert(state.time, graph.one());
         // w is known by its length, where parameters give its direction
-        let spin = work.meanings.symbol_of(Meaning::AngularVelocity(2));
+        let spin = work
+            .meanings
+            .symbol_of(Meaning::Of(Frame::BODY, Variable::AngularVelocity, 2));
         let spin = spin.map(|symbol| graph.symbol_id(symbol));
         changes.extend(work.angle().zip(spin));
-        change(graph, changes, state.position.world, state.velocity.world);
+        change(graph, changes, place, velocity);
         if let Some(axis) = state.axis {
             change(graph, changes, axis.unit, axis.rate);
         }
@@ -49,10 +52,10 @@ impl Direction {
     /// The world is turned about `e`: what is written in its axes turns with it.
     pub fn turn_of_world(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let state = &model.state;
-        let turning = work.vector(Frame::World, e);
+        let turning = work.vector(Frame::WORLD, e);
         let mut turn = Self::turn(work, turning);
+        let linear = world_parts(work, [state.position, state.velocity]).into_iter();
         let graph = &mut work.graph;
-        let linear = [state.position.world, state.velocity.world].into_iter();
         for vector in linear.chain(state.axis.map(|axis| axis.rate)) {
             let by = graph.cross(e, vector);
             change(graph, &mut turn.changes, vector, by);
@@ -64,7 +67,7 @@ impl Direction {
     pub fn turn_of_axes(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let w = model.state.angular_velocity;
         let back = work.graph.negate_vector(e);
-        let turning = work.vector(Frame::Body, back);
+        let turning = work.vector(Frame::BODY, back);
         let mut turn = Self::turn(work, turning);
         let by = work.graph.cross(e, w);
         change(&work.graph, &mut turn.changes, w, by);
@@ -73,10 +76,11 @@ impl Direction {
 
     /// The body is turned, and nothing else changes.
     pub fn turn(work: &mut Workspace, turning: Vector) -> Self {
-        let Vector { body, world } = turning;
+        let [body, world] = [Frame::BODY, Frame::WORLD].map(|frame| work.part(turning, frame));
+        let attitude = work.attitude(Frame::BODY);
         let graph = &mut work.graph;
         let mut changes = BTreeMap::new();
-        match work.attitude {
+        match attitude {
             Attitude::Fixed => {}
             Attitude::Axis { angle, direction } => {
                 let both = graph.add_vectors(body, world);
@@ -102,6 +106,10 @@ impl Direction {
         }
         Self { changes, turning }
     }
+}
+
+fn world_parts(work: &Workspace, vectors: [Vector; 2]) -> [Components; 2] {
+    vectors.map(|vector| work.part(vector, Frame::WORLD))
 }
 
 /// A vector of the state changes; what the motion does not have stays as it is.

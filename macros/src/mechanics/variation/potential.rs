@@ -57,8 +57,9 @@ pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
 
 fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) -> Load {
     let name = model.potentials.list[index].name.clone();
+    let in_world = work.part(derived.force, Frame::WORLD);
     let labels = &mut work.labels;
-    labels.vector(&format!("{name}_force"), derived.force.world);
+    labels.vector(&format!("{name}_force"), in_world);
     let moment = format!("{name}_moment");
     if model.motion.is_planar {
         labels.name(derived.moment[2], moment);
@@ -72,7 +73,7 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
         family: Family::Field,
         force: derived.force,
         point: center,
-        moment: work.vector(Frame::Body, derived.moment),
+        moment: work.vector(Frame::BODY, derived.moment),
         pull: model.state.axis.map(|_| derived.pull),
         potential: Some(derived.energy),
         mention: None,
@@ -84,8 +85,9 @@ fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
     let mut roots = Vec::new();
     if model.motion.translates {
         let force = work.sum(derived.iter().map(|one| one.force));
-        roots.extend(work.turn(force.body, Frame::World));
-        roots.extend(force.world);
+        for (frame, part) in work.parts(force).to_vec() {
+            roots.extend(work.turn(part, frame, Frame::WORLD));
+        }
     }
     if model.motion.has_attitude() {
         roots.extend(derived.iter().flat_map(|one| one.moment));
@@ -98,7 +100,7 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
     let place = symbols_of_place(work, form);
     let mut slopes = Slopes::along_leaves(work, energy, place.clone());
     let mut moment = work.graph.zeros();
-    let mut in_body = work.graph.zeros();
+    let mut carrying = Vector::ZERO;
     // each vector is made of those that were turned before it
     for turn in form.turns.iter().rev() {
         let slope = slopes.take(work, turn);
@@ -108,17 +110,16 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
         let turning = turning(work, turn, slope);
         moment = work.graph.add_vectors(moment, turning);
         if let Some(slope) = carried(work, form, turn, &place, slope) {
-            in_body = work.graph.add_vectors(in_body, slope);
+            let slope = work.vector(turn.to, slope);
+            carrying = work.add(carrying, slope);
         } else {
             slopes.pass_on(work, turn, slope);
         }
     }
     let (direct, pull) = of_attitude(work, &slopes);
     let force = slopes.by(work, form.displacement);
-    let slope = Vector {
-        body: in_body,
-        world: force,
-    };
+    let force = work.vector(Frame::WORLD, force);
+    let slope = work.add(carrying, force);
     Derived {
         energy,
         force: work.negate(slope),
@@ -136,7 +137,7 @@ fn carried(
     place: &HashSet<Id>,
     slope: Components,
 ) -> Option<Components> {
-    if turn.to == Frame::World {
+    if turn.to == Frame::WORLD {
         return None;
     }
     let graph = &mut work.graph;
@@ -146,15 +147,12 @@ fn carried(
 
 /// The moment that a slope along a turned vector amounts to.
 fn turning(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
-    match turn.to {
-        Frame::World => {
-            let back = work.turn(slope, Frame::Body);
-            work.graph.cross(back, turn.vector)
-        }
-        Frame::Body => {
-            let (factor, moment) = spring_arm::moment(work, turn.turned, slope);
-            work.graph.scale_vector(factor, moment)
-        }
+    if turn.to == Frame::WORLD {
+        let back = work.turn(slope, turn.to, turn.from);
+        work.graph.cross(back, turn.vector)
+    } else {
+        let (factor, moment) = spring_arm::moment(work, turn, slope);
+        work.graph.scale_vector(factor, moment)
     }
 }
 
@@ -162,7 +160,7 @@ fn turning(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
 fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
     let mut symbols: HashSet<Id> = form.displacement.into_iter().collect();
     symbols.extend(form.turns.iter().flat_map(|turn| turn.turned));
-    match work.attitude {
+    match work.attitude(Frame::BODY) {
         Attitude::Fixed => {}
         Attitude::Axis { angle, .. } => symbols.extend([angle]),
         Attitude::Quaternion { scalar, vector } => {
@@ -177,14 +175,14 @@ fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
 /// The moment of an energy that was written in terms of the attitude itself, and of a rod the pull
 /// at its axis, `-dU/du`.
 fn of_attitude(work: &mut Workspace, slopes: &Slopes) -> (Components, Components) {
-    if let Attitude::Line { axis, .. } = work.attitude {
+    if let Attitude::Line { axis, .. } = work.attitude(Frame::BODY) {
         let slope = slopes.by(work, axis);
         let pull = work.graph.negate_vector(slope);
         return (work.graph.cross(axis, pull), pull);
     }
     let moment = work.graph.unit_vectors().map(|e| {
         let back = work.graph.negate_vector(e);
-        let back = work.vector(Frame::Body, back);
+        let back = work.vector(Frame::BODY, back);
         let back = Direction::turn(work, back);
         slopes.along(work, &back)
     });
@@ -201,32 +199,25 @@ fn expand(model: &Model, work: &mut Workspace, form: &Form, derived: &[Derived])
     }
     for turn in &form.turns {
         let vector = replace(work, &turn.vector, &values);
-        let turned = work.turn([vector[0], vector[1], vector[2]], turn.to);
+        let turned = work.turn([vector[0], vector[1], vector[2]], turn.from, turn.to);
         values.extend(turn.turned.into_iter().zip(turned));
     }
     let roots: Vec<Id> = derived
         .iter()
         .flat_map(|one| {
-            let Vector { body, world } = one.force;
-            [one.energy]
-                .into_iter()
-                .chain([body, world, one.moment, one.pull].concat())
+            let force = work.entries(&[one.force]);
+            [&[one.energy], force.as_slice(), &one.moment, &one.pull].concat()
         })
         .collect();
-    let images = replace(work, &roots, &values);
-    let vector = |parts: &[Id]| [parts[0], parts[1], parts[2]];
-    images
-        .chunks(13)
-        .map(|parts| Derived {
-            energy: parts[0],
-            force: Vector {
-                body: vector(&parts[1..4]),
-                world: vector(&parts[4..7]),
-            },
-            moment: vector(&parts[7..10]),
-            pull: vector(&parts[10..13]),
-        })
-        .collect()
+    let mut images = replace(work, &roots, &values).into_iter();
+    let mut image = |id: Id| images.next().unwrap_or(id);
+    let expanded = derived.iter().map(|one| Derived {
+        energy: image(one.energy),
+        force: work.map(one.force, |_, part| part.map(&mut image)),
+        moment: one.moment.map(&mut image),
+        pull: one.pull.map(&mut image),
+    });
+    expanded.collect()
 }
 
 fn replace(work: &mut Workspace, roots: &[Id], values: &HashMap<Id, Id>) -> Vec<Id> {

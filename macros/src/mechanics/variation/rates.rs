@@ -4,7 +4,7 @@
 //! de/dt = rate + linear . a + angular . w'
 //! ```
 
-use crate::model::{Axis, Meaning, Model, Workspace};
+use crate::model::{Axis, Model, Variable, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::direction::Direction;
@@ -24,7 +24,7 @@ pub fn rates(model: &Model, work: &mut Workspace, value: Id) -> Rates {
     let slopes = Slopes::of(work, value);
     let motion = Direction::motion(model, work);
     let mut rate = slopes.along(work, &motion);
-    let mut angular = slopes.by_meaning(work, Meaning::AngularVelocity);
+    let mut angular = slopes.by_variable(work, Variable::AngularVelocity);
     if let Some(Axis { unit, rate: moving }) = model.state.axis {
         // u'' = w' x u - u'^2 u: a slope g along u' is one along w, `u x g`, and a rate
         let slope = slopes.by(work, moving);
@@ -36,7 +36,7 @@ pub fn rates(model: &Model, work: &mut Workspace, value: Id) -> Rates {
     }
     Rates {
         rate,
-        linear: slopes.by_meaning(work, Meaning::Velocity),
+        linear: slopes.by_variable(work, Variable::Velocity),
         angular,
     }
 }

@@ -11,7 +11,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::model::{Attitude, Frame, Meaning, Turn, Workspace};
+use crate::model::{Attitude, Frame, Meaning, Turn, Variable, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::direction::Direction;
@@ -69,7 +69,7 @@ impl Slopes {
     pub fn pass_on(&mut self, work: &mut Workspace, turn: &Turn, slope: Components) {
         let is_leaf = |id: Id| self.leaves.contains(&id);
         if work.graph.depends_on(&turn.vector, is_leaf) {
-            let back = work.turn(slope, turn.to.other());
+            let back = work.turn(slope, turn.to, turn.from);
             let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();
             self.descend(work, &weighted);
         }
@@ -81,9 +81,10 @@ impl Slopes {
         vector.map(|part| self.by_leaf.get(&part).copied().unwrap_or(zero))
     }
 
-    /// Along what the parts of a vector of the state are.
-    pub fn by_meaning(&self, work: &Workspace, meaning: fn(usize) -> Meaning) -> Components {
+    /// Along the components of what the state is told by.
+    pub fn by_variable(&self, work: &Workspace, variable: Variable) -> Components {
         let (graph, zero) = (&work.graph, work.graph.zero());
+        let meaning = |i: usize| Meaning::Of(Frame::BODY, variable, i);
         let symbol = |i: usize| work.meanings.symbol_of(meaning(i));
         let symbols = [0, 1, 2].map(|i| symbol(i).map_or(zero, |known| graph.symbol_id(known)));
         self.by(work, symbols)
@@ -91,8 +92,10 @@ impl Slopes {
 
     /// The change in one direction.
     pub fn along(&self, work: &mut Workspace, direction: &Direction) -> Id {
-        let world = work.turn(direction.turning.world, Frame::Body);
-        let phi = work.graph.add_vectors(direction.turning.body, world);
+        let [body, world] =
+            [Frame::BODY, Frame::WORLD].map(|frame| work.part(direction.turning, frame));
+        let world = work.turn(world, Frame::WORLD, Frame::BODY);
+        let phi = work.graph.add_vectors(body, world);
         let mut terms = Vec::new();
         for (turn, slope) in &self.by_turned {
             terms.push(along_turned(work, phi, turn, *slope));
@@ -108,14 +111,14 @@ impl Slopes {
 
 /// What of the change of a turned vector is due to the turn of the body.
 fn along_turned(work: &mut Workspace, phi: Components, turn: &Turn, slope: Components) -> Id {
-    let (swept, by) = match (turn.to, work.attitude) {
+    let (swept, by) = match (turn.to, work.attitude(Frame::BODY)) {
         // about an axis, phi has the same components in both axes, and the result is there already
-        (Frame::World, Attitude::Axis { .. }) => (work.graph.cross(phi, turn.turned), slope),
-        (Frame::World, _) => {
+        (Frame::WORLD, Attitude::Axis { .. }) => (work.graph.cross(phi, turn.turned), slope),
+        (Frame::WORLD, _) => {
             let swept = work.graph.cross(phi, turn.vector);
-            (swept, work.turn(slope, Frame::Body))
+            (swept, work.turn(slope, turn.to, turn.from))
         }
-        (Frame::Body, _) => {
+        _ => {
             let swept = work.graph.cross(phi, turn.turned);
             (work.graph.negate_vector(swept), slope)
         }

@@ -6,17 +6,17 @@
 
 use std::collections::HashSet;
 
-use crate::model::Workspace;
+use crate::model::{Turn, Workspace};
 use crate::symbolic::{Components, Graph, Id, Node};
 
-/// `r x slope` as a factor and a vector.
-pub fn moment(frames: &mut Workspace, r: Components, slope: Components) -> (Id, Components) {
-    let (mut factor, mut rest) = (frames.graph.one(), slope);
-    while let Some((part, others)) = frames.common_factor(rest) {
-        factor = frames.graph.multiply(factor, part);
+/// `r x slope` as a factor and a vector, of a turned vector r.
+pub fn moment(work: &mut Workspace, turn: &Turn, slope: Components) -> (Id, Components) {
+    let (mut factor, mut rest) = (work.graph.one(), slope);
+    while let Some((part, others)) = work.common_factor(rest, turn.to) {
+        factor = work.graph.multiply(factor, part);
         rest = others;
     }
-    let graph = &mut frames.graph;
+    let (graph, r) = (&mut work.graph, turn.turned);
     let rest = across(graph, r, rest);
     (factor, graph.cross(r, rest))
 }

@@ -5,8 +5,8 @@ use proc_macro2::{Ident, TokenStream};
 use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::model::joints::Motion;
-use crate::model::kinematics::Frame;
 use crate::model::words::Dimension;
+use crate::model::words::Frame;
 use crate::symbolic::Number;
 
 /// An output that is asked for, and where.

@@ -5,8 +5,8 @@ use proc_macro2::Ident;
 use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::model::joints::Motion;
-use crate::model::kinematics::{Frame, Point, Vector, Workspace};
-use crate::model::words::AXES;
+use crate::model::kinematics::{Point, Vector, Workspace};
+use crate::model::words::{AXES, Frame};
 use crate::symbolic::Components;
 
 /// A load of which some components are not known.

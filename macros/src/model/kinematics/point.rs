@@ -2,10 +2,11 @@
 
 use crate::symbolic::Components;
 
-use super::frame::Vector;
+use super::vector::Vector;
+use crate::model::words::Frame;
 
 /// A point, in metres.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Point {
     /// Fixed in the body: its offset from G in body axes.
     Body(Components),
@@ -16,6 +17,15 @@ pub enum Point {
 }
 
 impl Point {
+    /// Fixed in a frame.
+    pub fn in_frame(frame: Frame, components: Components) -> Self {
+        if frame == Frame::WORLD {
+            Self::World(components)
+        } else {
+            Self::Body(components)
+        }
+    }
+
     /// Why this is no point of the body, for messages.
     pub fn where_else(self) -> &'static str {
         match self {

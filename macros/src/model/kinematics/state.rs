@@ -1,15 +1,20 @@
 //! The state of a body, in symbols, and what holds it.
 
-use crate::model::joints::{Motion, Orientation};
-use crate::model::words::{Meaning, Meanings};
-use crate::symbolic::{Components, Graph, Id, Stage};
+use std::ops::Range;
 
-use super::frame::{Attitude, Frame, Vector};
+use crate::model::joints::{Motion, Orientation};
+use crate::model::words::{Frame, Meaning, Variable};
+use crate::symbolic::{Components, Id, Stage};
+
+use super::attitude::Attitude;
 use super::point::Point;
+use super::vector::Vector;
 use super::workspace::Workspace;
 
 /// The state of a body, in symbols. What a motion does not have is zero.
 pub struct State {
+    /// The frame of the body, by which it is known.
+    pub body: Frame,
     pub time: Id,
     /// Position, velocity and acceleration of G.
     pub position: Vector,
@@ -29,7 +34,7 @@ impl State {
     /// body is, however far that is (`docs/trust.md`, H9).
     pub fn place(&self, work: &mut Workspace, point: Point) -> Vector {
         match point {
-            Point::World(position) => work.vector(Frame::World, position),
+            Point::World(position) => work.vector(Frame::WORLD, position),
             Point::Body(offset) => {
                 let offset = work.fixed_in_body(offset);
                 work.add(self.position, offset)
@@ -40,13 +45,15 @@ impl State {
 
     /// The velocity of a point of the body at this offset, less that of G.
     pub fn swept(&self, work: &mut Workspace, offset: Components) -> Vector {
-        if let (Attitude::Line { direction, .. }, Some(axis)) = (work.attitude, self.axis) {
+        if let (Attitude::Line { direction, .. }, Some(axis)) =
+            (work.attitude(self.body), self.axis)
+        {
             let along = work.graph.dot(direction, offset);
             let swept = work.graph.scale_vector(along, axis.rate);
-            return work.vector(Frame::World, swept);
+            return work.vector(Frame::WORLD, swept);
         }
         let swept = work.graph.cross(self.angular_velocity, offset);
-        work.vector(Frame::Body, swept)
+        work.vector(Frame::BODY, swept)
     }
 
     /// The angular velocity; of a rod u', which is as long.
@@ -62,9 +69,10 @@ impl State {
 
     /// Holds a point of the body: G moves as the body turns about it.
     pub fn hold(&mut self, work: &mut Workspace, support: Support) {
-        if let (Some(direction), Attitude::Axis { angle, .. }) = (support.direction, work.attitude)
+        if let (Some(direction), Attitude::Axis { angle, .. }) =
+            (support.direction, work.attitude(self.body))
         {
-            work.attitude = Attitude::Axis { angle, direction };
+            work.set_attitude(self.body, Attitude::Axis { angle, direction });
             let along = |rate: Components| rate[2];
             let rates = [
                 along(self.angular_velocity),
@@ -82,11 +90,11 @@ impl State {
         let velocity = graph.cross(w, center);
         let (driven, centripetal) = (graph.cross(rate, center), graph.cross(w, velocity));
         let acceleration = graph.add_vectors(driven, centripetal);
-        let held = work.vector(Frame::World, support.anchor);
-        let from_held = work.vector(Frame::Body, center);
+        let held = work.vector(Frame::WORLD, support.anchor);
+        let from_held = work.vector(Frame::BODY, center);
         self.position = work.add(held, from_held);
-        self.velocity = work.vector(Frame::Body, velocity);
-        self.acceleration = work.vector(Frame::Body, acceleration);
+        self.velocity = work.vector(Frame::BODY, velocity);
+        self.acceleration = work.vector(Frame::BODY, acceleration);
         self.support = Some(support);
     }
 }
@@ -114,11 +122,7 @@ pub struct Support {
 
 /// The symbols of a motion's state and the attitude that they make. What a support adds comes with
 /// [`State::hold`]: until then the axis of a hinge is z. That of a rod comes with its direction.
-pub fn state_symbols(
-    motion: Motion,
-    graph: &mut Graph,
-    meanings: &mut Meanings,
-) -> (State, Attitude) {
+pub fn state_symbols(body: Frame, motion: Motion, work: &mut Workspace) -> State {
     let linear = if motion.translates {
         0..motion.axes()
     } else {
@@ -129,40 +133,50 @@ pub fn state_symbols(
         Orientation::Quaternion => 0..3,
         Orientation::Fixed | Orientation::Line => 0..0,
     };
-    let time = meanings.symbol(graph, Stage::State, Meaning::Time);
-    let attitude = match motion.orientation {
-        Orientation::Angle => Attitude::Axis {
-            angle: meanings.symbol(graph, Stage::State, Meaning::Angle),
-            direction: [graph.zero(), graph.zero(), graph.one()],
-        },
-        Orientation::Quaternion => {
-            let scalar = meanings.symbol(graph, Stage::State, Meaning::Quaternion(0));
-            let vector =
-                [1, 2, 3].map(|i| meanings.symbol(graph, Stage::State, Meaning::Quaternion(i)));
-            Attitude::Quaternion { scalar, vector }
+    let time = work.symbol(Stage::State, Meaning::Time);
+    let symbol = |work: &mut Workspace, variable: Variable, part: usize| {
+        work.symbol(Stage::State, Meaning::Of(body, variable, part))
+    };
+    match motion.orientation {
+        Orientation::Angle => {
+            let angle = symbol(work, Variable::Angle, 0);
+            let direction = work.graph.unit_vectors()[2];
+            work.set_attitude(body, Attitude::Axis { angle, direction });
         }
-        // that of a rod comes with its direction in the body
-        Orientation::Fixed | Orientation::Line => Attitude::Fixed,
-    };
-    let zeros = graph.zeros();
-    let in_world = |world: Components| Vector { body: zeros, world };
-    let mut state = State {
-        time,
-        position: in_world(meanings.vector(graph, linear.clone(), Meaning::Position)),
-        velocity: in_world(meanings.vector(graph, linear.clone(), Meaning::Velocity)),
-        angular_velocity: meanings.vector(graph, angular.clone(), Meaning::AngularVelocity),
-        acceleration: in_world(meanings.vector(graph, linear, Meaning::LinearAcceleration)),
-        angular_acceleration: meanings.vector(graph, angular, Meaning::AngularAcceleration),
-        axis: None,
-        support: None,
-    };
-    if motion.is_line() {
-        let [unit, rate, acceleration] =
-            [Meaning::Axis, Meaning::AxisRate, Meaning::AxisAcceleration]
-                .map(|meaning| meanings.vector(graph, 0..3, meaning));
-        state.axis = Some(Axis { unit, rate });
-        state.angular_velocity = graph.cross(unit, rate);
-        state.angular_acceleration = graph.cross(unit, acceleration);
+        Orientation::Quaternion => {
+            let scalar = symbol(work, Variable::Quaternion, 0);
+            let vector = [1, 2, 3].map(|part| symbol(work, Variable::Quaternion, part));
+            work.set_attitude(body, Attitude::Quaternion { scalar, vector });
+        }
+        Orientation::Fixed | Orientation::Line => {}
     }
-    (state, attitude)
+    let mut components = |axes: &Range<usize>, variable: Variable| {
+        let meaning = |axis| Meaning::Of(body, variable, axis);
+        work.symbols(Stage::State, axes.clone(), meaning)
+    };
+    let position = components(&linear, Variable::Position);
+    let velocity = components(&linear, Variable::Velocity);
+    let mut angular_velocity = components(&angular, Variable::AngularVelocity);
+    let acceleration = components(&linear, Variable::LinearAcceleration);
+    let mut angular_acceleration = components(&angular, Variable::AngularAcceleration);
+    let mut axis = None;
+    if motion.is_line() {
+        let unit = components(&(0..3), Variable::Axis);
+        let rate = components(&(0..3), Variable::AxisRate);
+        let acceleration = components(&(0..3), Variable::AxisAcceleration);
+        axis = Some(Axis { unit, rate });
+        angular_velocity = work.graph.cross(unit, rate);
+        angular_acceleration = work.graph.cross(unit, acceleration);
+    }
+    State {
+        body,
+        time,
+        position: work.vector(Frame::WORLD, position),
+        velocity: work.vector(Frame::WORLD, velocity),
+        acceleration: work.vector(Frame::WORLD, acceleration),
+        angular_velocity,
+        angular_acceleration,
+        axis,
+        support: None,
+    }
 }

@@ -8,12 +8,13 @@ use std::collections::HashMap;
 
 use crate::symbolic::{Components, Graph, Id, Stage};
 
-use super::frame::Frame;
+use crate::model::words::Frame;
 
 /// A vector, and its components in the other axes, or the symbols of them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Turn {
-    /// The axes in which it was turned.
+    /// The axes in which it was written, and those into which it was turned.
+    pub from: Frame,
     pub to: Frame,
     pub vector: Components,
     pub turned: Components,
@@ -22,7 +23,7 @@ pub struct Turn {
 /// The vectors that were turned so far, each after those it is made of.
 pub struct Turns {
     pub list: Vec<Turn>,
-    known: HashMap<(Components, bool), usize>,
+    known: HashMap<(Components, Frame, Frame), usize>,
     by_symbol: HashMap<Id, usize>,
     /// Number of components.
     axes: usize,
@@ -55,8 +56,14 @@ impl Turns {
     }
 
     /// The symbols of `vector` in the axes of `to`; the same vector has the same ones.
-    pub fn turn(&mut self, graph: &mut Graph, vector: Components, to: Frame) -> Components {
-        let key = (vector, to == Frame::World);
+    pub fn turn(
+        &mut self,
+        graph: &mut Graph,
+        vector: Components,
+        from: Frame,
+        to: Frame,
+    ) -> Components {
+        let key = (vector, from, to);
         if let Some(index) = self.known.get(&key) {
             return self.list[*index].turned;
         }
@@ -72,7 +79,12 @@ impl Turns {
         self.known.insert(key, index);
         self.by_symbol
             .extend(turned[..axes].iter().map(|symbol| (*symbol, index)));
-        self.list.push(Turn { to, vector, turned });
+        self.list.push(Turn {
+            from,
+            to,
+            vector,
+            turned,
+        });
         turned
     }
 }

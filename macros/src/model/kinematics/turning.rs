@@ -1,9 +1,9 @@
 //! How vectors are turned from one frame to the other.
 
-use crate::model::words::AXES;
+use crate::model::words::{AXES, Frame};
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
-use super::frame::{Attitude, Frame};
+use super::attitude::Attitude;
 use super::turned_vector::Turn;
 use super::workspace::Workspace;
 
@@ -11,8 +11,8 @@ impl Workspace {
     /// `s e` in body axes, of an early s and e along an axis of the world, to be multiplied by what
     /// is along an axis of the body: of the row of the rotation two components are needed, and the
     /// factor that they have goes with what multiplies them.
-    pub fn row(&mut self, arm: Components, v: Components) -> Option<Components> {
-        let Attitude::Quaternion { scalar, vector } = self.attitude else {
+    pub fn row(&mut self, arm: Components, v: Components, body: Frame) -> Option<Components> {
+        let Attitude::Quaternion { scalar, vector } = self.attitude(body) else {
             return None;
         };
         let (j, s) = self.only_component(v)?;
@@ -34,7 +34,8 @@ impl Workspace {
         let (at_k, at_l) = (graph.subtract(of_k, by_l), graph.add(of_l, by_k));
         (row[k], row[l]) = (graph.multiply(twice, at_k), graph.multiply(twice, at_l));
         self.turned.push(Turn {
-            to: Frame::Body,
+            from: Frame::WORLD,
+            to: body,
             vector: v,
             turned: row,
         });
@@ -48,37 +49,41 @@ impl Workspace {
         there.next().is_none().then_some((axis, v[axis]))
     }
 
-    /// The components of one vector in the axes of `to`, from its components in the other axes.
+    /// The components of one vector in the axes of `to`, from its components in those of `from`.
     ///
     /// A factor that all components share is turned around: `s v` is `s` times the turned `v`.
-    pub fn turn(&mut self, v: Components, to: Frame) -> Components {
-        if self.graph.is_zero_vector(&v) {
+    pub fn turn(&mut self, v: Components, from: Frame, to: Frame) -> Components {
+        if from == to || self.graph.is_zero_vector(&v) {
             return v;
         }
+        // from the axes of a body to those of the world, or back
+        let (body, is_back) = (from.max(to), from < to);
         if self.leads_with_minus(v) {
             let opposite = self.graph.negate_vector(v);
-            let turned = self.turn(opposite, to);
+            let turned = self.turn(opposite, from, to);
             return self.graph.negate_vector(turned);
         }
-        if let Some((factor, rest)) = self.common_factor(v) {
-            let turned = self.turn(rest, to);
+        if let Some((factor, rest)) = self.common_factor(v, body) {
+            let turned = self.turn(rest, from, to);
             return self.graph.scale_vector(factor, turned);
         }
         if let Some(turns) = &mut self.turns {
-            return turns.turn(&mut self.graph, v, to);
+            return turns.turn(&mut self.graph, v, from, to);
         }
-        let turned = match self.attitude {
+        let turned = match self.attitude(body) {
             Attitude::Fixed | Attitude::Line { .. } => return v,
-            Attitude::Axis { angle, direction } => self.turn_by_angle(angle, direction, v, to),
+            Attitude::Axis { angle, direction } => self.turn_by_angle(angle, direction, v, is_back),
             Attitude::Quaternion { scalar, vector } => {
-                let axis = match to {
-                    Frame::World => vector,
-                    Frame::Body => self.graph.negate_vector(vector),
+                let axis = if is_back {
+                    self.graph.negate_vector(vector)
+                } else {
+                    vector
                 };
                 self.turn_about(scalar, axis, v)
             }
         };
         self.turned.push(Turn {
+            from,
             to,
             vector: v,
             turned,
@@ -87,7 +92,13 @@ impl Workspace {
     }
 
     /// `d d.v + c (v - d d.v) + s d x v`: in the plane, `(c x - s y, s x + c y)`.
-    fn turn_by_angle(&mut self, angle: Id, d: Components, v: Components, to: Frame) -> Components {
+    fn turn_by_angle(
+        &mut self,
+        angle: Id,
+        d: Components,
+        v: Components,
+        is_back: bool,
+    ) -> Components {
         let along = self.graph.dot(d, v);
         let along = self.graph.scale_vector(along, d);
         let across = self.graph.subtract_vectors(v, along);
@@ -97,10 +108,7 @@ impl Workspace {
         let sine = graph.apply(Function::Sin, &[angle]);
         self.labels.name(cosine, "cosine");
         self.labels.name(sine, "sine");
-        let sine = match to {
-            Frame::World => sine,
-            Frame::Body => graph.negate(sine),
-        };
+        let sine = if is_back { graph.negate(sine) } else { sine };
         let swept = graph.cross(d, across);
         let (kept, turned) = (
             graph.scale_vector(cosine, across),
@@ -160,8 +168,9 @@ impl Workspace {
     ///
     /// To turn `s v` as `s` times the turned `v` costs nothing where `v` has all its components,
     /// and one whole rotation less where `v` itself is turned too.
-    pub fn common_factor(&mut self, v: Components) -> Option<(Id, Components)> {
-        let in_plane = self.graph.is_zero(v[2]) && matches!(self.attitude, Attitude::Axis { .. });
+    pub fn common_factor(&mut self, v: Components, frame: Frame) -> Option<(Id, Components)> {
+        let is_turned_by_angle = matches!(self.attitude(frame), Attitude::Axis { .. });
+        let in_plane = self.graph.is_zero(v[2]) && is_turned_by_angle;
         let axes = if in_plane { 2 } else { 3 };
         let parts = v.map(|component| Part::of(&mut self.graph, component));
         let parts = &parts[..axes];

@@ -2,33 +2,42 @@
 
 use std::collections::HashMap;
 
-use crate::symbolic::{Components, Graph, Id, Node, Stage, Symbol};
+use crate::symbolic::{Graph, Id, Node, Stage, Symbol};
 
-/// What a symbol stands for; the numbers are components, or indices of declarations.
+use super::frame::Frame;
+
+/// What the motion of a body is told by.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Variable {
+    /// Of G, world axes.
+    Position,
+    Velocity,
+    LinearAcceleration,
+    /// About an axis.
+    Angle,
+    /// The attitude quaternion: its component 0 is the scalar.
+    Quaternion,
+    /// Body axes.
+    AngularVelocity,
+    AngularAcceleration,
+    /// The axis of a rod, world axes.
+    Axis,
+    AxisRate,
+    AxisAcceleration,
+}
+
+/// What a symbol stands for; the last number is a component, one before it the index of a
+/// declaration.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Meaning {
     Time,
-    Position(usize),
-    Velocity(usize),
-    /// The angle of a planar body.
-    Angle,
-    /// Components of the attitude quaternion: 0 is the scalar.
-    Quaternion(usize),
-    AngularVelocity(usize),
-    /// The axis of a rod and its rate, world axes.
-    Axis(usize),
-    AxisRate(usize),
+    /// Of the motion of a body, which its frame tells.
+    Of(Frame, Variable, usize),
     /// A parameter, and its component if it is a vector.
     Param(usize, Option<usize>),
     Input(usize, Option<usize>),
     /// A reaction, given from outside, and its component in world axes.
     Reaction(usize, usize),
-    /// Acceleration of G, world axes.
-    LinearAcceleration(usize),
-    /// Angular acceleration, body axes.
-    AngularAcceleration(usize),
-    /// Of the axis of a rod, world axes.
-    AxisAcceleration(usize),
     /// A displacement or a turned vector, as long as it is differentiated by.
     Virtual,
 }
@@ -56,21 +65,5 @@ impl Meanings {
         let mut known = self.0.iter();
         let found = known.find(|(_, known)| **known == meaning);
         found.map(|(symbol, _)| *symbol)
-    }
-
-    /// Symbols for the axes of `range`, zero along the others.
-    pub fn vector(
-        &mut self,
-        graph: &mut Graph,
-        axes: core::ops::Range<usize>,
-        meaning: fn(usize) -> Meaning,
-    ) -> Components {
-        [0, 1, 2].map(|i| {
-            if axes.contains(&i) {
-                self.symbol(graph, Stage::State, meaning(i))
-            } else {
-                graph.zero()
-            }
-        })
     }
 }

@@ -2,12 +2,14 @@
 
 mod dimension;
 mod doubtful;
+mod frame;
 mod labels;
 mod meanings;
 pub mod shown;
 
 pub use dimension::Dimension;
 pub use doubtful::{Doubtful, why_not};
+pub use frame::Frame;
 pub use labels::{AXES, Labels};
-pub use meanings::{Meaning, Meanings};
+pub use meanings::{Meaning, Meanings, Variable};
 pub use shown::shown;

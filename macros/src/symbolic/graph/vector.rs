@@ -5,7 +5,7 @@ use crate::symbolic::number::Function;
 use super::nodes::{Components, Graph, Id, Node};
 
 impl Graph {
-    pub fn zeros(&mut self) -> Components {
+    pub fn zeros(&self) -> Components {
         [self.zero(); 3]
     }
 

@@ -77,7 +77,7 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
         })
         .collect();
     let (mut rows, mut doubts) = (Vec::new(), Vec::new());
-    let (mut right, mut errors) = (Vec::new(), Vec::new());
+    let (mut right, mut errors, mut noise) = (Vec::new(), Vec::new(), Vec::new());
     let constraints = &constants.body.constraints;
     for (constraint, axis) in constraints
         .iter()
@@ -92,6 +92,7 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
         let (rest, error) = problem.rest(constraint, axis, &free);
         right.push(-rest);
         errors.push(error);
+        noise.push(problem.noise(constraint, axis, &free));
     }
     if rows.len() != n || n == 0 {
         return None;
@@ -138,7 +139,8 @@ pub fn constrained(constants: &Constants<'_>, given: &Given, instant: &Instant) 
         }
         parts
     };
-    let carried = reached(&vec![terms; n]);
+    let noise: Vec<f64> = noise.iter().map(|of_free| of_free + terms).collect();
+    let carried = reached(&noise);
     let reactions = problem.reactions(&values);
     Some(Solved {
         motions,
@@ -301,6 +303,32 @@ impl<'a> Problem<'a> {
             },
             1,
         )
+    }
+
+    /// The terms that the free accelerations are sums of, as far as a constraint sees them: `|A|` times
+    /// their sizes.
+    fn noise(&mut self, constraint: &Constraint, axis: usize, free: &Motions) -> f64 {
+        let units = [0, 1, 2].map(|k| Vector::given([0, 1, 2].map(|i| f64::from(i == k))));
+        let along = units.into_iter().flat_map(|unit| {
+            let still = Motions {
+                linear: Vector::ZERO,
+                angular: Vector::ZERO,
+            };
+            let (linear, angular) = (
+                Motions {
+                    linear: unit,
+                    ..still
+                },
+                Motions {
+                    angular: unit,
+                    ..still
+                },
+            );
+            [(linear, free.linear.size), (angular, free.angular.size)]
+        });
+        along
+            .map(|(unit, size)| self.slope(constraint, axis, &unit).0.high.abs() * size)
+            .sum()
     }
 
     /// `A a + b` with this acceleration, and how far it may be off.

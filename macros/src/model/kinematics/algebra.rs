@@ -1,0 +1,195 @@
+//! The algebra of physical vectors: each is an object, whatever axes its components were written in.
+//!
+//! A [`Vector`] is the sum of parts, each with components in one frame. Sums stay in the axes they
+//! were written in; only where components are read, or where parts in different frames are
+//! multiplied, some are turned. So all forces that are fixed in a body are added before the one
+//! rotation, and the difference of two points of a body knows nothing of where the body is
+//! (`docs/trust.md`, H9).
+
+use std::collections::BTreeSet;
+
+use crate::symbolic::{Components, Graph, Id};
+
+use super::attitude::Attitude;
+use super::turned_vector::Turns;
+use super::vector::{Part, Vector};
+use super::workspace::Workspace;
+use crate::model::words::Frame;
+
+impl Workspace {
+    pub fn vector(&mut self, frame: Frame, components: Components) -> Vector {
+        // no axes turn with a rod
+        let turns = !matches!(self.attitude(frame), Attitude::Line { .. });
+        let frame = if turns { frame } else { Frame::WORLD };
+        self.whole(vec![(frame, components)])
+    }
+
+    fn whole(&mut self, mut parts: Vec<Part>) -> Vector {
+        parts.retain(|(_, part)| !self.graph.is_zero_vector(part));
+        self.vectors.add(parts)
+    }
+
+    /// The parts that are not zero, those in bodies first.
+    pub fn parts(&self, a: Vector) -> &[Part] {
+        self.vectors.parts(a)
+    }
+
+    /// The part with components in this frame.
+    pub fn part(&self, a: Vector, frame: Frame) -> Components {
+        let mut parts = self.parts(a).iter();
+        let part = parts.find(|(of, _)| *of == frame);
+        part.map_or(self.graph.zeros(), |(_, part)| *part)
+    }
+
+    /// Whether it has no part in another frame.
+    pub fn is_in(&self, a: Vector, frame: Frame) -> bool {
+        self.parts(a).iter().all(|(of, _)| *of == frame)
+    }
+
+    /// Those in which there are parts.
+    fn frames(&self, vectors: &[Vector]) -> BTreeSet<Frame> {
+        let parts = vectors.iter().flat_map(|vector| self.parts(*vector));
+        parts.map(|(frame, _)| *frame).collect()
+    }
+
+    /// The components of all parts.
+    pub fn entries(&self, vectors: &[Vector]) -> Vec<Id> {
+        let parts = vectors.iter().flat_map(|vector| self.parts(*vector));
+        parts.flat_map(|(_, part)| *part).collect()
+    }
+
+    /// What becomes of a vector as each part changes in its own axes.
+    pub fn map(
+        &mut self,
+        a: Vector,
+        mut change: impl FnMut(&mut Graph, Components) -> Components,
+    ) -> Vector {
+        self.combine(&[a], |graph, parts| change(graph, parts[0]))
+    }
+
+    /// A vector made of several, frame by frame.
+    pub fn combine(
+        &mut self,
+        vectors: &[Vector],
+        mut combine: impl FnMut(&mut Graph, &[Components]) -> Components,
+    ) -> Vector {
+        let parts = self.frames(vectors).into_iter().rev().map(|frame| {
+            let parts = vectors.iter().map(|vector| self.part(*vector, frame));
+            let parts: Vec<Components> = parts.collect();
+            (frame, combine(&mut self.graph, &parts))
+        });
+        let parts = parts.collect();
+        self.whole(parts)
+    }
+
+    pub fn add(&mut self, a: Vector, b: Vector) -> Vector {
+        self.combine(&[a, b], |graph, parts| {
+            graph.add_vectors(parts[0], parts[1])
+        })
+    }
+
+    pub fn sum(&mut self, vectors: impl IntoIterator<Item = Vector>) -> Vector {
+        let vectors: Vec<Vector> = vectors.into_iter().collect();
+        self.combine(&vectors, |graph, parts| {
+            [0, 1, 2].map(|i| graph.sum(&parts.iter().map(|part| part[i]).collect::<Vec<_>>()))
+        })
+    }
+
+    pub fn negate(&mut self, a: Vector) -> Vector {
+        self.map(a, Graph::negate_vector)
+    }
+
+    pub fn scale(&mut self, factor: Id, a: Vector) -> Vector {
+        self.map(a, |graph, part| graph.scale_vector(factor, part))
+    }
+
+    /// Components in one frame; the parts written in others are turned.
+    pub fn components(&mut self, a: Vector, frame: Frame) -> Components {
+        let turned = self.turned_parts(a, frame, |from| from != frame);
+        let components = self.graph.add_vectors(turned, self.part(a, frame));
+        self.labels
+            .vector(&format!("in_{}", frame.word()), components);
+        components
+    }
+
+    /// Components in the frame of the part there is; of several, in body axes, where nobody chose
+    /// others.
+    fn in_one_frame(&mut self, a: Vector) -> Components {
+        let frame = match *self.parts(a) {
+            [] => Frame::WORLD,
+            [(frame, _)] => frame,
+            [(first, _), ..] => self.turns.as_mut().map_or(first, Turns::choose_axes),
+        };
+        self.components(a, frame)
+    }
+
+    /// `a x b`, in each frame of what is written there, with each other and with what is turned.
+    pub fn cross(&mut self, a: Vector, b: Vector) -> Vector {
+        let mut whole = Vector::ZERO;
+        for frame in self.frames(&[a, b]) {
+            let (left, right) = (self.part(a, frame), self.part(b, frame));
+            let turned_left = self.turned_for(right, a, frame);
+            let turned_right = match self.row(left, self.part(b, Frame::WORLD), frame) {
+                Some(row) => row,
+                None => self.turned_for(left, b, frame),
+            };
+            let graph = &mut self.graph;
+            let own = graph.cross(left, right);
+            let mixed = [(left, turned_right), (turned_left, right)];
+            let [first, second] = mixed.map(|(a, b)| graph.cross(a, b));
+            let mixed = graph.add_vectors(first, second);
+            let product = graph.add_vectors(own, mixed);
+            self.note_swept(left, right, own);
+            let product = self.vector(frame, product);
+            whole = self.add(whole, product);
+        }
+        whole
+    }
+
+    /// What of `a` is written nearer to the ground, in this frame, where `other` calls for it.
+    fn turned_for(&mut self, other: Components, a: Vector, frame: Frame) -> Components {
+        let is_needed = !self.graph.is_zero_vector(&other);
+        self.turned_parts(a, frame, |from| is_needed && from < frame)
+    }
+
+    /// The parts of some frames, turned into this one.
+    fn turned_parts(
+        &mut self,
+        a: Vector,
+        to: Frame,
+        is_wanted: impl Fn(Frame) -> bool,
+    ) -> Components {
+        let mut sum = self.graph.zeros();
+        for (from, part) in self.parts(a).to_vec() {
+            if is_wanted(from) {
+                let turned = self.turn(part, from, to);
+                sum = self.graph.add_vectors(sum, turned);
+            }
+        }
+        sum
+    }
+
+    pub fn dot(&mut self, a: Vector, b: Vector) -> Id {
+        let mut products = Vec::new();
+        for frame in self.frames(&[a, b]) {
+            let (left, right) = (self.part(a, frame), self.part(b, frame));
+            let turned_left = self.turned_for(right, a, frame);
+            let turned_right = self.turned_for(left, b, frame);
+            let factors = [(left, right), (left, turned_right), (turned_left, right)];
+            products.extend(factors.map(|(a, b)| self.graph.dot(a, b)));
+        }
+        self.graph.sum(&products)
+    }
+
+    pub fn norm_squared(&mut self, a: Vector) -> Id {
+        let components = self.in_one_frame(a);
+        self.graph.norm_squared(components)
+    }
+
+    pub fn norm(&mut self, a: Vector) -> Id {
+        let components = self.in_one_frame(a);
+        let norm = self.graph.norm(components);
+        self.labels.name(norm, "norm");
+        norm
+    }
+}

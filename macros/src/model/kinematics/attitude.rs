@@ -1,0 +1,20 @@
+//! How the frame of a body is turned against the world.
+
+use crate::symbolic::{Components, Id};
+
+/// The rotation from the axes of a body to those of the world.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Attitude {
+    /// The axes stay parallel.
+    Fixed,
+    /// A rotation by an angle about a unit vector, which is the same in both axes.
+    Axis { angle: Id, direction: Components },
+    /// A unit quaternion.
+    Quaternion { scalar: Id, vector: Components },
+    /// That of a rod: one direction of the body, a unit vector in body axes, is along `axis`, in
+    /// world axes. No other axes turn with it: all components are written in those of the world.
+    Line {
+        direction: Components,
+        axis: Components,
+    },
+}

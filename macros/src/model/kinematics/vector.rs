@@ -1,0 +1,42 @@
+//! Physical vectors, by their parts.
+
+use crate::symbolic::Components;
+
+use crate::model::words::Frame;
+
+/// A physical vector: the sum of its parts.
+#[derive(Clone, Copy, Debug)]
+pub struct Vector(usize);
+
+impl Vector {
+    pub const ZERO: Self = Self(0);
+
+    pub fn is_zero(self) -> bool {
+        self.0 == Self::ZERO.0
+    }
+}
+
+/// A part of a vector, with components in one frame.
+pub type Part = (Frame, Components);
+
+/// The parts of all vectors but the zero vector.
+#[derive(Default)]
+pub struct Vectors(Vec<Vec<Part>>);
+
+impl Vectors {
+    /// The sum of parts in different frames, none of them zero.
+    pub fn add(&mut self, parts: Vec<Part>) -> Vector {
+        if parts.is_empty() {
+            return Vector::ZERO;
+        }
+        self.0.push(parts);
+        Vector(self.0.len())
+    }
+
+    pub fn parts(&self, vector: Vector) -> &[Part] {
+        match vector.0.checked_sub(1) {
+            Some(index) => &self.0[index],
+            None => &[],
+        }
+    }
+}

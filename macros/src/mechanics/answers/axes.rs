@@ -19,7 +19,7 @@
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::structure::Structure;
-use crate::model::{Attitude, Frame, Inertia, Model, Workspace};
+use crate::model::{Attitude, Inertia, Model, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 /// Axes in which a motion is slower than in those of the body.
@@ -36,7 +36,7 @@ pub struct Axes {
 
 pub fn derive_axes(model: &Model, work: &mut Workspace, structure: &Structure) -> Option<Axes> {
     let direction = structure.spin_axis.clone()?;
-    let Attitude::Quaternion { .. } = work.attitude(Frame::BODY) else {
+    let Attitude::Quaternion { .. } = work.attitude(model.state.body) else {
         return None;
     };
     let Inertia::Spatial(rows) = inertia_about_center(model, work) else {

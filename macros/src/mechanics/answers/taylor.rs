@@ -96,7 +96,7 @@ fn coordinates(
     }
     if let Some(axis) = model.state.axis {
         push(&axis.unit, &axis.rate);
-    } else if let Attitude::Quaternion { scalar, vector } = work.attitude(Frame::BODY) {
+    } else if let Attitude::Quaternion { scalar, vector } = work.attitude(model.state.body) {
         let [x, y, z] = vector;
         let rates = quaternion_rate(work, scalar, vector, turning);
         push(&[x, y, z, scalar], &rates);

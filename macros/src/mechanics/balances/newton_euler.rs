@@ -95,7 +95,7 @@ fn linear_acceleration(
         "specific_force",
         "what is fixed in the body: sum of F / m, body axes",
     );
-    let in_body = work.part(specific, Frame::BODY);
+    let in_body = work.part(specific, model.state.body);
     work.labels.vector("specific_force", in_body);
     let acceleration = work.components(specific, Frame::WORLD);
     let acceleration = work.graph.results(acceleration);
@@ -112,7 +112,7 @@ fn angular_acceleration(
     name: &str,
 ) -> Components {
     let moment = work.sum(moments);
-    let moment = work.components(moment, Frame::BODY);
+    let moment = work.components(moment, model.state.axes);
     let angular = match (
         inertia_about_center(model, work),
         model.hinge(&mut work.graph),

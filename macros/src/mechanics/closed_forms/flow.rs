@@ -77,16 +77,11 @@ fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
     let reactions: Vec<(String, Vector, Vector)> = reactions
         .map(|(reaction, (force, moment))| (reaction.name.to_string(), force, moment))
         .collect();
-    let frame = if model.motion.is_line() {
-        Frame::WORLD
-    } else {
-        Frame::BODY
-    };
     let all = loads.into_iter().chain(reactions);
     all.map(|(name, force, moment)| Contribution {
         name,
         force: work.components(force, Frame::WORLD),
-        moment: work.components(moment, frame),
+        moment: work.components(moment, model.state.axes),
     })
     .collect()
 }

@@ -141,9 +141,9 @@ fn rows_left(
     if balances.is_empty() || !is_asked {
         return Some(Vec::new());
     }
-    let in_body = |push: &&Push| model.reactions[push.reaction].frame == Frame::BODY;
+    let in_body = |push: &&Push| model.reactions[push.reaction].frame == model.state.body;
     let frame = if model.motion.is_supported() && supporting.iter().all(in_body) {
-        Frame::BODY
+        model.state.body
     } else {
         Frame::WORLD
     };

@@ -159,7 +159,7 @@ fn as_many(
     columns: &[Column<'_>],
     rest: (Vector, Vector),
 ) -> Option<Vec<Equation>> {
-    let (world, body) = (Frame::WORLD, Frame::BODY);
+    let (world, body) = (Frame::WORLD, model.state.body);
     // the moments about an axis that is fixed in the body
     let is_hinged = model.motion.is_hinged();
     for frames in [(world, body), (body, body), (world, world), (body, world)] {
@@ -213,16 +213,16 @@ fn nearest(
     columns: &[Column<'_>],
     rest: (Vector, Vector),
 ) -> Vec<Equation> {
-    let is_in_body = |column: &Column<'_>| work.is_in(column.force, Frame::BODY);
+    let is_in_body = |column: &Column<'_>| work.is_in(column.force, model.state.body);
     // a mass is the same in all axes
     let of_forces = if model.motion.has_attitude() && columns.iter().all(is_in_body) {
-        Frame::BODY
+        model.state.body
     } else {
         Frame::WORLD
     };
     let in_axes = |work: &mut Workspace, force: Vector, moment: Vector| {
         let force = work.components(force, of_forces);
-        let moment = work.components(moment, Frame::BODY);
+        let moment = work.components(moment, model.state.axes);
         (force, free_moment(model, work, moment))
     };
     let loads: Vec<(Components, Components)> = columns

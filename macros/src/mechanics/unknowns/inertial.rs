@@ -42,7 +42,7 @@ pub fn inertial(
         }
     };
     let change = graph.negate_vector(change);
-    let moment = work.vector(Frame::BODY, change);
+    let moment = work.vector(model.state.axes, change);
     (force, moment)
 }
 
@@ -104,7 +104,7 @@ pub fn inertial_change(
     };
     let change = graph.negate_vector(change);
     let (swept, linear) = (
-        work.vector(Frame::BODY, swept),
+        work.vector(model.state.body, swept),
         work.vector(Frame::WORLD, linear),
     );
     let acceleration = work.add(swept, linear);
@@ -115,7 +115,7 @@ pub fn inertial_change(
         }
         None => Vector::ZERO,
     };
-    (force, work.vector(Frame::BODY, change))
+    (force, work.vector(model.state.axes, change))
 }
 
 /// Sum of the given forces and their moment about the center, less the inertial ones.

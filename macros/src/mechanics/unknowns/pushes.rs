@@ -161,7 +161,7 @@ fn free_load(
 ) -> (Components, Components) {
     let force = work.components(force, Frame::WORLD);
     let moment = if model.motion.has_attitude() {
-        let moment = work.components(moment, Frame::BODY);
+        let moment = work.components(moment, model.state.body);
         free_moment(model, work, moment)
     } else {
         work.graph.zeros()

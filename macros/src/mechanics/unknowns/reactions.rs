@@ -137,7 +137,7 @@ fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Res
     if in_world || !model.motion.has_attitude() {
         return Ok(Frame::WORLD);
     }
-    mixed.map_or(Ok(Frame::BODY), Err)
+    mixed.map_or(Ok(model.state.body), Err)
 }
 
 /// Whether the unknown components of a reaction are the same unknowns in the axes of the body and

@@ -75,14 +75,14 @@ impl Axes {
         &self,
         model: &Model,
         work: &mut Workspace,
-        angular: &Components,
+        angular: Components,
     ) -> Components {
         let graph = &mut work.graph;
         let swept = graph.cross(self.e, model.state.angular_velocity);
         let swept = graph.scale_vector(self.spin, swept);
-        let along = graph.dot(self.e, *angular);
+        let along = graph.dot(self.e, angular);
         let along = graph.scale_vector(along, self.e);
-        let across = graph.subtract_vectors(*angular, along);
+        let across = graph.subtract_vectors(angular, along);
         graph.add_vectors(across, swept)
     }
 }

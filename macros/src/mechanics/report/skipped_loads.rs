@@ -2,14 +2,13 @@
 //! before the state is known, parts of the rotation that nothing needs.
 
 use crate::mechanics::balances::{is_along_axis, is_diagonal, resultant};
-use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Point, Workspace};
-use crate::symbolic::{Components, Id, Node};
+use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Pair, Point, Workspace};
+use crate::symbolic::{Id, Node};
 
 pub fn skip_loads(
     model: &Model,
     work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
+    accelerations: Pair,
     skipped: &mut Vec<String>,
 ) {
     skip_resultant(model, work, skipped);
@@ -17,8 +16,8 @@ pub fn skip_loads(
     skip_potentials(model, skipped);
     merge_charges(model, skipped);
     merge_constants(model, work, skipped);
-    skip_rotation(model, work, &[*linear, *angular].concat(), skipped);
-    skip_mass(model, work, &[*linear, *angular].concat(), skipped);
+    skip_rotation(model, work, &accelerations.entries(), skipped);
+    skip_mass(model, work, &accelerations.entries(), skipped);
 }
 
 /// Forces that add up to nothing leave a couple.

@@ -31,15 +31,13 @@ use structure::derive_structure;
 use unknowns::{derive_consistency, derive_constrained, derive_reactions};
 
 use crate::errors::Errors;
-use crate::model::{Model, Workspace};
-use crate::symbolic::{Components, Id};
+use crate::model::{Model, Pair, Workspace};
+use crate::symbolic::Components;
 
 /// The equations of motion, and what is known of them.
 pub struct Equations {
-    /// Acceleration of G, world axes.
-    pub linear: Components,
-    /// Angular acceleration, body axes; of a rod that of its axis, world axes.
-    pub angular: Components,
+    /// That of the axis of a rod is in the place of the angular one.
+    pub accelerations: Pair,
     /// The unknown loads that go with them, world axes.
     pub reactions: Vec<Components>,
     /// How far a state is from each constraint.
@@ -65,23 +63,19 @@ pub fn derive_equations(
     work: &mut Workspace,
     errors: &mut Errors,
 ) -> Option<Equations> {
-    let (linear, angular, reactions, constraints) = if model.constraints.is_empty() {
-        let (linear, angular) = derive_accelerations(model, work, errors)?;
-        let reactions = derive_reactions(model, work, &linear, &angular, errors)?;
-        (linear, angular, reactions, Vec::new())
+    let (accelerations, reactions, constraints) = if model.constraints.is_empty() {
+        let accelerations = derive_accelerations(model, work, errors)?;
+        let reactions = derive_reactions(model, work, accelerations, errors)?;
+        (accelerations, reactions, Vec::new())
     } else {
         let solved = derive_constrained(model, work, errors)?;
         let constraints = derive_consistency(model, work, &solved.constraints);
-        (solved.linear, solved.angular, solved.reactions, constraints)
+        (solved.accelerations, solved.reactions, constraints)
     };
-    let acting: Vec<Id> = linear
-        .into_iter()
-        .chain(angular)
-        .chain(constraints.iter().flat_map(Consistency::roots))
-        .collect();
+    let mut acting = accelerations.entries();
+    acting.extend(constraints.iter().flat_map(Consistency::roots));
     Some(Equations {
-        linear,
-        angular,
+        accelerations,
         reactions,
         switches: derive_switches(model, work, &acting),
         constraints,
@@ -93,7 +87,7 @@ pub fn derive_equations(
 impl Equations {
     /// What integrators can make use of; looked for once.
     pub fn structure(&self, model: &Model, work: &mut Workspace) -> &Structure {
-        let derive = || derive_structure(model, work, &self.linear, &self.angular);
+        let derive = || derive_structure(model, work, self.accelerations);
         self.structure.get_or_init(derive)
     }
 }
@@ -101,8 +95,7 @@ impl Equations {
 /// What the equations are like, and what does not appear in them.
 pub fn describe_equations(model: &Model, work: &mut Workspace, equations: &Equations) -> Report {
     let structure = equations.structure(model, work);
-    let (linear, angular) = (&equations.linear, &equations.angular);
-    let skipped = list_skipped(model, work, linear, angular, structure);
+    let skipped = list_skipped(model, work, equations.accelerations, structure);
     let lists = vec![
         ("Inertia about G", classify(model, work)),
         ("Charges", list_centers(model, work)),

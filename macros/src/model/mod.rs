@@ -14,7 +14,7 @@ pub use body::{
 };
 pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};
 pub use kinematics::{
-    Attitude, Axis, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
+    Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
 pub use words::{AXES, Dimension, Doubtful, Frame, Labels, Meaning, Variable, shown, why_not};
 

@@ -119,8 +119,7 @@ fn write_check(writer: &Writer<'_>, kept: &Kept) -> Method {
 /// `project(state, |state| [Row { name, position, velocity, shift, push, coupling }, ..])`
 fn write_project(writer: &Writer<'_>, kept: &Kept) -> Method {
     let (shapes, constraints) = (&writer.shapes, &kept.constraints);
-    let direction =
-        |constraint: &Consistency| shapes.pair_part(&constraint.linear, &constraint.angular);
+    let direction = |constraint: &Consistency| shapes.pair_part(&constraint.direction);
     let values = |constraint: &Consistency| {
         let (velocity, size) = constraint.velocity;
         let position = constraint

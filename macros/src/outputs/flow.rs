@@ -25,13 +25,11 @@ impl Output for Flow {
 
     fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
         let (place, model) = (given.outline.place(OFFER.word)?, given.model);
-        let (linear, angular) = (&given.equations.linear, &given.equations.angular);
         self.0 = Some(derive_flow(
             model,
             given.work,
             place,
-            linear,
-            angular,
+            given.equations.accelerations,
             given.errors,
         )?);
         Some(())

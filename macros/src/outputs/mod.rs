@@ -84,7 +84,7 @@ pub fn derive_outputs(
 impl Outputs {
     /// All expressions that code is generated for.
     pub fn roots(&self, equations: &Equations) -> Roots {
-        let accelerations = equations.linear.into_iter().chain(equations.angular);
+        let accelerations = equations.accelerations.entries().into_iter();
         let outputs = self.0.iter().flat_map(|output| output.roots());
         Roots {
             finite: accelerations.chain(outputs).collect(),

@@ -26,7 +26,7 @@ impl Output for Taylor {
     fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
         let (place, model) = (given.outline.place(OFFER.word)?, given.model);
         let structure = given.equations.structure(model, given.work);
-        let motion = (&given.equations.linear, &given.equations.angular);
+        let motion = given.equations.accelerations;
         self.0 = derive_taylor(model, given.work, place, motion, structure, given.errors);
         Some(())
     }

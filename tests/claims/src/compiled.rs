@@ -41,9 +41,9 @@ impl Compiled {
             let model = with_potentials(model, &mut work);
             let equations = derive_equations(&model, &mut work, &mut errors)?;
             derive_outputs(&outline, &model, &mut work, &equations, &mut errors)?;
-            let (linear, angular) = (&equations.linear, &equations.angular);
+            let accelerations = equations.accelerations;
             let flow = outline.place("flow").and_then(|place| {
-                derive_flow(&model, &mut work, place, linear, angular, &mut errors)
+                derive_flow(&model, &mut work, place, accelerations, &mut errors)
             });
             let structure = equations.structure(&model, &mut work).clone();
             let skipped = describe_equations(&model, &mut work, &equations).skipped;
@@ -86,12 +86,7 @@ impl Compiled {
 
     /// Linear, and angular.
     pub fn accelerations(&self) -> Vec<Id> {
-        let equations = &self.equations;
-        equations
-            .linear
-            .into_iter()
-            .chain(equations.angular)
-            .collect()
+        self.equations.accelerations.entries()
     }
 
     /// The values of expressions, in doubles.

@@ -114,8 +114,8 @@ mod tests {
     fn wrong_accelerations_under_constraints_are_refuted() {
         let (wrong, seen) = planted(0..200, |body, compiled| {
             let graph = &mut compiled.work.graph;
-            let (x, one) = (compiled.equations.linear[0], graph.one());
-            compiled.equations.linear[0] = graph.add(x, one);
+            let (x, one) = (compiled.equations.accelerations.linear[0], graph.one());
+            compiled.equations.accelerations.linear[0] = graph.add(x, one);
             !body.constraints.is_empty()
         });
         assert!(wrong > 10 && seen * 10 > wrong * 8, "{seen} of {wrong}");
@@ -127,10 +127,13 @@ mod tests {
         let (wrong, seen) = planted(0..200, |body, compiled| {
             let graph = &mut compiled.work.graph;
             // beside which all that is divided by is rounding
-            let (x, huge) = (compiled.equations.linear[0], graph.integer(i64::MAX));
+            let (x, huge) = (
+                compiled.equations.accelerations.linear[0],
+                graph.integer(i64::MAX),
+            );
             let scale = graph.multiply(huge, huge);
             let scale = graph.multiply(scale, scale);
-            compiled.equations.linear[0] = graph.pivot(x, scale);
+            compiled.equations.accelerations.linear[0] = graph.pivot(x, scale);
             !body.constraints.is_empty()
         });
         assert!(wrong > 10 && seen * 10 > wrong * 6, "{seen} of {wrong}");

@@ -5,7 +5,7 @@ use core::ops::Range;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::model::{AXES, Motion, Outline};
+use crate::model::{AXES, Motion, Outline, Pair};
 use crate::symbolic::{Components, Id};
 
 use super::naming::local;
@@ -106,7 +106,7 @@ impl Shapes {
     }
 
     /// The components of a pair of a linear and an angular vector, as far as the motion has them.
-    pub fn pair_part(&self, linear: &Components, angular: &Components) -> Vec<Id> {
+    pub fn pair_part(&self, Pair { linear, angular }: &Pair) -> Vec<Id> {
         let linear = if self.motion.translates {
             self.vector_part(linear)
         } else {

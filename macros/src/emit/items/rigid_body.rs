@@ -20,7 +20,7 @@ pub enum Best {
 pub fn write_acceleration(site: &Site<'_>, equations: Option<&Equations>) -> Method {
     let shapes = &site.shapes;
     site.method(equations, |writer, equations| {
-        let outputs = shapes.pair_part(&equations.linear, &equations.angular);
+        let outputs = shapes.pair_part(&equations.accelerations);
         let mut method = Method::write(writer, &outputs, |values| shapes.acceleration(values));
         // what is known early is no statement, and stands in the text all the same
         let results = shapes

@@ -6,7 +6,7 @@
 //! is made.
 
 use crate::errors::Extent;
-use crate::model::{Attitude, Defaults, Frame, Point, Vector};
+use crate::model::{Attitude, Defaults, Point, Vector};
 use crate::symbolic::Components;
 use crate::syntax::{Description, Support};
 
@@ -47,7 +47,7 @@ impl Lowering<'_> {
             direction,
             axis: axis.unit,
         };
-        self.work.set_attitude(Frame::BODY, axis_of_rod);
+        self.work.set_attitude(self.state.body, axis_of_rod);
         let swept = (self.state.angular_velocity, axis.rate);
         self.work.swept.push(swept);
         Some(())
@@ -64,7 +64,7 @@ impl Lowering<'_> {
                 ),
             );
         }
-        Some(self.work.fixed_in_body(components))
+        Some(self.work.fixed_in(self.state.body, components))
     }
 
     /// A point, of a rod one that is on its axis.
@@ -82,7 +82,7 @@ impl Lowering<'_> {
 
     /// Whether a vector of the body is along the axis, if it is a rod.
     pub fn is_along_axis(&mut self, components: Components) -> bool {
-        let Attitude::Line { direction, .. } = self.work.attitude(Frame::BODY) else {
+        let Attitude::Line { direction, .. } = self.work.attitude(self.state.body) else {
             return true;
         };
         let graph = &mut self.work.graph;

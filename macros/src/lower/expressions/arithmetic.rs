@@ -1,7 +1,7 @@
 //! Signs, sums, products, comparisons and choices.
 
 use crate::errors::Extent;
-use crate::model::{Dimension, Frame, Point, Vector};
+use crate::model::{Dimension, Point, Vector};
 use crate::symbolic::{Comparison, Id};
 use crate::syntax::{Expression, Kind, Operator, Prefix, Step};
 
@@ -225,11 +225,14 @@ impl Lowering<'_> {
         };
         let from_center = match point {
             Point::Moving(offset) => offset,
-            Point::Body(offset) | Point::World(offset) => self.work.fixed_in_body(offset),
+            Point::Body(offset) | Point::World(offset) => {
+                self.work.fixed_in(self.state.body, offset)
+            }
         };
         let offset = self.work.add(from_center, vector);
-        let part = self.work.part(offset, Frame::BODY);
-        let is_fixed = self.work.is_in(offset, Frame::BODY) && self.work.graph.are_early(&part);
+        let body = self.state.body;
+        let part = self.work.part(offset, body);
+        let is_fixed = self.work.is_in(offset, body) && self.work.graph.are_early(&part);
         Some(Value::Point(if is_fixed {
             Point::Body(part)
         } else {

@@ -40,7 +40,7 @@ impl Lowering<'_> {
                 format!("{UNTURNED}: write `axis`, the unit vector along it"),
             ),
             "attitude" if !self.motion.has_attitude() => self.absent(name, "attitude"),
-            "attitude" => match self.work.attitude(Frame::BODY) {
+            "attitude" => match self.work.attitude(self.state.body) {
                 Attitude::Axis { angle, .. } => Some(Value::Scalar(angle, Dimension::NONE)),
                 _ => Some(Value::Attitude),
             },
@@ -52,7 +52,8 @@ impl Lowering<'_> {
                 Dimension::FREQUENCY,
             )),
             "angular_velocity" => {
-                let vector = self.work.vector(Frame::BODY, self.state.angular_velocity);
+                let (axes, w) = (self.state.axes, self.state.angular_velocity);
+                let vector = self.work.vector(axes, w);
                 Some(Value::Vector(vector, Dimension::FREQUENCY))
             }
             _ => self.unknown_name(name),

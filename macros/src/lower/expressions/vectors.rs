@@ -110,7 +110,7 @@ impl Lowering<'_> {
     fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
         if self.motion.is_planar {
             let [body, world] =
-                [Frame::BODY, Frame::WORLD].map(|frame| self.work.part(product, frame));
+                [self.state.body, Frame::WORLD].map(|frame| self.work.part(product, frame));
             Value::Scalar(self.work.graph.add(body[2], world[2]), dimension)
         } else {
             Value::Vector(product, dimension)
@@ -166,8 +166,8 @@ impl Lowering<'_> {
         let mut swept = Vector::ZERO;
         for (frame, part) in self.work.parts(offset).to_vec() {
             let mut w = self.state.angular_velocity;
-            if frame != Frame::BODY && !self.motion.is_planar {
-                let turning = self.work.vector(Frame::BODY, w);
+            if frame != self.state.axes && !self.motion.is_planar {
+                let turning = self.work.vector(self.state.axes, w);
                 w = self.work.components(turning, frame);
             }
             let product = self.work.graph.cross(w, part);
@@ -202,7 +202,7 @@ impl Lowering<'_> {
                 },
             ),
             Value::Attitude => {
-                let Attitude::Quaternion { scalar, vector } = self.work.attitude(Frame::BODY) else {
+                let Attitude::Quaternion { scalar, vector } = self.work.attitude(self.state.body) else {
                     return None;
                 };
                 match ["w", "i", "j", "k"].iter().position(|part| *part == word) {

@@ -1,7 +1,7 @@
 //! The inertia of a rod.
 
 use crate::lower::expressions::Lowering;
-use crate::model::{Attitude, Frame, Inertia};
+use crate::model::{Attitude, Inertia};
 use crate::symbolic::{Id, Number};
 
 use super::draft::Draft;
@@ -13,7 +13,7 @@ impl Lowering<'_> {
             return Some(draft);
         };
         // what is wrong with the direction is reported
-        let Attitude::Line { direction, .. } = self.work.attitude(Frame::BODY) else {
+        let Attitude::Line { direction, .. } = self.work.attitude(self.state.body) else {
             return None;
         };
         let graph = &mut self.work.graph;

@@ -7,7 +7,7 @@
 use proc_macro2::Ident;
 
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Frame, Inertia};
+use crate::model::{Dimension, Inertia};
 use crate::symbolic::{Components, Function, Graph, Id};
 use crate::syntax::Expression;
 
@@ -98,7 +98,7 @@ impl Lowering<'_> {
     /// A constant vector in body axes that is not zero.
     fn body_direction(&mut self, written: &Expression) -> Option<Components> {
         let vector = self.vector(written, Dimension::ANY, "a direction")?;
-        if !self.work.is_in(vector, Frame::BODY) {
+        if !self.work.is_in(vector, self.state.body) {
             return self.report(
                 written.extent,
                 "this direction is fixed in the body: write `body(..)`",
@@ -107,7 +107,7 @@ impl Lowering<'_> {
         if vector.is_zero() {
             return self.report(written.extent, "the zero vector has no direction");
         }
-        let direction = self.work.part(vector, Frame::BODY);
+        let direction = self.work.part(vector, self.state.body);
         self.check_early(written, &direction, CONSTANT)?;
         Some(direction)
     }

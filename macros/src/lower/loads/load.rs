@@ -2,7 +2,7 @@
 
 use crate::families::LoadKind;
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Frame, Load, Point, Vector};
+use crate::model::{Dimension, Load, Point, Vector};
 use crate::syntax::{self, Written};
 
 impl Lowering<'_> {
@@ -13,7 +13,7 @@ impl Lowering<'_> {
             LoadKind::Moment if self.motion.is_planar => {
                 let moment = self.scalar(value, Dimension::MOMENT, "a moment")?;
                 let zero = self.work.graph.zero();
-                Some(self.work.vector(Frame::BODY, [zero, zero, moment]))
+                Some(self.work.vector(self.state.axes, [zero, zero, moment]))
             }
             LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
         });

@@ -41,7 +41,7 @@ impl Lowering<'_> {
         // is held, they do from there
         let position = self.state.position;
         let [body, world] =
-            [Frame::BODY, Frame::WORLD].map(|frame| self.work.part(position, frame));
+            [self.state.body, Frame::WORLD].map(|frame| self.work.part(position, frame));
         let graph = &mut self.work.graph;
         let from_held = charges
             .iter()
@@ -52,7 +52,7 @@ impl Lowering<'_> {
         self.work.labels.name(net, format!("{name}_charge"));
         self.work.labels.vector(&format!("{name}_dipole"), turned);
         let moved = self.work.vector(Frame::WORLD, moved);
-        let turned = self.work.fixed_in_body(turned);
+        let turned = self.work.fixed_in(self.state.body, turned);
         let whole = self.work.add(moved, turned);
         let work = self.work.dot(field, whole);
         let energy = self.work.graph.negate(work);
@@ -149,7 +149,7 @@ impl Lowering<'_> {
         let state = &self.state;
         let mut roots = self.work.entries(&[state.position, state.velocity]);
         roots.extend(state.angular_velocity);
-        match self.work.attitude(Frame::BODY) {
+        match self.work.attitude(self.state.body) {
             Attitude::Fixed => {}
             Attitude::Axis { angle, .. } => roots.push(angle),
             Attitude::Quaternion { scalar, vector } => {

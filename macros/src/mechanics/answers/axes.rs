@@ -19,7 +19,7 @@
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::structure::Structure;
-use crate::model::{Attitude, Frame, Inertia, Model, Workspace};
+use crate::model::{Attitude, Inertia, Model, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 /// Axes in which a motion is slower than in those of the body.
@@ -36,7 +36,7 @@ pub struct Axes {
 
 pub fn derive_axes(model: &Model, work: &mut Workspace, structure: &Structure) -> Option<Axes> {
     let direction = structure.spin_axis.clone()?;
-    let Attitude::Quaternion { .. } = work.attitude(Frame::BODY) else {
+    let Attitude::Quaternion { .. } = work.attitude(model.state.body) else {
         return None;
     };
     let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
@@ -75,14 +75,14 @@ impl Axes {
         &self,
         model: &Model,
         work: &mut Workspace,
-        angular: &Components,
+        angular: Components,
     ) -> Components {
         let graph = &mut work.graph;
         let swept = graph.cross(self.e, model.state.angular_velocity);
         let swept = graph.scale_vector(self.spin, swept);
-        let along = graph.dot(self.e, *angular);
+        let along = graph.dot(self.e, angular);
         let along = graph.scale_vector(along, self.e);
-        let across = graph.subtract_vectors(*angular, along);
+        let across = graph.subtract_vectors(angular, along);
         graph.add_vectors(across, swept)
     }
 }

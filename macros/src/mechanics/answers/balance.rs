@@ -167,7 +167,7 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
         }
     };
     let moment = graph.negate_vector(change);
-    work.vector(Frame::BODY, moment)
+    work.vector(model.state.axes, moment)
 }
 
 /// What is spread over the body is listed at G.

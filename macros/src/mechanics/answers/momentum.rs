@@ -29,7 +29,7 @@ pub fn derive_momentum(model: &Model, work: &mut Workspace) -> Momentum {
         Inertia::Scalar(inertia) => graph.scale_vector(inertia, w),
         Inertia::Spatial(rows) => transform(graph, &rows, w),
     };
-    let spin = work.vector(Frame::BODY, spin);
+    let spin = work.vector(model.state.axes, spin);
     let angular = work.components(spin, Frame::WORLD);
     let arm = from_pole(model, work);
     let orbital = work.cross(arm, moving);

@@ -13,7 +13,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
-use crate::model::{Attitude, Frame, Meaning, Model, Variable, Workspace};
+use crate::model::{Attitude, Frame, Meaning, Model, Pair, Variable, Workspace};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
 
 use super::axes::{self, Axes};
@@ -42,16 +42,23 @@ pub fn derive_taylor(
     model: &Model,
     work: &mut Workspace,
     asked: Extent,
-    (linear, angular): (&Components, &Components),
+    accelerations: Pair,
     structure: &Structure,
     errors: &mut Errors,
 ) -> Option<Taylor> {
     let axes = axes::derive_axes(model, work, structure);
     let (turning, angular) = match &axes {
-        Some(axes) => (axes.rate, axes.acceleration(model, work, angular)),
-        None => (model.state.angular_velocity, *angular),
+        Some(axes) => (
+            axes.rate,
+            axes.acceleration(model, work, accelerations.angular),
+        ),
+        None => (model.state.angular_velocity, accelerations.angular),
     };
-    let coordinates = coordinates(model, work, linear, &angular, turning);
+    let accelerations = Pair {
+        angular,
+        ..accelerations
+    };
+    let coordinates = coordinates(model, work, accelerations, turning);
     let symbols: Vec<Id> = coordinates
         .iter()
         .map(|coordinate| coordinate.symbol)
@@ -71,8 +78,7 @@ pub fn derive_taylor(
 fn coordinates(
     model: &Model,
     work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
+    Pair { linear, angular }: Pair,
     turning: Components,
 ) -> Vec<Coordinate> {
     let motion = model.motion;
@@ -96,7 +102,7 @@ fn coordinates(
     }
     if let Some(axis) = model.state.axis {
         push(&axis.unit, &axis.rate);
-    } else if let Attitude::Quaternion { scalar, vector } = work.attitude(Frame::BODY) {
+    } else if let Attitude::Quaternion { scalar, vector } = work.attitude(model.state.body) {
         let [x, y, z] = vector;
         let rates = quaternion_rate(work, scalar, vector, turning);
         push(&[x, y, z, scalar], &rates);
@@ -107,11 +113,11 @@ fn coordinates(
         push(&velocity[..axes], &linear[..axes]);
     }
     if let Some(axis) = model.state.axis {
-        push(&axis.rate, angular);
+        push(&axis.rate, &angular);
     } else if one_angle {
         push(&rate, &angular[2..]);
     } else if motion.has_attitude() {
-        push(&angular_velocity, angular);
+        push(&angular_velocity, &angular);
     }
     let unit = work.graph.one();
     push(&[model.state.time], &[unit]);

@@ -31,7 +31,7 @@ pub fn moments_about(
 /// `P - O`, from the pole O to the point P.
 pub fn arm(model: &Model, work: &mut Workspace, point: Point, pole: Point) -> Vector {
     let from_center = |work: &mut Workspace, point: Point| match point {
-        Point::Body(offset) => Some(work.fixed_in_body(offset)),
+        Point::Body(offset) => Some(work.fixed_in(model.state.body, offset)),
         Point::Moving(offset) => Some(offset),
         Point::World(_) => None,
     };

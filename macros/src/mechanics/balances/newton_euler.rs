@@ -6,7 +6,7 @@
 //! ```
 
 use crate::errors::Errors;
-use crate::model::{Frame, Inertia, Load, Model, Vector, Workspace};
+use crate::model::{Frame, Inertia, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::Components;
 
 use super::euler_equations::solve_euler;
@@ -14,20 +14,20 @@ use super::loads::{check_moment_free, given_parts, moments_about, resultant};
 use super::moments::{inertia_about_center, moment_of_inertia};
 use super::rod;
 
-/// Linear acceleration of G in world axes and angular acceleration in body axes, as far as the
-/// motion has them; that of a hinge stands in the place of z, that of the axis of a rod in the
-/// place of all.
+/// The accelerations, as far as the motion has them; that of the axis of a rod is in the place of
+/// the angular one.
 pub fn derive_accelerations(
     model: &Model,
     work: &mut Workspace,
     errors: &mut Errors,
-) -> Option<(Components, Components)> {
+) -> Option<Pair> {
     work.labels
         .describe("linear", "(1.3), world axes: a = sum of F / m");
     if let Some(axis) = model.state.axis {
         rod::check_loads(model, work, &model.loads, axis, errors)?;
         let linear = linear_acceleration(model, work, &model.loads, "linear");
-        return Some((linear, rod::axis_acceleration(model, work, axis)));
+        let angular = rod::axis_acceleration(model, work, axis);
+        return Some(Pair { linear, angular });
     }
     let center = model.state.center(work);
     let given = if model.motion.has_attitude() {
@@ -61,7 +61,7 @@ pub fn solve_balances(
     loads: &[Load],
     further: Vec<Vector>,
     names: [&str; 2],
-) -> (Components, Components) {
+) -> Pair {
     let linear = linear_acceleration(model, work, loads, names[0]);
     let center = model.state.center(work);
     let mut moments = moments_about(model, work, loads, center);
@@ -71,7 +71,7 @@ pub fn solve_balances(
     } else {
         work.graph.zeros()
     };
-    (linear, angular)
+    Pair { linear, angular }
 }
 
 /// (1.3): `a = F / m`. All that is fixed in the body is added before it is turned.
@@ -95,7 +95,7 @@ fn linear_acceleration(
         "specific_force",
         "what is fixed in the body: sum of F / m, body axes",
     );
-    let in_body = work.part(specific, Frame::BODY);
+    let in_body = work.part(specific, model.state.body);
     work.labels.vector("specific_force", in_body);
     let acceleration = work.components(specific, Frame::WORLD);
     let acceleration = work.graph.results(acceleration);
@@ -112,7 +112,7 @@ fn angular_acceleration(
     name: &str,
 ) -> Components {
     let moment = work.sum(moments);
-    let moment = work.components(moment, Frame::BODY);
+    let moment = work.components(moment, model.state.axes);
     let angular = match (
         inertia_about_center(model, work),
         model.hinge(&mut work.graph),

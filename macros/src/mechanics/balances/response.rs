@@ -1,14 +1,14 @@
 //! The acceleration that one load makes by itself.
 
-use crate::model::{Inertia, Model, Workspace};
+use crate::model::{Inertia, Model, Pair, Workspace};
 use crate::symbolic::Components;
 
 use super::dyadic::{Dyadic, cheapest};
 use super::euler_equations::{inverse_inertia, is_diagonal};
 use super::moments::{inertia_about_center, moment_of_inertia};
 
-/// The part of a moment about the center (body axes) along which the body may turn; about a hinge,
-/// that along its axis stands in the place of z.
+/// The part of a moment about the center along which the body may turn; about a hinge, that along
+/// its axis stands in the place of z.
 pub fn free_moment(model: &Model, work: &mut Workspace, moment: Components) -> Components {
     let graph = &mut work.graph;
     match model.hinge(graph) {
@@ -20,14 +20,10 @@ pub fn free_moment(model: &Model, work: &mut Workspace, moment: Components) -> C
     }
 }
 
-/// Of a force (world axes) and a [`free_moment`] about the center: `F / m`, `J^-1 M`, as far as the
-/// motion has them.
-pub fn response(
-    model: &Model,
-    work: &mut Workspace,
-    force: Components,
-    moment: Components,
-) -> (Components, Components) {
+/// Of a force and a [`free_moment`] about the center: `F / m`, `J^-1 M`, as far as the motion has
+/// them.
+pub fn response(model: &Model, work: &mut Workspace, load: Pair) -> Pair {
+    let (force, moment) = (load.linear, load.angular);
     let graph = &mut work.graph;
     let (zeros, one) = (graph.zeros(), graph.one());
     let linear = match model.mass {
@@ -39,7 +35,10 @@ pub fn response(
         _ => zeros,
     };
     if !model.motion.has_attitude() || work.graph.is_zero_vector(&moment) {
-        return (linear, zeros);
+        return Pair {
+            linear,
+            angular: zeros,
+        };
     }
     let mut inertia = inertia_about_center(model, work);
     if let Some(d) = model.hinge(&mut work.graph) {
@@ -68,5 +67,5 @@ pub fn response(
             cheapest(graph, full, dyadic)
         }
     };
-    (linear, angular)
+    Pair { linear, angular }
 }

@@ -62,7 +62,7 @@ fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
     let center = Point::Body(work.graph.zeros());
     let mut list = Vec::new();
     for load in &model.loads {
-        let attitude = work.attitude(Frame::BODY);
+        let attitude = work.attitude(model.state.body);
         if let (Point::Body(offset), Attitude::Line { direction, .. }) = (load.point, attitude) {
             let along = work.graph.dot(direction, offset);
             let force = work.part(load.force, Frame::WORLD);

@@ -27,7 +27,7 @@ pub fn about_axis(
     if work.graph.is_early(acceleration) {
         return Some(Turning::Uniform(acceleration));
     }
-    if let Some((sine, cosine)) = swinging(work, acceleration) {
+    if let Some((sine, cosine)) = swinging(model, work, acceleration) {
         let graph = &mut work.graph;
         let square = graph.apply(Function::Hypot, &[sine, cosine]);
         let rate = graph.apply(Function::Sqrt, &[square]);
@@ -51,7 +51,7 @@ pub fn about_axis(
             }
             let kind = if work.graph.is_early(moment) {
                 Kind::Constant
-            } else if swinging(work, moment).is_some() {
+            } else if swinging(model, work, moment).is_some() {
                 Kind::Swinging
             } else {
                 Kind::Other
@@ -85,8 +85,8 @@ pub fn about_axis(
 }
 
 /// `(a, b)` of `a sin theta + b cos theta`.
-fn swinging(work: &mut Workspace, expression: Id) -> Option<(Id, Id)> {
-    let angle = work.angle()?;
+fn swinging(model: &Model, work: &mut Workspace, expression: Id) -> Option<(Id, Id)> {
+    let angle = work.angle(model.state.body)?;
     let graph = &mut work.graph;
     let of_late = |id: Id| !graph.is_early(id) && id != angle;
     if graph.depends_on(&[expression], of_late) {

@@ -14,7 +14,7 @@
 use crate::errors::{Errors, Extent};
 use crate::mechanics::balances::{given_parts, moments_about};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Inertia, Model, Vector, Workspace};
+use crate::model::{Frame, Inertia, Model, Pair, Vector, Workspace};
 use crate::symbolic::Components;
 
 use super::about_axis::about_axis;
@@ -29,8 +29,7 @@ pub fn derive_flow(
     model: &Model,
     work: &mut Workspace,
     place: Extent,
-    linear: &Components,
-    angular: &Components,
+    accelerations: Pair,
     errors: &mut Errors,
 ) -> Option<Flow> {
     if !model.constraints.is_empty() {
@@ -43,10 +42,16 @@ pub fn derive_flow(
     }
     let contributions = contributions(model, work);
     let mut obstacles = Vec::new();
-    if !work.graph.are_early(linear) {
+    if !work.graph.are_early(&accelerations.linear) {
         obstacles.extend(unsteady_forces(work, &contributions));
     }
-    let turning = turning(model, work, angular, &contributions, &mut obstacles);
+    let turning = turning(
+        model,
+        work,
+        &accelerations.angular,
+        &contributions,
+        &mut obstacles,
+    );
     obstacles.dedup();
     for obstacle in &obstacles {
         errors.push(
@@ -56,7 +61,7 @@ pub fn derive_flow(
     }
     let turning = turning.filter(|_| obstacles.is_empty())?;
     Some(Flow {
-        linear: *linear,
+        linear: accelerations.linear,
         turning,
     })
 }
@@ -77,16 +82,11 @@ fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
     let reactions: Vec<(String, Vector, Vector)> = reactions
         .map(|(reaction, (force, moment))| (reaction.name.to_string(), force, moment))
         .collect();
-    let frame = if model.motion.is_line() {
-        Frame::WORLD
-    } else {
-        Frame::BODY
-    };
     let all = loads.into_iter().chain(reactions);
     all.map(|(name, force, moment)| Contribution {
         name,
         force: work.components(force, Frame::WORLD),
-        moment: work.components(moment, frame),
+        moment: work.components(moment, model.state.axes),
     })
     .collect()
 }

@@ -37,10 +37,10 @@ impl Top {
 
 /// The top that a body is under a moment, body axes; none if it is no top.
 pub fn lagrange_top(model: &Model, work: &mut Workspace, moment: Components) -> Option<Top> {
-    let arms = arms(work, moment)?;
+    let arms = arms(model, work, moment)?;
     for (moments, axis) in axes_of_symmetry(model, work, &arms) {
         let couple = work.graph.transform(&arms, axis);
-        let expected = couple_on(work, couple, axis);
+        let expected = couple_on(model, work, couple, axis);
         let graph = &mut work.graph;
         let rest = [0, 1, 2].map(|i| graph.subtract(moment[i], expected[i]));
         if all_vanish(work, &rest) {
@@ -56,20 +56,25 @@ pub fn lagrange_top(model: &Model, work: &mut Workspace, moment: Components) -> 
 }
 
 /// `k x e` in body axes.
-fn couple_on(work: &mut Workspace, couple: Components, axis: Components) -> Components {
-    let seen = seen_from_body(work, couple);
+fn couple_on(
+    model: &Model,
+    work: &mut Workspace,
+    couple: Components,
+    axis: Components,
+) -> Components {
+    let seen = seen_from_body(model, work, couple);
     work.graph.cross(seen, axis)
 }
 
 /// A vector in world axes, in those of the body.
-fn seen_from_body(work: &mut Workspace, world: Components) -> Components {
+fn seen_from_body(model: &Model, work: &mut Workspace, world: Components) -> Components {
     let vector = work.vector(Frame::WORLD, world);
-    work.components(vector, Frame::BODY)
+    work.components(vector, model.state.body)
 }
 
 /// The vectors `W_l`, if the moment depends on nothing but the attitude.
-fn arms(work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
-    let Attitude::Quaternion { scalar, vector } = work.attitude(Frame::BODY) else {
+fn arms(model: &Model, work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
+    let Attitude::Quaternion { scalar, vector } = work.attitude(model.state.body) else {
         return None;
     };
     let parts = [[scalar].as_slice(), vector.as_slice()].concat();
@@ -82,7 +87,7 @@ fn arms(work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
     }
     let mut roots = moment.to_vec();
     for axis in work.graph.unit_vectors() {
-        roots.extend(seen_from_body(work, axis));
+        roots.extend(seen_from_body(model, work, axis));
     }
     let graph = &mut work.graph;
     let mut arms = [graph.zeros(); 3];

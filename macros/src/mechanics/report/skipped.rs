@@ -2,24 +2,22 @@
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::structure::{Structure, Symmetry};
-use crate::model::{AXES, Inertia, Model, Variable, Workspace};
-use crate::symbolic::{Components, Id};
+use crate::model::{AXES, Inertia, Model, Pair, Variable, Workspace};
 
 use super::skipped_loads::skip_loads;
 
 pub fn list_skipped(
     model: &Model,
     work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
+    accelerations: Pair,
     structure: &Structure,
 ) -> Vec<String> {
     let mut skipped = Vec::new();
     skip_equations(model, &mut skipped);
     skip_gyroscopic(model, work, &mut skipped);
     skip_spin(model, structure, &mut skipped);
-    skip_loads(model, work, linear, angular, &mut skipped);
-    skip_state(model, work, linear, angular, &mut skipped);
+    skip_loads(model, work, accelerations, &mut skipped);
+    skip_state(model, work, accelerations, &mut skipped);
     skipped
 }
 
@@ -98,14 +96,8 @@ fn skip_gyroscopic(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
 }
 
 /// Parts of the state that the accelerations do not depend on.
-fn skip_state(
-    model: &Model,
-    work: &Workspace,
-    linear: &Components,
-    angular: &Components,
-    skipped: &mut Vec<String>,
-) {
-    let roots: Vec<Id> = linear.iter().chain(angular).copied().collect();
+fn skip_state(model: &Model, work: &Workspace, accelerations: Pair, skipped: &mut Vec<String>) {
+    let roots = accelerations.entries();
     let (moves, turns) = (model.motion.translates, model.motion.has_attitude());
     let is_rod = model.motion.is_line();
     // whether the motion has it, its name, and its variables

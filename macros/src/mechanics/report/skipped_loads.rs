@@ -2,14 +2,13 @@
 //! before the state is known, parts of the rotation that nothing needs.
 
 use crate::mechanics::balances::{is_along_axis, is_diagonal, resultant};
-use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Point, Workspace};
-use crate::symbolic::{Components, Id, Node};
+use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Pair, Point, Workspace};
+use crate::symbolic::{Id, Node};
 
 pub fn skip_loads(
     model: &Model,
     work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
+    accelerations: Pair,
     skipped: &mut Vec<String>,
 ) {
     skip_resultant(model, work, skipped);
@@ -17,8 +16,8 @@ pub fn skip_loads(
     skip_potentials(model, skipped);
     merge_charges(model, skipped);
     merge_constants(model, work, skipped);
-    skip_rotation(work, &[*linear, *angular].concat(), skipped);
-    skip_mass(model, work, &[*linear, *angular].concat(), skipped);
+    skip_rotation(model, work, &accelerations.entries(), skipped);
+    skip_mass(model, work, &accelerations.entries(), skipped);
 }
 
 /// Forces that add up to nothing leave a couple.
@@ -51,7 +50,7 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
             continue;
         }
         let (in_body, in_world) = (
-            work.part(force, Frame::BODY),
+            work.part(force, model.state.body),
             work.part(force, Frame::WORLD),
         );
         let graph = &mut work.graph;
@@ -173,8 +172,8 @@ fn is_constant(work: &Workspace, load: &Load, frame: Frame) -> bool {
 
 /// Of the rotation, one column turns what is along an axis of the body, one row what is along one
 /// of the world.
-fn skip_rotation(work: &mut Workspace, roots: &[Id], skipped: &mut Vec<String>) {
-    if !matches!(work.attitude(Frame::BODY), Attitude::Quaternion { .. }) {
+fn skip_rotation(model: &Model, work: &mut Workspace, roots: &[Id], skipped: &mut Vec<String>) {
+    if !matches!(work.attitude(model.state.body), Attitude::Quaternion { .. }) {
         return;
     }
     let turns = work.turned.clone();

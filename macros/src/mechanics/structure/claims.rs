@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Inertia, Meaning, Model, Variable, Workspace};
+use crate::model::{Inertia, Meaning, Model, Pair, Variable, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 use super::symmetry::{Space, Symmetry, symmetries};
@@ -49,12 +49,8 @@ pub const QUANTITIES: [&str; 6] = [
     "input",
 ];
 
-pub fn derive_structure(
-    model: &Model,
-    work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
-) -> Structure {
+pub fn derive_structure(model: &Model, work: &mut Workspace, accelerations: Pair) -> Structure {
+    let (linear, angular) = (&accelerations.linear, &accelerations.angular);
     let [linear_spaces, angular_spaces] = symmetries(model, work, linear, angular);
     let keeps_spin = keeps_spin(work, angular, &angular_spaces[1]);
     let dependence = |roots: &Components, spaces: &[Space; 2]| Dependence {
@@ -75,7 +71,7 @@ pub fn derive_structure(
         is_torque_free: is_torque_free(model, work, angular),
         keeps_spin,
         spin_axis: angular_spaces[1].axis().filter(|_| spins),
-        planes: [0, 1, 2].map(|axis| stays_in_plane(model, work, linear, angular, axis)),
+        planes: [0, 1, 2].map(|axis| stays_in_plane(model, work, accelerations, axis)),
     }
 }
 
@@ -164,8 +160,7 @@ fn keeps_spin(work: &mut Workspace, angular: &Components, axes: &Space) -> bool 
 fn stays_in_plane(
     model: &Model,
     work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
+    Pair { linear, angular }: Pair,
     axis: usize,
 ) -> bool {
     if model.motion.is_planar || model.motion.is_hinged() {

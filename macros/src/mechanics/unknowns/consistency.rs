@@ -8,7 +8,7 @@
 //! origin, and velocities of the size of its kinetic energy.
 
 use crate::mechanics::balances::{response, turned_by, twice_kinetic};
-use crate::model::{Inertia, Model, Workspace};
+use crate::model::{Inertia, Model, Pair, Workspace};
 use crate::symbolic::{Components, Function, Graph, Id, Node};
 
 use super::constrained::Constrained;
@@ -21,9 +21,8 @@ pub struct Consistency {
     pub position: Option<(Id, Id)>,
     /// `h`, and the size of what it is summed from.
     pub velocity: (Id, Id),
-    /// `M^-1 A^T`: world axes, body axes; of a rod, the change of its axis.
-    pub linear: Components,
-    pub angular: Components,
+    /// `M^-1 A^T`; the change of the axis of a rod is in the place of the angular one.
+    pub direction: Pair,
     /// The row of `S`.
     pub coupling: Vec<Id>,
 }
@@ -37,8 +36,7 @@ impl Consistency {
             .into_iter()
             .flat_map(|(value, size)| [value, size]);
         let own = [value, size].into_iter().chain(position);
-        own.chain(self.linear)
-            .chain(self.angular)
+        own.chain(self.direction.entries())
             .chain(self.coupling.iter().copied())
             .collect()
     }
@@ -49,27 +47,22 @@ pub fn derive_consistency(
     work: &mut Workspace,
     constraints: &[Constrained],
 ) -> Vec<Consistency> {
-    let directions: Vec<(Components, Components)> = constraints
+    let directions: Vec<Pair> = constraints
         .iter()
         .map(|constraint| {
-            let (linear, angular) = response(
-                model,
-                work,
-                constraint.rates.linear,
-                constraint.rates.angular,
-            );
+            let Pair { linear, angular } = response(model, work, constraint.rates.factors);
             let graph = &mut work.graph;
-            (graph.results(linear), graph.results(angular))
+            Pair {
+                linear: graph.results(linear),
+                angular: graph.results(angular),
+            }
         })
         .collect();
     let list = constraints.iter().enumerate().map(|(row, constraint)| {
         let graph = &mut work.graph;
-        let angular = constraint.rates.angular;
-        let coupling = directions.iter().map(|(by_linear, by_angular)| {
-            let first = graph.dot(constraint.rates.linear, *by_linear);
-            let second = graph.dot(angular, *by_angular);
-            graph.add(first, second)
-        });
+        let angular = constraint.rates.factors.angular;
+        let factors = constraint.rates.factors;
+        let coupling = directions.iter().map(|by| factors.dot(graph, *by));
         let coupling = coupling.collect();
         let position = constraint.position.map(|value| {
             let size = summed_size(graph, value);
@@ -81,10 +74,12 @@ pub fn derive_consistency(
             name: constraint.name.clone(),
             position,
             velocity,
-            linear: directions[row].0,
-            angular: match model.state.axis {
-                Some(axis) => turned_by(work, axis, directions[row].1),
-                None => directions[row].1,
+            direction: match model.state.axis {
+                Some(axis) => Pair {
+                    angular: turned_by(work, axis, directions[row].angular),
+                    ..directions[row]
+                },
+                None => directions[row],
             },
             coupling,
         }

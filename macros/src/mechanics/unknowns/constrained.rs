@@ -44,7 +44,7 @@ pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
 
 /// Where the gradient of a constraint is not proved to be zero; `None` is everywhere.
 pub fn active(work: &mut Workspace, constraint: &Constrained) -> Option<Id> {
-    let gradient = [constraint.rates.linear, constraint.rates.angular].concat();
+    let gradient = constraint.rates.factors.entries();
     let conditions = work.graph.conditions(&gradient);
     if conditions.is_empty() || conditions.len() > MOST {
         return None;

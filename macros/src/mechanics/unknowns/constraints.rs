@@ -13,8 +13,7 @@
 use crate::errors::Errors;
 use crate::mechanics::balances::{check_moment_free, response, rod, solve_balances};
 use crate::mechanics::proofs::samples;
-use crate::mechanics::variation::Rates;
-use crate::model::{Frame, Load, Model, Vector, Workspace};
+use crate::model::{Frame, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::{Components, Elimination, Function, Id, Residue, Sample, Size};
 
 use super::constrained::{Constrained, active, differentiate};
@@ -27,8 +26,7 @@ use super::unknown::{Sides, equations};
 
 /// The motion under constraints.
 pub struct Solved {
-    pub linear: Components,
-    pub angular: Components,
+    pub accelerations: Pair,
     pub constraints: Vec<Constrained>,
     pub reactions: Vec<Components>,
 }
@@ -45,7 +43,7 @@ pub fn derive_constrained(
     if let Some(axis) = model.state.axis {
         let moments = pushes
             .iter()
-            .map(|push| (push.name(model), push.place, push.moment));
+            .map(|push| (push.name(model), push.place, push.free.angular));
         check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
     }
     let loads = given_loads(model, work);
@@ -79,11 +77,11 @@ pub fn derive_constrained(
         errors,
     )?;
     name_unknowns(model, work, &pushes, &elimination);
-    let linear = pushed(work, free.0, &pushes, &elimination.values, |push| {
-        push.linear
+    let linear = pushed(work, free.linear, &pushes, &elimination.values, |push| {
+        push.accelerations.linear
     });
-    let angular = pushed(work, free.1, &pushes, &elimination.values, |push| {
-        push.angular
+    let angular = pushed(work, free.angular, &pushes, &elimination.values, |push| {
+        push.accelerations.angular
     });
     let angular = match model.state.axis {
         Some(axis) => rod::of_angular(work, axis, angular),
@@ -92,8 +90,7 @@ pub fn derive_constrained(
     name_accelerations(model, work, linear, angular);
     let reactions = assemble(model, work, &pushes, &elimination.values);
     Some(Solved {
-        linear,
-        angular,
+        accelerations: Pair { linear, angular },
         constraints,
         reactions,
     })
@@ -104,24 +101,15 @@ fn constraint_row(
     work: &mut Workspace,
     constraint: &Constrained,
     pushes: &[Push],
-    free: (Components, Components),
+    free: Pair,
 ) -> Sides {
-    let Rates {
-        rate,
-        linear,
-        angular,
-    } = constraint.rates;
-    let graph = &mut work.graph;
-    let mut along = |a: Components, b: Components| {
-        let (first, second) = (graph.dot(linear, a), graph.dot(angular, b));
-        graph.add(first, second)
-    };
-    let coefficients = pushes
-        .iter()
-        .map(|push| along(push.linear, push.angular))
+    let (graph, factors) = (&mut work.graph, constraint.rates.factors);
+    let along = pushes.iter();
+    let coefficients = along
+        .map(|push| factors.dot(graph, push.accelerations))
         .collect();
-    let given = along(free.0, free.1);
-    let known = graph.add(given, rate);
+    let given = factors.dot(graph, free);
+    let known = graph.add(given, constraint.rates.rate);
     (coefficients, graph.negate(known))
 }
 
@@ -132,7 +120,7 @@ fn rows_left(
     work: &mut Workspace,
     pushes: &[Push],
     loads: &[Load],
-    free: (Components, Components),
+    free: Pair,
     errors: &mut Errors,
 ) -> Option<Vec<(&'static str, Sides)>> {
     let balances = balances_left(model, work);
@@ -141,9 +129,9 @@ fn rows_left(
     if balances.is_empty() || !is_asked {
         return Some(Vec::new());
     }
-    let in_body = |push: &&Push| model.reactions[push.reaction].frame == Frame::BODY;
+    let in_body = |push: &&Push| model.reactions[push.reaction].frame == model.state.body;
     let frame = if model.motion.is_supported() && supporting.iter().all(in_body) {
-        Frame::BODY
+        model.state.body
     } else {
         Frame::WORLD
     };
@@ -151,11 +139,11 @@ fn rows_left(
         let force = work.components(force, frame);
         (force, work.components(moment, frame))
     };
-    let known = balances_of(model, work, loads, Vec::new(), (&free.0, &free.1));
+    let known = balances_of(model, work, loads, Vec::new(), free);
     let known = in_frame(work, known);
     let mut units = Vec::new();
     for push in pushes {
-        let (force, moment) = inertial_change(model, work, push.linear, push.angular);
+        let (force, moment) = inertial_change(model, work, push.accelerations);
         let unit = (work.add(push.load.0, force), work.add(push.load.1, moment));
         units.push(in_frame(work, unit));
     }
@@ -184,24 +172,16 @@ fn rows_left(
 /// load pushes along the gradient it is a sum of squares; else it is at most the product of their
 /// lengths, and vanishes where they are perpendicular.
 fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Push) -> Size {
-    let Rates {
-        linear, angular, ..
-    } = constraint.rates;
-    let gradient = [linear, angular].concat();
-    let load = [push.force, push.moment].concat();
-    let values = samples(work, &[gradient, load].concat());
+    let gradient = constraint.rates.factors;
+    let values = samples(work, &[gradient.entries(), push.free.entries()].concat());
     let (a, b) = values.split_at(values.len() / 2);
     if !push.is_followed && are_parallel(a, b) {
         return Size::Squares;
     }
-    let by_gradient = response(model, work, linear, angular);
+    let by_gradient = response(model, work, gradient);
     let graph = &mut work.graph;
-    let mut product = |a: [Components; 2], b: [Components; 2]| {
-        let (first, second) = (graph.dot(a[0], b[0]), graph.dot(a[1], b[1]));
-        graph.add(first, second)
-    };
-    let of_gradient = product([linear, angular], [by_gradient.0, by_gradient.1]);
-    let of_load = product([push.force, push.moment], [push.linear, push.angular]);
+    let of_gradient = gradient.dot(graph, by_gradient);
+    let of_load = push.free.dot(graph, push.accelerations);
     let square = graph.multiply(of_gradient, of_load);
     Size::Product(graph.apply(Function::Sqrt, &[square]))
 }

@@ -18,7 +18,7 @@ use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
 use crate::mechanics::balances::{arm, free_moment, response};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Model, Reaction, Vector, Workspace};
+use crate::model::{Frame, Model, Pair, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Equation, Id, Size};
 
 use super::inertial::{balances_of, balances_without_unknowns};
@@ -46,7 +46,7 @@ pub fn solve_drives(
     model: &Model,
     work: &mut Workspace,
     rows: &[Row],
-    (linear, angular): (&Components, &Components),
+    accelerations: Pair,
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
     let columns = columns(model, work, errors)?;
@@ -55,10 +55,10 @@ pub fn solve_drives(
         check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
     }
     let rest = if model.constraints.is_empty() {
-        balances_without_unknowns(model, work, linear, angular)
+        balances_without_unknowns(model, work, accelerations)
     } else {
         let loads = given_loads(model, work);
-        balances_of(model, work, &loads, Vec::new(), (linear, angular))
+        balances_of(model, work, &loads, Vec::new(), accelerations)
     };
     let system = as_many(model, work, rows, &columns, rest)
         .unwrap_or_else(|| nearest(model, work, rows, &columns, rest));
@@ -159,7 +159,7 @@ fn as_many(
     columns: &[Column<'_>],
     rest: (Vector, Vector),
 ) -> Option<Vec<Equation>> {
-    let (world, body) = (Frame::WORLD, Frame::BODY);
+    let (world, body) = (Frame::WORLD, model.state.body);
     // the moments about an axis that is fixed in the body
     let is_hinged = model.motion.is_hinged();
     for frames in [(world, body), (body, body), (world, world), (body, world)] {
@@ -213,19 +213,22 @@ fn nearest(
     columns: &[Column<'_>],
     rest: (Vector, Vector),
 ) -> Vec<Equation> {
-    let is_in_body = |column: &Column<'_>| work.is_in(column.force, Frame::BODY);
+    let is_in_body = |column: &Column<'_>| work.is_in(column.force, model.state.body);
     // a mass is the same in all axes
     let of_forces = if model.motion.has_attitude() && columns.iter().all(is_in_body) {
-        Frame::BODY
+        model.state.body
     } else {
         Frame::WORLD
     };
     let in_axes = |work: &mut Workspace, force: Vector, moment: Vector| {
         let force = work.components(force, of_forces);
-        let moment = work.components(moment, Frame::BODY);
-        (force, free_moment(model, work, moment))
+        let moment = work.components(moment, model.state.axes);
+        Pair {
+            linear: force,
+            angular: free_moment(model, work, moment),
+        }
     };
-    let loads: Vec<(Components, Components)> = columns
+    let loads: Vec<Pair> = columns
         .iter()
         .map(|column| in_axes(work, column.force, column.moment))
         .collect();
@@ -238,15 +241,12 @@ fn nearest(
     let mut held = balances(work, &held, columns, rest, frames);
     let rest = in_axes(work, rest.0, rest.1);
     let mut system = Vec::new();
-    for (force, moment) in &loads {
-        let (linear, angular) = response(model, work, *force, *moment);
+    for load in &loads {
+        let by_load = response(model, work, *load);
         let graph = &mut work.graph;
-        let mut power = |(force, moment): (Components, Components)| {
-            let (first, second) = (graph.dot(linear, force), graph.dot(angular, moment));
-            graph.add(first, second)
-        };
-        let coefficients: Vec<Id> = loads.iter().map(|load| power(*load)).collect();
-        let rest = power(rest);
+        let power = loads.iter().map(|load| by_load.dot(graph, *load));
+        let coefficients: Vec<Id> = power.collect();
+        let rest = by_load.dot(graph, rest);
         system.push((coefficients, graph.negate(rest)));
     }
     let mut nearest = equations(work, system);

@@ -1,23 +1,19 @@
 //! What the given loads and the inertia leave of the balances.
 
 use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about, resultant};
-use crate::model::{Frame, Inertia, Load, Meaning, Model, Variable, Vector, Workspace};
+use crate::model::{Frame, Inertia, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 /// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
-pub fn inertial(
-    model: &Model,
-    work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
-) -> (Vector, Vector) {
+pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Vector, Vector) {
+    let angular = accelerations.angular;
     let hinge = model.hinge(&mut work.graph);
     let graph = &mut work.graph;
     let rate = match hinge {
         Some(d) => graph.scale_vector(angular[2], d),
-        None => *angular,
+        None => angular,
     };
-    let symbols: Vec<(Id, Id)> = accelerations(model, work, linear, &rate, angular);
+    let symbols: Vec<(Id, Id)> = symbols(model, work, accelerations, rate);
     let acceleration = model.state.acceleration;
     let acceleration = work.map(acceleration, |graph, part| graph.replaced(part, &symbols));
     let zero = Vector::ZERO;
@@ -42,17 +38,16 @@ pub fn inertial(
         }
     };
     let change = graph.negate_vector(change);
-    let moment = work.vector(Frame::BODY, change);
+    let moment = work.vector(model.state.axes, change);
     (force, moment)
 }
 
 /// The symbols of the accelerations and the expressions they are.
-pub fn accelerations(
+fn symbols(
     model: &Model,
     work: &Workspace,
-    linear: &Components,
-    rate: &Components,
-    angular: &Components,
+    Pair { linear, angular }: Pair,
+    rate: Components,
 ) -> Vec<(Id, Id)> {
     let graph = &work.graph;
     let state = &model.state;
@@ -83,8 +78,7 @@ pub fn accelerations(
 pub fn inertial_change(
     model: &Model,
     work: &mut Workspace,
-    linear: Components,
-    angular: Components,
+    Pair { linear, angular }: Pair,
 ) -> (Vector, Vector) {
     let hinge = model.hinge(&mut work.graph);
     let inertia = inertia_about_center(model, work);
@@ -104,7 +98,7 @@ pub fn inertial_change(
     };
     let change = graph.negate_vector(change);
     let (swept, linear) = (
-        work.vector(Frame::BODY, swept),
+        work.vector(model.state.body, swept),
         work.vector(Frame::WORLD, linear),
     );
     let acceleration = work.add(swept, linear);
@@ -115,19 +109,18 @@ pub fn inertial_change(
         }
         None => Vector::ZERO,
     };
-    (force, work.vector(Frame::BODY, change))
+    (force, work.vector(model.state.axes, change))
 }
 
 /// Sum of the given forces and their moment about the center, less the inertial ones.
 pub fn balances_without_unknowns(
     model: &Model,
     work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
+    accelerations: Pair,
 ) -> (Vector, Vector) {
     let center = model.state.center(work);
     let given = given_parts(model, work, center);
-    balances_of(model, work, &model.loads, given, (linear, angular))
+    balances_of(model, work, &model.loads, given, accelerations)
 }
 
 /// The same of other loads, and of forces with their moments.
@@ -136,7 +129,7 @@ pub fn balances_of(
     work: &mut Workspace,
     loads: &[Load],
     further: Vec<(Vector, Vector)>,
-    (linear, angular): (&Components, &Components),
+    accelerations: Pair,
 ) -> (Vector, Vector) {
     let center = model.state.center(work);
     let mut force = resultant(work, loads);
@@ -146,7 +139,7 @@ pub fn balances_of(
         force = work.add(force, given_force);
         moment = work.add(moment, given_moment);
     }
-    let (inertial_force, inertial_moment) = inertial(model, work, linear, angular);
+    let (inertial_force, inertial_moment) = inertial(model, work, accelerations);
     let force = work.add(force, inertial_force);
     let moment = work.add(moment, inertial_moment);
     (force, moment)

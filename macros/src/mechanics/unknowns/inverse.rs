@@ -7,7 +7,7 @@
 
 use crate::errors::Errors;
 use crate::families::LoadKind;
-use crate::model::{Meaning, Model, Reaction, Variable, Vector, Workspace};
+use crate::model::{Meaning, Model, Pair, Reaction, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;
@@ -26,8 +26,7 @@ pub fn derive_inverse(
     if !model.reactions.is_empty() {
         rows.extend(balances_left(model, work));
     }
-    let (linear, angular) = given_accelerations(model, work);
-    let motion = (&linear, &angular);
+    let motion = given_accelerations(model, work);
     let solved = if model.constraints.is_empty() && model.state.axis.is_none() {
         solve(model, work, rows, motion, errors)?
     } else {
@@ -52,7 +51,7 @@ fn solve(
     model: &Model,
     work: &mut Workspace,
     rows: Vec<Row>,
-    motion: (&Components, &Components),
+    motion: Pair,
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
     let free = free_balances(model, work);
@@ -88,9 +87,8 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
     rows
 }
 
-/// The symbols of the accelerations; that of a hinge stands in the place of z, and of a rod there
-/// is `u x u''`.
-fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Components) {
+/// The symbols of the accelerations; of a rod there is `u x u''`.
+fn given_accelerations(model: &Model, work: &mut Workspace) -> Pair {
     let state = &model.state;
     let mut roots = work.entries(&[state.acceleration]);
     roots.extend(state.angular_acceleration);
@@ -110,5 +108,5 @@ fn given_accelerations(model: &Model, work: &mut Workspace) -> (Components, Comp
     if model.state.axis.is_some() {
         angular = state.angular_acceleration;
     }
-    (linear, angular)
+    Pair { linear, angular }
 }

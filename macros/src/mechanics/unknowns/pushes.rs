@@ -9,7 +9,7 @@ use crate::errors::{Errors, Extent};
 use crate::families::{Family, LoadKind};
 use crate::mechanics::balances::{arm, free_moment, response};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Load, Meaning, Model, Point, Reaction, Vector, Workspace};
+use crate::model::{Frame, Load, Meaning, Model, Pair, Point, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 /// One unit of an unknown.
@@ -23,14 +23,12 @@ pub struct Push {
     pub is_followed: bool,
     /// Its force, and its moment about the center; with what follows it.
     pub load: (Vector, Vector),
-    /// The same along which the body moves freely: the force in world axes, and the moment.
-    pub force: Components,
-    pub moment: Components,
+    /// The same along which the body moves freely.
+    pub free: Pair,
     /// It acts where the body is held: by itself it makes no acceleration.
     pub supports: bool,
-    /// The acceleration that it makes: of G, world axes; angular, body axes.
-    pub linear: Components,
-    pub angular: Components,
+    /// What it makes.
+    pub accelerations: Pair,
 }
 
 impl Push {
@@ -109,28 +107,25 @@ fn push(model: &Model, work: &mut Workspace, reaction: usize, axis: usize, place
 
     let followed = once(own).chain(followers).collect::<Vec<_>>();
     let load = whole_load(model, work, &followed);
-    let (force, moment) = free_load(model, work, load);
-    let (linear, angular) = response(model, work, force, moment);
+    let free = free_load(model, work, load);
+    let accelerations = response(model, work, free);
     let own = if is_followed {
         let own = whole_load(model, work, &[own]);
-        let (force, moment) = free_load(model, work, own);
-        response(model, work, force, moment)
+        let own = free_load(model, work, own);
+        response(model, work, own)
     } else {
-        (linear, angular)
+        accelerations
     };
-    let moves = [own.0, own.1].concat();
     Push {
         reaction,
         axis,
         place,
         direction,
         is_followed,
-        supports: model.motion.is_supported() && all_vanish(work, &moves),
+        supports: model.motion.is_supported() && all_vanish(work, &own.entries()),
         load,
-        force,
-        moment,
-        linear,
-        angular,
+        free,
+        accelerations,
     }
 }
 
@@ -153,20 +148,19 @@ fn whole_load(
     (work.sum(forces), work.sum(moments))
 }
 
-/// What of a load moves the body: the force in world axes, and the moment.
-fn free_load(
-    model: &Model,
-    work: &mut Workspace,
-    (force, moment): (Vector, Vector),
-) -> (Components, Components) {
+/// What of a load moves the body.
+fn free_load(model: &Model, work: &mut Workspace, (force, moment): (Vector, Vector)) -> Pair {
     let force = work.components(force, Frame::WORLD);
     let moment = if model.motion.has_attitude() {
-        let moment = work.components(moment, Frame::BODY);
+        let moment = work.components(moment, model.state.body);
         free_moment(model, work, moment)
     } else {
         work.graph.zeros()
     };
-    (force, moment)
+    Pair {
+        linear: force,
+        angular: moment,
+    }
 }
 
 /// The loads that depend on a reaction, for one unit of it along `direction`: their forces, where

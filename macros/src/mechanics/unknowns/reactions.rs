@@ -12,7 +12,7 @@
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
 use crate::mechanics::balances::arm;
-use crate::model::{Frame, Model, Reaction, Vector, Workspace};
+use crate::model::{Frame, Model, Pair, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::inertial::balances_without_unknowns;
@@ -24,8 +24,7 @@ use super::unknown::{Row, Solved, Unknown, Unmoved, equations};
 pub fn derive_reactions(
     model: &Model,
     work: &mut Workspace,
-    linear: &Components,
-    angular: &Components,
+    accelerations: Pair,
     errors: &mut Errors,
 ) -> Option<Vec<Components>> {
     if model.reactions.is_empty() {
@@ -34,14 +33,8 @@ pub fn derive_reactions(
     check_workless(model, work, errors)?;
     let rows = balances_left(model, work);
     let unknown: Vec<&Reaction> = model.reactions.iter().collect();
-    let solved = match solve_unknowns(
-        model,
-        work,
-        &unknown,
-        rows,
-        (linear, angular),
-        Unmoved::Checked,
-    ) {
+    let solved = match solve_unknowns(model, work, &unknown, rows, accelerations, Unmoved::Checked)
+    {
         Ok(solved) => solved,
         Err(place) => {
             errors.push(place, "in world axes the part of this reaction that is known turns against the body: write it in body axes, or leave all its components unknown");
@@ -69,7 +62,7 @@ pub fn solve_unknowns<'m>(
     work: &mut Workspace,
     loads: &[&'m Reaction],
     mut rows: Vec<Row>,
-    (linear, angular): (&Components, &Components),
+    accelerations: Pair,
     unmoved: Unmoved,
 ) -> Result<Solved<'m>, Extent> {
     let frame = choose_frame(model, work, loads)?;
@@ -83,7 +76,7 @@ pub fn solve_unknowns<'m>(
             })
         });
     }
-    let (force, moment) = balances_without_unknowns(model, work, linear, angular);
+    let (force, moment) = balances_without_unknowns(model, work, accelerations);
     let (force, moment) = (
         work.components(force, frame),
         work.components(moment, frame),
@@ -137,7 +130,7 @@ fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Res
     if in_world || !model.motion.has_attitude() {
         return Ok(Frame::WORLD);
     }
-    mixed.map_or(Ok(Frame::BODY), Err)
+    mixed.map_or(Ok(model.state.body), Err)
 }
 
 /// Whether the unknown components of a reaction are the same unknowns in the axes of the body and

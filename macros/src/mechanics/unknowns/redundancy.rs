@@ -29,7 +29,7 @@ pub fn check_independent(
 ) -> Option<()> {
     let roots: Vec<Id> = constraints
         .iter()
-        .flat_map(|constraint| [constraint.rates.linear, constraint.rates.angular].concat())
+        .flat_map(|constraint| constraint.rates.factors.entries())
         .collect();
     let samples = samples(work, &roots);
     let branches = samples.first().map_or(0, |sample| sample.0.len());

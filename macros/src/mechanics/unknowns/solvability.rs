@@ -3,7 +3,7 @@
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
 use crate::mechanics::balances::arm;
-use crate::model::{Frame, Model, Reaction, Workspace};
+use crate::model::{Model, Reaction, Workspace};
 use crate::symbolic::{Elimination, Number, Undetermined};
 
 use super::unknown::{Solved, Unknown};
@@ -46,12 +46,12 @@ fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
     }
     let center = model.state.center(work);
     let arm = arm(model, work, point, center);
-    let arm = work.components(arm, Frame::BODY);
+    let arm = work.components(arm, model.state.body);
     let graph = &mut work.graph;
     // d.(P - C) x e = e.d x (P - C); without an axis, any d
     let swept = hinge.map_or(arm, |d| graph.cross(d, arm));
     let stays = swept.map(|component| graph.vanishes(component));
-    let turns_with_body = frame == Frame::BODY || is_whole;
+    let turns_with_body = frame == model.state.body || is_whole;
     match hinge {
         Some(_) if turns_with_body => !stays[axis],
         // what is written in world axes turns through all directions across the axis

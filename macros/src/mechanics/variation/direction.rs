@@ -24,7 +24,7 @@ impl Direction {
     /// As the body moves, its velocities held; inputs are held, unless they move.
     pub fn motion(model: &Model, work: &mut Workspace) -> Self {
         let state = &model.state;
-        let turning = work.vector(Frame::BODY, state.angular_velocity);
+        let turning = work.vector(state.axes, state.angular_velocity);
         let mut motion = Self::turn(work, turning);
         let [place, velocity] = world_parts(work, [state.position, state.velocity]);
         let (graph, changes) = (&work.graph, &mut motion.changes);
@@ -32,9 +32,9 @@ impl Direction {
         // w is known by its length, where parameters give its direction
         let spin = work
             .meanings
-            .symbol_of(Meaning::Of(Frame::BODY, Variable::AngularVelocity, 2));
+            .symbol_of(Meaning::Of(state.body, Variable::AngularVelocity, 2));
         let spin = spin.map(|symbol| graph.symbol_id(symbol));
-        changes.extend(work.angle().zip(spin));
+        changes.extend(work.angle(state.body).zip(spin));
         change(graph, changes, place, velocity);
         if let Some(axis) = state.axis {
             change(graph, changes, axis.unit, axis.rate);
@@ -67,7 +67,7 @@ impl Direction {
     pub fn turn_of_axes(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let w = model.state.angular_velocity;
         let back = work.graph.negate_vector(e);
-        let turning = work.vector(Frame::BODY, back);
+        let turning = work.vector(model.state.axes, back);
         let mut turn = Self::turn(work, turning);
         let by = work.graph.cross(e, w);
         change(&work.graph, &mut turn.changes, w, by);

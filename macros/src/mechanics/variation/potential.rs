@@ -73,7 +73,7 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
         family: Family::Field,
         force: derived.force,
         point: center,
-        moment: work.vector(Frame::BODY, derived.moment),
+        moment: work.vector(model.state.axes, derived.moment),
         pull: model.state.axis.map(|_| derived.pull),
         potential: Some(derived.energy),
         mention: None,

@@ -4,8 +4,8 @@
 //! de/dt = rate + linear . a + angular . w'
 //! ```
 
-use crate::model::{Axis, Model, Variable, Workspace};
-use crate::symbolic::{Components, Id};
+use crate::model::{Axis, Model, Pair, Variable, Workspace};
+use crate::symbolic::Id;
 
 use super::direction::Direction;
 use super::slopes::Slopes;
@@ -14,10 +14,8 @@ use super::slopes::Slopes;
 pub struct Rates {
     /// What does not depend on the accelerations.
     pub rate: Id,
-    /// Factors of the acceleration of G, world axes.
-    pub linear: Components,
-    /// Factors of the angular acceleration, body axes; of a rod, of that without spin, world axes.
-    pub angular: Components,
+    /// Of the accelerations; of a rod, of that without spin.
+    pub factors: Pair,
 }
 
 pub fn rates(model: &Model, work: &mut Workspace, value: Id) -> Rates {
@@ -36,7 +34,9 @@ pub fn rates(model: &Model, work: &mut Workspace, value: Id) -> Rates {
     }
     Rates {
         rate,
-        linear: slopes.by_variable(work, Variable::Velocity),
-        angular,
+        factors: Pair {
+            linear: slopes.by_variable(work, Variable::Velocity),
+            angular,
+        },
     }
 }

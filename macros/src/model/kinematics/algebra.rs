@@ -1,4 +1,4 @@
-//! The algebra of physical vectors: each is an object, whatever axes its components were written in.
+//! The algebra of physical vectors: each is one object, whatever axes it was written in.
 //!
 //! A [`Vector`] is the sum of parts, each with components in one frame. Sums stay in the axes they
 //! were written in; only where components are read, or where parts in different frames are
@@ -8,19 +8,15 @@
 
 use std::collections::BTreeSet;
 
+use crate::model::words::Frame;
 use crate::symbolic::{Components, Graph, Id};
 
-use super::attitude::Attitude;
 use super::turned_vector::Turns;
 use super::vector::{Part, Vector};
 use super::workspace::Workspace;
-use crate::model::words::Frame;
 
 impl Workspace {
     pub fn vector(&mut self, frame: Frame, components: Components) -> Vector {
-        // no axes turn with a rod
-        let turns = !matches!(self.attitude(frame), Attitude::Line { .. });
-        let frame = if turns { frame } else { Frame::WORLD };
         self.whole(vec![(frame, components)])
     }
 

@@ -1,17 +1,17 @@
 //! Vectors of a rod: they are known along its axis alone.
 
+use crate::model::words::Frame;
 use crate::symbolic::Components;
 
 use super::attitude::Attitude;
 use super::vector::Vector;
 use super::workspace::Workspace;
-use crate::model::words::Frame;
 
 impl Workspace {
     /// A vector that is fixed in the body, from its components in body axes.
-    pub fn fixed_in_body(&mut self, components: Components) -> Vector {
-        let Attitude::Line { direction, axis } = self.attitude(Frame::BODY) else {
-            return self.vector(Frame::BODY, components);
+    pub fn fixed_in(&mut self, body: Frame, components: Components) -> Vector {
+        let Attitude::Line { direction, axis } = self.attitude(body) else {
+            return self.vector(body, components);
         };
         let along = self.graph.dot(direction, components);
         let world = self.graph.scale_vector(along, axis);
@@ -20,12 +20,13 @@ impl Workspace {
 
     /// Remembers a product with the axis of a rod.
     pub fn note_swept(&mut self, a: Components, b: Components, product: Components) {
-        let Attitude::Line { axis, .. } = self.attitude(Frame::BODY) else {
-            return;
+        let is_axis = |v: Components| {
+            let mut attitudes = self.attitudes.iter();
+            attitudes.any(|known| matches!(known, Attitude::Line { axis, .. } if *axis == v))
         };
-        if a == axis {
+        if is_axis(a) {
             self.swept.push((product, b));
-        } else if b == axis {
+        } else if is_axis(b) {
             let opposite = self.graph.negate_vector(a);
             self.swept.push((product, opposite));
         }

@@ -4,6 +4,7 @@
 mod algebra;
 mod attitude;
 mod line;
+mod pair;
 mod point;
 mod state;
 pub mod turned_vector;
@@ -12,6 +13,7 @@ mod vector;
 mod workspace;
 
 pub use attitude::Attitude;
+pub use pair::Pair;
 pub use point::Point;
 pub use state::{Axis, State, Support, state_symbols};
 pub use turned_vector::{Turn, Turns};

@@ -1,9 +1,9 @@
 //! Points, fixed in the body, in space, or moving.
 
+use crate::model::words::Frame;
 use crate::symbolic::Components;
 
 use super::vector::Vector;
-use crate::model::words::Frame;
 
 /// A point, in metres.
 #[derive(Clone, Copy, Debug)]

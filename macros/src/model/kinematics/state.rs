@@ -15,12 +15,14 @@ use super::workspace::Workspace;
 pub struct State {
     /// The frame of the body, by which it is known.
     pub body: Frame,
+    /// Where its turning is written: its own axes; those of the world if no axes turn with it.
+    pub axes: Frame,
     pub time: Id,
     /// Position, velocity and acceleration of G.
     pub position: Vector,
     pub velocity: Vector,
     pub acceleration: Vector,
-    /// Body axes; of a rod, `u x u'` and `u x u''` in world axes.
+    /// In these axes; of a rod, `u x u'` and `u x u''`.
     pub angular_velocity: Components,
     pub angular_acceleration: Components,
     /// What a rod has instead of an attitude.
@@ -36,7 +38,7 @@ impl State {
         match point {
             Point::World(position) => work.vector(Frame::WORLD, position),
             Point::Body(offset) => {
-                let offset = work.fixed_in_body(offset);
+                let offset = work.fixed_in(self.body, offset);
                 work.add(self.position, offset)
             }
             Point::Moving(offset) => work.add(self.position, offset),
@@ -53,7 +55,7 @@ impl State {
             return work.vector(Frame::WORLD, swept);
         }
         let swept = work.graph.cross(self.angular_velocity, offset);
-        work.vector(Frame::BODY, swept)
+        work.vector(self.body, swept)
     }
 
     /// The angular velocity; of a rod u', which is as long.
@@ -91,10 +93,10 @@ impl State {
         let (driven, centripetal) = (graph.cross(rate, center), graph.cross(w, velocity));
         let acceleration = graph.add_vectors(driven, centripetal);
         let held = work.vector(Frame::WORLD, support.anchor);
-        let from_held = work.vector(Frame::BODY, center);
+        let from_held = work.vector(self.body, center);
         self.position = work.add(held, from_held);
-        self.velocity = work.vector(Frame::BODY, velocity);
-        self.acceleration = work.vector(Frame::BODY, acceleration);
+        self.velocity = work.vector(self.body, velocity);
+        self.acceleration = work.vector(self.body, acceleration);
         self.support = Some(support);
     }
 }
@@ -170,6 +172,7 @@ pub fn state_symbols(body: Frame, motion: Motion, work: &mut Workspace) -> State
     }
     State {
         body,
+        axes: if motion.is_line() { Frame::WORLD } else { body },
         time,
         position: work.vector(Frame::WORLD, position),
         velocity: work.vector(Frame::WORLD, velocity),

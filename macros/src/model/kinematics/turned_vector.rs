@@ -6,9 +6,8 @@
 
 use std::collections::HashMap;
 
-use crate::symbolic::{Components, Graph, Id, Stage};
-
 use crate::model::words::Frame;
+use crate::symbolic::{Components, Graph, Id, Stage};
 
 /// A vector, and its components in the other axes, or the symbols of them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

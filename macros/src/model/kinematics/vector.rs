@@ -1,8 +1,7 @@
 //! Physical vectors, by their parts.
 
-use crate::symbolic::Components;
-
 use crate::model::words::Frame;
+use crate::symbolic::Components;
 
 /// A physical vector: the sum of its parts.
 #[derive(Clone, Copy, Debug)]

@@ -17,7 +17,7 @@ pub struct Workspace {
     pub labels: Labels,
     pub meanings: Meanings,
     /// Of each frame.
-    attitudes: Vec<Attitude>,
+    pub(super) attitudes: Vec<Attitude>,
     pub(super) vectors: Vectors,
     /// Turned vectors are kept apart in here, where potentials are read.
     pub turns: Option<Turns>,
@@ -68,8 +68,8 @@ impl Workspace {
     }
 
     /// The angle of a body that turns about an axis.
-    pub fn angle(&self) -> Option<Id> {
-        match self.attitude(Frame::BODY) {
+    pub fn angle(&self, body: Frame) -> Option<Id> {
+        match self.attitude(body) {
             Attitude::Axis { angle, .. } => Some(angle),
             _ => None,
         }

@@ -215,3 +215,66 @@ fn rods() {
         assert!((found.second - Vector3::new(0.0, second, 0.0)).norm() < 1e-11);
     }
 }
+
+// a top on a guide; what its foot carries rubs at the tip, on a support and with a constraint for it
+macro_rules! rubbed_top {
+    ($($name:ident { $motion:ident $(($foot:ident))?, [$($held:tt)*] })*) => {$(
+        rigid_body!($name {
+            motion: $motion $(($foot))?,
+            mass: 0.9[kg],
+            inertia: principal(0.05, 0.06, 0.02)[kg * m ^ 2],
+            points: [foot = (0, 0, -0.2), tip = (0, 0, 0.25)],
+            fields: [weight = mass * world(0, 0, -9.8)],
+            constraints: [$($held)* height = tip.position().in_world().z - 0.31[m]],
+            reactions: [guide = world(0, 0, _).at(tip), ground = world(_, _, _).at(foot)],
+            forces: [rub = (-0.1 * ground).at(tip)],
+            moments: [motor = body(0, _, _)],
+            outputs: [inverse],
+        });
+    )*};
+}
+
+rubbed_top! {
+    RubbedTop { fixed_point(foot), [] }
+    LooseRubbedTop { spatial, [held = foot.position(),] }
+}
+
+#[test]
+fn drives_beside_friction_of_a_support() {
+    for (turn, accelerations) in [
+        ([0.3, 0.2, 0.1], [0.5, 0.1, -0.4]),
+        ([-0.4, 0.7, 1.1], [-1.0, 0.6, 2.0]),
+    ] {
+        let attitude = UnitQuaternion::from_scaled_axis(turn.into());
+        let mut state = Rotation {
+            attitude,
+            angular_velocity: [0.1, 0.5, 2.0].into(),
+        };
+        RubbedTop::default().project(0.0, &mut state, &()).unwrap();
+        // a motion that the guide allows
+        let arm = state.attitude * Vector3::new(0.0, 0.0, 0.45);
+        let up = state.attitude.inverse() * arm.cross(&Vector3::z());
+        let w = state.angular_velocity;
+        let swept = (state.attitude * w.cross(&w.cross(&Vector3::new(0.0, 0.0, 0.45)))).z;
+        let mut angular = Vector3::from(accelerations);
+        angular -= up * ((angular.dot(&up) + swept) / up.norm_squared());
+        let foot = state.attitude * Vector3::new(0.0, 0.0, -0.2);
+        let about = |vector: Vector3<f64>| vector.cross(&-foot);
+        let spin = state.attitude * w;
+        let whole = Spatial {
+            position: -foot,
+            velocity: about(spin),
+            attitude: state.attitude,
+            angular_velocity: w,
+        };
+        let linear = about(state.attitude * angular) + spin.cross(&about(spin));
+        let one = RubbedTop::default().inverse(0.0, &state, &angular, &());
+        let acceleration = SpatialAcceleration { linear, angular };
+        let other = LooseRubbedTop::default().inverse(0.0, &whole, &acceleration, &());
+        let (one, other) = (one.unwrap().motor, other.unwrap().motor);
+        assert!(
+            (one - other).norm() < 1e-11 * (1.0 + other.norm()),
+            "{one} {other}"
+        );
+    }
+}

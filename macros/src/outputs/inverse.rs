@@ -44,9 +44,15 @@ impl Output for Inverse {
         let outline = site.outline;
         let mut method = site.method(self.0.as_ref(), |writer, solved| {
             let (graph, roots) = (&writer.work.graph, self.roots());
-            let is_pivot = |id: &Id| matches!(graph.node(*id), Node::Pivot(..));
+            // what is early is checked in `new`
+            let is_late = |id: Id| !graph.is_early(id);
+            let late = graph
+                .reachable(&roots, is_late)
+                .into_iter()
+                .filter(|id| is_late(*id));
+            let mut nodes = late.map(|id| graph.node(id));
             let guarded = Writer {
-                is_fallible: graph.reachable(&roots, |_| true).iter().any(is_pivot),
+                is_fallible: nodes.any(|node| matches!(node, Node::Pivot(..))),
                 ..writer.clone()
             };
             write_open(&guarded, "Drives", &outline.drives, solved)

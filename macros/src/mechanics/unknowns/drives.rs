@@ -22,9 +22,10 @@ use crate::model::{Frame, Model, Pair, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Equation, Id, Size};
 
 use super::inertial::{balances_of, balances_without_unknowns};
-use super::pushes::{given_loads, pushes};
+use super::left_over::balances_left;
+use super::pushes::{Push, given_loads, pushes};
 use super::rod::check_across;
-use super::solvability::{Advice, check_determined};
+use super::solvability::{OF_DRIVES, check_determined};
 use super::unknown::{Row, equations};
 
 /// One unit of an unknown.
@@ -40,16 +41,31 @@ struct Column<'m> {
 }
 
 /// Solves for the drives of the model, under constraints together with the reactions that keep
-/// these. `rows` are the balances along the directions in which the body moves freely, and those
-/// that hold one that does not turn.
+/// these. `free` are the balances along the directions in which the body moves freely.
 pub fn solve_drives(
     model: &Model,
     work: &mut Workspace,
-    rows: &[Row],
+    free: &[Row],
     accelerations: Pair,
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
-    let columns = columns(model, work, errors)?;
+    let pushes = if model.constraints.is_empty() {
+        Vec::new()
+    } else {
+        pushes(model, work, errors)?
+    };
+    // else what a support carries follows from the motion, and drives nothing
+    let meets_supports = pushes.iter().any(|push| push.supports && push.is_followed);
+    let is_held = !model.constraints.is_empty() && !model.motion.has_attitude();
+    let held = if is_held || meets_supports {
+        balances_left(model, work)
+    } else {
+        Vec::new()
+    };
+    let pushes = pushes
+        .iter()
+        .filter(|push| !push.supports || meets_supports);
+    let columns = columns(model, work, pushes);
     if let Some(axis) = model.state.axis {
         let moments = columns.iter().map(|column| column.turning(model, work));
         check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
@@ -60,18 +76,15 @@ pub fn solve_drives(
         let loads = given_loads(model, work);
         balances_of(model, work, &loads, Vec::new(), accelerations)
     };
-    let system = as_many(model, work, rows, &columns, rest)
-        .unwrap_or_else(|| nearest(model, work, rows, &columns, rest));
+    let rows = [free, &held].concat();
+    let system = as_many(model, work, &rows, &columns, rest)
+        .unwrap_or_else(|| nearest(model, work, &held, &columns, rest));
     let elimination = work.graph.solve(system, columns.len());
-    let advice = Advice {
-        alone: "it has no part in how the body moves freely",
-        zero: "if it is at rest",
-    };
     let names = columns
         .iter()
         .map(|column| (column.name(model), column.place));
     let names: Vec<(String, Extent)> = names.collect();
-    check_determined(work, &names, &elimination, advice, errors)?;
+    check_determined(work, &names, &elimination, |_| OF_DRIVES, errors)?;
     let labels = &mut work.labels;
     for ((name, _), value) in names.iter().zip(&elimination.values) {
         labels.name(*value, name.replace('.', "_"));
@@ -103,26 +116,21 @@ impl Column<'_> {
     }
 }
 
-fn columns<'m>(
+fn columns<'m, 'p>(
     model: &'m Model,
     work: &mut Workspace,
-    errors: &mut Errors,
-) -> Option<Vec<Column<'m>>> {
+    pushes: impl Iterator<Item = &'p Push>,
+) -> Vec<Column<'m>> {
     let center = model.state.center(work);
-    let mut columns = Vec::new();
-    if !model.constraints.is_empty() {
-        // what a support carries follows from the motion, and drives nothing
-        let pushes = pushes(model, work, errors)?.into_iter();
-        let driving = pushes.filter(|push| !push.supports || push.is_followed);
-        columns.extend(driving.map(|push| Column {
-            load: &model.reactions[push.reaction],
-            axis: push.axis,
-            place: push.place,
-            direction: push.direction,
-            force: push.load.0,
-            moment: push.load.1,
-        }));
-    }
+    let reactions = pushes.map(|push| Column {
+        load: &model.reactions[push.reaction],
+        axis: push.axis,
+        place: push.place,
+        direction: push.direction,
+        force: push.load.0,
+        moment: push.load.1,
+    });
+    let mut columns: Vec<Column<'m>> = reactions.collect();
     for drive in &model.drives {
         for (axis, place) in &drive.unknown {
             let direction = drive.direction(work, *axis);
@@ -143,15 +151,11 @@ fn columns<'m>(
             });
         }
     }
-    Some(columns)
+    columns
 }
 
-/// Whether a balance is one of moments of a body that does not turn.
-fn is_held(model: &Model, row: &Row) -> bool {
-    row.kind == LoadKind::Moment && !model.motion.has_attitude()
-}
-
-/// The balances in which unknowns have a part, if there are as many along some axes.
+/// The balances in which unknowns have a part, if there are as many along some axes: of these, axes in
+/// which the coefficients are known early.
 fn as_many(
     model: &Model,
     work: &mut Workspace,
@@ -162,16 +166,22 @@ fn as_many(
     let (world, body) = (Frame::WORLD, model.state.body);
     // the moments about an axis that is fixed in the body
     let is_hinged = model.motion.is_hinged();
+    let mut found = None;
     for frames in [(world, body), (body, body), (world, world), (body, world)] {
         if is_hinged && frames.1 == world {
             continue;
         }
         let equations = balances(work, rows, columns, rest, frames);
-        if equations.len() <= columns.len() {
-            return Some(equations);
+        let mut coefficients = equations.iter().flat_map(|one| &one.coefficients);
+        let is_early = coefficients.all(|id| work.graph.is_early(*id));
+        if equations.len() <= columns.len() && (is_early || found.is_none()) {
+            found = Some(equations);
+            if is_early {
+                break;
+            }
         }
     }
-    None
+    found
 }
 
 /// The balances in which unknowns have a part, of forces and of moments in these axes.
@@ -205,11 +215,11 @@ fn balances(
     equations(work, system)
 }
 
-/// Gauss's principle; a body that does not turn is held by what is left of the balances.
+/// Gauss's principle, and the balances that hold the body.
 fn nearest(
     model: &Model,
     work: &mut Workspace,
-    rows: &[Row],
+    held: &[Row],
     columns: &[Column<'_>],
     rest: (Vector, Vector),
 ) -> Vec<Equation> {
@@ -232,27 +242,22 @@ fn nearest(
         .iter()
         .map(|column| in_axes(work, column.force, column.moment))
         .collect();
-    let held: Vec<Row> = rows
-        .iter()
-        .filter(|row| is_held(model, row))
-        .cloned()
-        .collect();
     let frames = (Frame::WORLD, Frame::WORLD);
-    let mut held = balances(work, &held, columns, rest, frames);
+    let mut system = balances(work, held, columns, rest, frames);
     let rest = in_axes(work, rest.0, rest.1);
-    let mut system = Vec::new();
+    let mut powers = Vec::new();
     for load in &loads {
         let by_load = response(model, work, *load);
         let graph = &mut work.graph;
         let power = loads.iter().map(|load| by_load.dot(graph, *load));
         let coefficients: Vec<Id> = power.collect();
         let rest = by_load.dot(graph, rest);
-        system.push((coefficients, graph.negate(rest)));
+        powers.push((coefficients, graph.negate(rest)));
     }
-    let mut nearest = equations(work, system);
-    for (row, equation) in nearest.iter_mut().enumerate() {
+    let mut powers = equations(work, powers);
+    for (row, equation) in powers.iter_mut().enumerate() {
         equation.sizes[row] = Size::Squares;
     }
-    held.extend(nearest);
-    held
+    system.extend(powers);
+    system
 }

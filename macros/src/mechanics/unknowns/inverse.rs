@@ -22,19 +22,12 @@ pub fn derive_inverse(
     work: &mut Workspace,
     errors: &mut Errors,
 ) -> Option<Vec<Components>> {
-    let mut rows = free_balances(model, work);
-    if !model.reactions.is_empty() {
-        rows.extend(balances_left(model, work));
-    }
+    let free = free_balances(model, work);
     let motion = given_accelerations(model, work);
     let solved = if model.constraints.is_empty() && model.state.axis.is_none() {
-        solve(model, work, rows, motion, errors)?
+        solve(model, work, &free, motion, errors)?
     } else {
-        let mut rows = free_balances(model, work);
-        if !model.motion.has_attitude() {
-            rows.extend(balances_left(model, work));
-        }
-        solve_drives(model, work, &rows, motion, errors)?
+        solve_drives(model, work, &free, motion, errors)?
     };
     let drives = model.drives.iter().zip(solved).map(|(drive, vector)| {
         let components = work.components(vector, drive.frame);
@@ -50,11 +43,14 @@ pub fn derive_inverse(
 fn solve(
     model: &Model,
     work: &mut Workspace,
-    rows: Vec<Row>,
+    free: &[Row],
     motion: Pair,
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
-    let free = free_balances(model, work);
+    let mut rows = free.to_vec();
+    if !model.reactions.is_empty() {
+        rows.extend(balances_left(model, work));
+    }
     let unknown: Vec<&Reaction> = model.reactions.iter().chain(&model.drives).collect();
     let solved = solve_unknowns(model, work, &unknown, rows, motion, Unmoved::Ignored);
     match solved {
@@ -66,7 +62,7 @@ fn solve(
             let drives = model.drives.iter();
             Some(drives.map(|drive| assemble(work, &solved, drive)).collect())
         }
-        _ => solve_drives(model, work, &free, motion, errors),
+        _ => solve_drives(model, work, free, motion, errors),
     }
 }
 

@@ -127,7 +127,7 @@ pub fn check_elimination(
     };
     let names = pushes.iter().map(|push| (push.name(model), push.place));
     let names: Vec<(String, Extent)> = names.collect();
-    let determined = check_determined(work, &names, elimination, advice, errors);
+    let determined = check_determined(work, &names, elimination, |_| advice, errors);
     for (row, _) in &elimination.spare {
         if let Some(constraint) = constraints.get(*row) {
             errors.push(

@@ -92,16 +92,31 @@ pub struct Advice {
     pub zero: &'static str,
 }
 
-/// Unknowns of a support, and others beside them, that are not determined.
+pub const OF_DRIVES: Advice = Advice {
+    alone: "it has no part in how the body moves freely",
+    zero: "if it is at rest",
+};
+
+/// Unknowns of a support, and drives beside them, that are not determined.
 pub fn check_supports(
     model: &Model,
     work: &Workspace,
     solved: &Solved<'_>,
     errors: &mut Errors,
 ) -> Option<()> {
-    let advice = Advice {
-        alone: "write its value, 0 if the support does not hold it",
-        zero: "if it carries nothing",
+    let is_drive = |unknown: &Unknown<'_>| {
+        let mut drives = model.drives.iter();
+        drives.any(|drive| drive.name == unknown.load.name)
+    };
+    let advice = |column: usize| {
+        if is_drive(&solved.unknowns[column]) {
+            OF_DRIVES
+        } else {
+            Advice {
+                alone: "write its value, 0 if the support does not hold it",
+                zero: "if it carries nothing",
+            }
+        }
     };
     let name = |unknown: &Unknown<'_>| {
         let name = unknown.load.component_name(model.motion, unknown.axis);
@@ -116,17 +131,21 @@ pub fn check_determined(
     work: &Workspace,
     unknowns: &[(String, Extent)],
     elimination: &Elimination,
-    advice: Advice,
+    advice: impl Fn(usize) -> Advice,
     errors: &mut Errors,
 ) -> Option<()> {
-    for Undetermined { column, sum } in &elimination.undetermined {
+    for Undetermined {
+        column,
+        others,
+        sum,
+    } in &elimination.undetermined
+    {
         let (name, place) = &unknowns[*column];
-        let Advice { alone, zero } = advice;
-        let others: Vec<String> = sum
+        let Advice { alone, zero } = advice(*column);
+        let others = others
             .iter()
-            .filter(|(other, _)| other != column)
-            .map(|(other, _)| format!("`{}`", unknowns[*other].0))
-            .collect();
+            .map(|other| format!("`{}`", unknowns[*other].0));
+        let others: Vec<String> = others.collect();
         let numbers: Option<Vec<(&Number, &str)>> = sum
             .iter()
             .map(|(column, factor)| Some((work.graph.as_number(*factor)?, &*unknowns[*column].0)))

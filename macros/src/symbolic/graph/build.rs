@@ -101,6 +101,15 @@ impl Graph {
             let one = self.one();
             return self.divide(one, divisor);
         }
+        self.checked_reciprocal(divisor, scale)
+    }
+
+    /// The same of what is known early, too: it is not a number there.
+    pub fn checked_reciprocal(&mut self, divisor: Id, scale: Id) -> Id {
+        if self.as_number(divisor).is_some() {
+            let one = self.one();
+            return self.divide(one, divisor);
+        }
         self.intern(Node::Pivot(divisor, scale))
     }
 

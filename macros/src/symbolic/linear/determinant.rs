@@ -15,13 +15,10 @@ use crate::symbolic::graph::Id;
 use crate::symbolic::number::Function;
 use crate::symbolic::zeros::Sample;
 
-use super::eliminate::System;
+use super::eliminate::{Equation, System};
 
-/// The most equations that are solved at once: beyond it there is more to multiply than elimination
-/// has.
-const MOST: usize = 4;
-/// The same where it is multiplied early.
-const MOST_EARLY: usize = 6;
+/// The most equations that are solved at once: elimination has less to multiply.
+const MOST: usize = 6;
 
 /// A determinant, and its value at the random state.
 type Entry = (Id, Sample);
@@ -29,68 +26,85 @@ type Entry = (Id, Sample);
 /// The determinants of some rows and columns, by these.
 type Minors = HashMap<(Vec<usize>, Vec<usize>), Entry>;
 
+/// The sizes of determinants, by the same.
+type Sizes = HashMap<(Vec<usize>, Vec<usize>), Id>;
+
 impl System<'_> {
-    /// Solves all equations that have a part in what this row says of this unknown, if there are
-    /// some, and their determinant vanishes on no branch.
-    pub(super) fn is_solved_at_once(&mut self, row: usize, column: usize) -> bool {
-        let Some((rows, columns)) = self.block(row, column) else {
+    /// Solves the smallest set of equations that have a part in as many unknowns alone, if there is
+    /// one, and its determinant vanishes on no branch.
+    pub(super) fn is_block_solved(&mut self) -> bool {
+        let Some((rows, columns)) = self.first_block() else {
             return false;
         };
+        let mut equations = rows.iter().map(|row| &self.rows[*row]);
+        if rows.len() > MOST || equations.any(|equation| equation.active.is_some()) {
+            return false;
+        }
         let mut known = Minors::new();
         let (determinant, sample) = self.minor(&mut known, &rows, &columns);
         if sample.may_vanish() {
             return false;
         }
-        let size = self.size(&rows, &columns);
-        let inverse = self.guarded(column, determinant, size);
-        let numerators: Vec<Id> = (0..columns.len())
-            .map(|place| self.numerator(&mut known, &rows, &columns, place))
+        if let ([row], [column]) = (&rows[..], &columns[..]) {
+            self.eliminate(*row, *column);
+            return true;
+        }
+        let size = self.size(&mut Sizes::new(), &rows, &columns);
+        let inverse = self.graph.checked_reciprocal(determinant, size);
+        // what is solved for already is on the left still
+        let solved: Vec<usize> = (0..self.rows[rows[0]].coefficients.len())
+            .filter(|column| !columns.contains(column))
             .collect();
-        let zero = self.graph.zero();
-        for ((row, column), numerator) in rows.into_iter().zip(columns).zip(numerators) {
+        let mut given = Vec::new();
+        for place in 0..columns.len() {
+            let cofactors = self.cofactors(&mut known, &rows, &columns, place);
+            let right = self.combined(&cofactors, |row| row.right);
+            let left: Vec<Id> = solved
+                .iter()
+                .map(|column| self.combined(&cofactors, |row| row.coefficients[*column]))
+                .collect();
+            given.push((right, left));
+        }
+        for ((row, column), (right, left)) in rows.into_iter().zip(columns).zip(given) {
+            let zero = self.graph.zero();
             self.rows[row].coefficients.fill(zero);
-            self.rows[row].right = numerator;
+            for (column, coefficient) in solved.iter().zip(left) {
+                self.rows[row].coefficients[*column] = coefficient;
+            }
+            self.rows[row].right = right;
             self.give(row, column, inverse);
         }
         true
     }
 
-    /// The equations around a coefficient, if there are as many as unknowns, and not too many: alone
-    /// in its row or its column, it vanishes where their determinant does.
-    fn block(&self, row: usize, column: usize) -> Option<(Vec<usize>, Vec<usize>)> {
-        let (rows, columns) = self.around(row, column);
-        let in_column = rows.iter().filter(|row| self.is_there(**row, column));
-        let in_row = columns.iter().filter(|column| self.is_there(row, **column));
-        let is_alone = in_column.count() == 1 || in_row.count() == 1;
-        let equations = || rows.iter().map(|row| &self.rows[*row]);
-        let is_plain = equations().all(|equation| equation.active.is_none());
-        let mut coefficients = equations().flat_map(|equation| &equation.coefficients);
-        let most = if coefficients.all(|id| self.graph.is_early(*id)) {
-            MOST_EARLY
-        } else {
-            MOST
-        };
-        let fits = rows.len() == columns.len() && rows.len() <= most;
-        (!is_alone && is_plain && fits).then_some((rows, columns))
-    }
-
-    /// `sum of C_ij b_i`, of the unknown in the place j.
-    fn numerator(
+    /// What each row is multiplied by, so that of the unknowns the one in this place is left.
+    fn cofactors(
         &mut self,
         known: &mut Minors,
         rows: &[usize],
         columns: &[usize],
         place: usize,
-    ) -> Id {
-        let mut sum = self.graph.zero();
+    ) -> Vec<(usize, Id)> {
+        let mut cofactors = Vec::new();
         for (index, row) in rows.iter().enumerate() {
             let (minor, _) = self.minor(known, &without(rows, index), &without(columns, place));
-            let part = self.graph.multiply(minor, self.rows[*row].right);
-            sum = if (index + place).is_multiple_of(2) {
-                self.graph.add(sum, part)
+            let is_positive = (index + place).is_multiple_of(2);
+            let cofactor = if is_positive {
+                minor
             } else {
-                self.graph.subtract(sum, part)
+                self.graph.negate(minor)
             };
+            cofactors.push((*row, cofactor));
+        }
+        cofactors
+    }
+
+    /// `sum of C_i b_i`
+    fn combined(&mut self, cofactors: &[(usize, Id)], of: impl Fn(&Equation) -> Id) -> Id {
+        let mut sum = self.graph.zero();
+        for (row, cofactor) in cofactors {
+            let part = self.graph.multiply(*cofactor, of(&self.rows[*row]));
+            sum = self.graph.add(sum, part);
         }
         sum
     }
@@ -131,7 +145,11 @@ impl System<'_> {
     }
 
     /// The size of the largest product in a determinant.
-    fn size(&mut self, rows: &[usize], columns: &[usize]) -> Id {
+    fn size(&mut self, known: &mut Sizes, rows: &[usize], columns: &[usize]) -> Id {
+        let place = (rows.to_vec(), columns.to_vec());
+        if let Some(size) = known.get(&place) {
+            return *size;
+        }
         let mut largest = self.graph.zero();
         for (index, column) in columns.iter().enumerate() {
             if !self.is_there(rows[0], *column) {
@@ -140,11 +158,15 @@ impl System<'_> {
             let own = self.rows[rows[0]].coefficients[*column];
             let mut size = self.graph.apply(Function::Abs, &[own]);
             if rows.len() > 1 {
-                let rest = self.size(&rows[1..], &without(columns, index));
+                let rest = self.size(known, &rows[1..], &without(columns, index));
                 size = self.graph.multiply(size, rest);
             }
             largest = self.graph.larger(largest, size);
         }
+        if rows.len() > 1 {
+            largest = self.graph.quantity(largest);
+        }
+        known.insert(place, largest);
         largest
     }
 }

@@ -4,14 +4,14 @@
 //! they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones before
 //! numbers before what is positive by its structure, there first what is known early; a division by
 //! what depends on the configuration is guarded ([`Graph::pivot`]). Where all that is left may
-//! vanish in some state though the equations are regular there, no pivot is chosen:
-//! [`super::determinant`].
+//! vanish in some state, or for some parameters, though the equations are regular there, no pivot is
+//! chosen: [`super::determinant`].
 //!
 //! An equation that says nothing on some branch has the solution zero there for the unknown that it is
 //! solved for.
 
 use crate::symbolic::graph::{Graph, Id, Node};
-use crate::symbolic::number::Function;
+use crate::symbolic::number::{Function, Number};
 use crate::symbolic::zeros::Sample;
 
 /// `sum of coefficients * unknowns = right`
@@ -54,8 +54,10 @@ pub struct Elimination {
 /// An unknown that is determined only together with others.
 pub struct Undetermined {
     pub column: usize,
-    /// A sum that is determined, of unknowns with factors, itself among them; by itself if it is in
-    /// none.
+    /// Those that can do all that it does.
+    pub others: Vec<usize>,
+    /// A sum that is determined, of unknowns with factors, itself among them; by itself if there are
+    /// no others.
     pub sum: Vec<(usize, Id)>,
 }
 
@@ -66,12 +68,23 @@ enum Kind {
     Number,
     EarlySquares,
     Squares,
+    /// It is known early, and may vanish only for odd parameters.
     Early,
-    /// It may vanish in some state.
+    /// It may vanish in some state, or is small beside others.
     OfState,
     /// It may vanish for some parameters: a coefficient of friction, a slope.
     OfParameters,
 }
+
+impl Kind {
+    /// Whether it is large in all states.
+    fn is_safe(self) -> bool {
+        self <= Self::Squares
+    }
+}
+
+/// So many times as large as a pivot, another coefficient of its unknown makes it small.
+const LARGE: i64 = 1000;
 
 /// Equations that are being solved.
 pub(super) struct System<'g> {
@@ -105,7 +118,7 @@ impl Graph {
             pivots: Vec::new(),
         };
         while let Some((kind, row, column)) = system.next_pivot() {
-            if kind < Kind::OfState || !system.is_solved_at_once(row, column) {
+            if kind.is_safe() || !system.is_block_solved() {
                 system.eliminate(row, column);
             }
         }
@@ -176,6 +189,7 @@ impl System<'_> {
         let coefficient = self.rows[row].coefficients[column];
         let is_early = graph.is_early(coefficient);
         match (graph.as_number(coefficient), self.rows[row].sizes[column]) {
+            (Some(number), _) if self.is_small(number, row, column) => Kind::OfState,
             (Some(number), _) if number.abs().is_one() => Kind::One,
             (Some(_), _) => Kind::Number,
             (None, Size::Squares) if is_early => Kind::EarlySquares,
@@ -186,8 +200,24 @@ impl System<'_> {
         }
     }
 
+    /// Whether a coefficient is small beside others of its unknown; what is no number counts as one.
+    fn is_small(&self, number: &Number, row: usize, column: usize) -> bool {
+        let others = self.left.iter().filter(|other| **other != row);
+        let mut others = others.map(|other| self.rows[*other].coefficients[column]);
+        let bound = number.abs() * Number::integer(LARGE);
+        others.any(|other| match self.graph.as_number(other) {
+            Some(other) => bound < other.abs(),
+            None => bound < Number::one(),
+        })
+    }
+
+    /// The rows that nothing is solved for yet.
+    pub(super) fn left(&self) -> &[usize] {
+        &self.left
+    }
+
     /// The unknowns that nothing gives yet.
-    fn open(&self) -> impl Iterator<Item = usize> {
+    pub(super) fn open(&self) -> impl Iterator<Item = usize> {
         let is_open = |column: &usize| self.steps.iter().all(|step| step.column != *column);
         (0..self.unknowns).filter(is_open)
     }
@@ -196,24 +226,8 @@ impl System<'_> {
         !self.rows[row].sample[column].is_zero()
     }
 
-    /// The rows that are left and the open unknowns that have a part in what this row says of this
-    /// unknown.
-    pub(super) fn around(&self, row: usize, column: usize) -> (Vec<usize>, Vec<usize>) {
-        let (mut rows, mut columns) = (vec![row], vec![column]);
-        loop {
-            let count = rows.len() + columns.len();
-            let joins = |row: &usize| columns.iter().any(|column| self.is_there(*row, *column));
-            rows = self.left.iter().copied().filter(joins).collect();
-            let joins = |column: &usize| rows.iter().any(|row| self.is_there(*row, *column));
-            columns = self.open().filter(joins).collect();
-            if rows.len() + columns.len() == count {
-                return (rows, columns);
-            }
-        }
-    }
-
     /// Solves a row for an unknown, which drops out of the others.
-    fn eliminate(&mut self, row: usize, column: usize) {
+    pub(super) fn eliminate(&mut self, row: usize, column: usize) {
         let divisor = self.rows[row].coefficients[column];
         let divisor = match self.rows[row].active {
             Some(active) => {
@@ -229,25 +243,20 @@ impl System<'_> {
             Size::Product(size) => size,
             Size::Terms => self.graph.largest_term(self.rows[row].coefficients[column]),
         };
-        let inverse = self.guarded(column, divisor, size);
+        let inverse = self.graph.pivot(divisor, size);
         self.give(row, column, inverse);
         for other in self.left.clone() {
             self.reduce((row, column), other, inverse);
         }
     }
 
-    /// One over what an unknown is divided by.
-    pub(super) fn guarded(&mut self, column: usize, divisor: Id, size: Id) -> Id {
-        let inverse = self.graph.pivot(divisor, size);
-        if matches!(self.graph.node(inverse), Node::Pivot(..)) {
-            self.pivots.push((column, inverse));
-        }
-        inverse
-    }
-
-    /// This row gives this unknown.
+    /// This row gives this unknown, by one over its coefficient.
     pub(super) fn give(&mut self, row: usize, column: usize, inverse: Id) {
         self.left.retain(|other| *other != row);
+        let is_new = self.pivots.iter().all(|(_, known)| *known != inverse);
+        if is_new && matches!(self.graph.node(inverse), Node::Pivot(..)) {
+            self.pivots.push((column, inverse));
+        }
         self.steps.push(Step {
             row,
             column,
@@ -355,10 +364,15 @@ impl System<'_> {
             let change = own.map(|own| changes[own][*of]);
             !open.contains(of) && change.is_some_and(|change| !self.graph.vanishes(change))
         };
+        let others: Vec<usize> = (0..self.unknowns).filter(is_changed).collect();
         let one = self.graph.one();
-        let Some(of) = (0..self.unknowns).find(is_changed) else {
+        let Some(of) = others.first().copied() else {
             let sum = vec![(column, one)];
-            return Undetermined { column, sum };
+            return Undetermined {
+                column,
+                others,
+                sum,
+            };
         };
         let mut sum = vec![(of, one)];
         for (column, change) in open.iter().zip(changes) {
@@ -367,6 +381,10 @@ impl System<'_> {
             }
         }
         sum.sort_unstable_by_key(|(column, _)| *column);
-        Undetermined { column, sum }
+        Undetermined {
+            column,
+            others,
+            sum,
+        }
     }
 }

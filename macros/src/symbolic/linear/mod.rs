@@ -1,5 +1,6 @@
 //! Linear equations with expressions as coefficients.
 
+mod blocks;
 mod determinant;
 mod eliminate;
 

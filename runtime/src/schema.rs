@@ -62,7 +62,7 @@ pub struct Body {
     pub pole: (),
     /// Named sub-expressions: `[twist = thrust_1 - thrust_2]`.
     pub locals: (),
-    /// What to generate beyond the acceleration: `[energy, momentum, balance, reactions, inverse]`.
+    /// What to generate beyond the acceleration: `[energy, balance, reactions, taylor]`, ..
     pub outputs: (),
     /// Statements about this body that fail the build if they are false.
     pub checks: (),

@@ -79,7 +79,7 @@ mod tests {
     use super::description::written::described;
     use super::oracle::Constants;
     use super::oracle::arithmetic::Values;
-    use super::oracle::constrained::settled;
+    use super::oracle::differences::settled;
     use super::oracle::number::Number;
     use super::oracle::scene::Scene;
     use super::samples::Source;

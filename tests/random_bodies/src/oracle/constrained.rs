@@ -12,10 +12,12 @@ use crate::wide::Wide;
 
 use super::arithmetic::Values;
 use super::constants::Constants;
+use super::differences::settled;
 use super::law::{Motions, acceleration};
 use super::loads::{Wrench, acting};
 use super::number::Number;
 use super::scene::{Instant, Scene};
+use super::step::Step;
 use super::vector::Vector;
 
 /// Accelerations, and the reactions by the place of their load.
@@ -35,17 +37,6 @@ pub struct Solved {
 struct Unknown {
     load: usize,
     direction: Vector,
-}
-
-/// A step along the motion.
-#[derive(Clone, Copy, Default)]
-struct Step {
-    time: Wide,
-    position: [Wide; 3],
-    /// Body axes; in the plane about its normal, in the third place; of a rod of its axis.
-    attitude: [Wide; 3],
-    velocity: [Wide; 3],
-    turning: [Wide; 3],
 }
 
 struct Problem<'a> {
@@ -260,7 +251,7 @@ impl<'a> Problem<'a> {
 
     /// The value of a constraint a step away.
     fn value(&mut self, constraint: &Constraint, axis: usize, step: &Step) -> Number {
-        let instant = self.moved(step);
+        let instant = step.from(&self.constants.body.motion, self.instant);
         let scene = Scene::at(self.constants, self.given, &instant);
         let value = match constraint {
             Constraint::Scalar(scalar, _) => scene.scalar(scalar),
@@ -385,108 +376,6 @@ impl<'a> Problem<'a> {
             turning: angular.map(|x| x * length),
         }
     }
-
-    fn moved(&self, step: &Step) -> Instant {
-        let mut instant = self.instant.clone();
-        instant.time = instant.time + step.time;
-        let state = &mut instant.state;
-        let mut add = |from: usize, parts: &[Wide]| {
-            for (i, part) in parts.iter().enumerate() {
-                state[from + i] = state[from + i] + *part;
-            }
-        };
-        match self.constants.body.motion {
-            Motion::Translation => {
-                add(0, &step.position);
-                add(3, &step.velocity);
-            }
-            Motion::PlanarTranslation => {
-                add(0, &step.position[..2]);
-                add(2, &step.velocity[..2]);
-            }
-            Motion::Planar => {
-                add(0, &step.position[..2]);
-                add(2, &step.attitude[2..]);
-                add(3, &step.velocity[..2]);
-                add(5, &step.turning[2..]);
-            }
-            Motion::Rod(_) => {
-                add(0, &step.position);
-                add(3, &step.attitude);
-                add(6, &step.velocity);
-                add(9, &step.turning);
-            }
-            Motion::Spatial => {
-                add(0, &step.position);
-                add(7, &step.velocity);
-                add(10, &step.turning);
-                turn(&mut state[3..7], step.attitude);
-            }
-            _ => unreachable!("constraints beside a support"),
-        }
-        instant
-    }
-}
-
-/// The first or second derivative at zero by differences over lengths that become shorter, until two agree; and by how much they do not.
-pub fn settled(length: f64, mut value: impl FnMut(f64) -> Number, order: i32) -> (Wide, f64) {
-    let here = value(0.0);
-    let mut size = here.span();
-    let here = here.value;
-    let mut best = (Wide::ZERO, f64::INFINITY);
-    let mut before: Option<Wide> = None;
-    for part in [1e-1, 1e-3, 1e-5, 1e-7] {
-        let length = part * length;
-        let [(near, bend), (far, far_bend)] = [length, 2.0 * length].map(|length| {
-            let (after, before) = (value(length), value(-length));
-            size = size.max(after.span()).max(before.span());
-            let (after, before) = (after.value, before.value);
-            let (even, odd) = (after - here * 2.0 + before, after - before);
-            let derivative = match order {
-                1 => odd / Wide::from(2.0 * length),
-                _ => even / Wide::from(length) / Wide::from(length),
-            };
-            (derivative, even.high.abs())
-        });
-        // four times as large at twice the length, but for kinks within it, and for rounding
-        let is_bent = far_bend > 1e-28 * size && far_bend < 3.0 * bend;
-        let now = extrapolated(near, far, 4.0);
-        if let Some(before) = before {
-            let rounding = 1e-30 * size / length.powi(order);
-            let apart = (now - before).high.abs() + rounding;
-            // a kink looks the same at all lengths
-            let is_smooth = order == 2 || !is_bent;
-            if is_smooth && apart < best.1 {
-                best = (now, apart);
-            }
-            if is_smooth && apart <= 1e-14 * now.high.abs() {
-                break;
-            }
-        }
-        before = Some(now);
-    }
-    best
-}
-
-/// Without the term that grows by this factor from the near to the far one.
-fn extrapolated(near: Wide, far: Wide, factor: f64) -> Wide {
-    near + (near - far) / Wide::from(factor - 1.0)
-}
-
-/// `q exp(s / 2)` of a short vector s in body axes, the scalar of q last.
-fn turn(q: &mut [Wide], s: [Wide; 3]) {
-    let length = s.iter().map(|x| *x * *x).sum::<Wide>().sqrt();
-    if length == Wide::ZERO {
-        return;
-    }
-    let (sine, cosine) = (length * 0.5).sin_cos();
-    let share = sine / length;
-    let [x, y, z] = s.map(|part| part * share);
-    let [a, b, c, w] = [q[0], q[1], q[2], q[3]];
-    q[0] = w * x + a * cosine + b * z - c * y;
-    q[1] = w * y - a * z + b * cosine + c * x;
-    q[2] = w * z + a * y - b * x + c * cosine;
-    q[3] = w * cosine - a * x - b * y - c * z;
 }
 
 /// By Gauss and Jordan, the largest pivots first; nothing of a singular matrix.

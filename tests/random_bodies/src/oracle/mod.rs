@@ -6,6 +6,7 @@
 pub mod arithmetic;
 pub mod constants;
 pub mod constrained;
+pub mod differences;
 mod expected;
 mod inertia;
 pub mod law;
@@ -13,6 +14,7 @@ pub mod loads;
 pub mod number;
 mod potentials;
 pub mod scene;
+mod step;
 pub mod unknowns;
 pub mod vector;
 

@@ -32,7 +32,7 @@ type Sizes = HashMap<(Vec<usize>, Vec<usize>), Id>;
 impl System<'_> {
     /// Solves the smallest set of equations that have a part in as many unknowns alone, if there is
     /// one, and its determinant vanishes on no branch.
-    pub(super) fn is_block_solved(&mut self) -> bool {
+    pub(super) fn solve_block(&mut self) -> bool {
         let Some((rows, columns)) = self.first_block() else {
             return false;
         };

@@ -118,7 +118,7 @@ impl Graph {
             pivots: Vec::new(),
         };
         while let Some((kind, row, column)) = system.next_pivot() {
-            if kind.is_safe() || !system.is_block_solved() {
+            if kind.is_safe() || !system.solve_block() {
                 system.eliminate(row, column);
             }
         }
@@ -144,9 +144,8 @@ impl Graph {
         }
     }
 
-    /// Whether what is known early, by itself or as a factor, may be zero: values of parameters are
-    /// as they like, and what is the same but for rounding is subtracted. One more than they are is
-    /// not.
+    /// Whether what is known early may be zero for ordinary values of the parameters: a parameter, a
+    /// product with one, a difference of alike; `1 + a` is taken to be none.
     fn may_be_zero_early(&self, a: Id) -> bool {
         let is_early = self.is_early(a);
         let may = |a: Id| self.may_be_zero_early(a);

@@ -39,6 +39,7 @@ mod expansions;
 mod numbers;
 mod operations;
 mod rooms;
+mod trees;
 mod words;
 mod zeros;
 

@@ -9,6 +9,7 @@ mod closed_forms;
 mod proofs;
 mod report;
 mod structure;
+pub mod tree;
 mod unknowns;
 mod variation;
 

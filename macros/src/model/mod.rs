@@ -9,7 +9,7 @@ mod words;
 
 pub use body::{
     Asked, Charges, Composed, Constraint, Declared, Defaults, ENTRIES, Form, Inertia, Level, Load,
-    Mass, Matrix, Outline, Potential, Potentials, Reaction, SOLIDS, Solid, Violation, is_flat,
+    Mass, Matrix, Outline, Potential, Potentials, Reaction, SOLIDS, Solid, Violation, displaced, is_flat,
     is_possible, is_solid, least_moment, matrix, thinnest, words,
 };
 pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};

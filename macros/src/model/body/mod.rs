@@ -15,7 +15,7 @@ mod solids;
 pub use composed::Composed;
 pub use constraint::{Constraint, Level};
 pub use defaults::Defaults;
-pub use inertia::{ENTRIES, Inertia, entries};
+pub use inertia::{ENTRIES, Inertia, displaced, entries};
 pub use load::Load;
 pub use mass::Mass;
 pub use outline::{Asked, Declared, Outline};

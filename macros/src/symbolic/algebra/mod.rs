@@ -2,6 +2,7 @@
 
 pub mod chain_rule;
 mod evaluate;
+mod fold;
 mod operations;
 mod slopes;
 mod substitute;

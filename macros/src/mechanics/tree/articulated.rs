@@ -1,0 +1,212 @@
+//! Inertia of a link with all that it carries, whose joints give way.
+
+use crate::symbolic::{Components, Graph, Id};
+
+use super::bias::Pair;
+use super::link::{Along, Link, Twist};
+use super::properties::Properties;
+use super::turning::{Turning, transposed};
+
+type Rows = [Components; 3];
+
+/// `moment = A alpha + B a`, `force = B^T alpha + M a`, about the origin of a link, in its axes.
+#[derive(Clone, Copy)]
+pub struct Articulated {
+    pub angular: Rows,
+    pub mixed: Rows,
+    pub linear: Rows,
+}
+
+/// What is left of a freedom when it is eliminated: `q'' = drive - share . a`, for an acceleration a of
+/// the link without it.
+pub struct Eliminated {
+    pub twist: Twist,
+    pub drive: Id,
+    pub share: Pair,
+}
+
+impl Articulated {
+    pub fn of(graph: &mut Graph, properties: &Properties) -> Self {
+        let mut linear = [graph.zeros(); 3];
+        for (axis, row) in linear.iter_mut().enumerate() {
+            row[axis] = properties.mass;
+        }
+        Self {
+            angular: properties.inertia,
+            mixed: skew(graph, properties.first),
+            linear,
+        }
+    }
+
+    pub fn plus(&self, graph: &mut Graph, other: &Self) -> Self {
+        let add = |graph: &mut Graph, a: &Rows, b: &Rows| {
+            [0, 1, 2].map(|i| graph.add_vectors(a[i], b[i]))
+        };
+        Self {
+            angular: add(graph, &self.angular, &other.angular),
+            mixed: add(graph, &self.mixed, &other.mixed),
+            linear: add(graph, &self.linear, &other.linear),
+        }
+    }
+
+    /// Each entry a line of its own.
+    pub fn quantities(&self, graph: &mut Graph) -> Self {
+        let each = |graph: &mut Graph, rows: &Rows| rows.map(|row| graph.quantities(row));
+        Self {
+            angular: each(graph, &self.angular),
+            mixed: each(graph, &self.mixed),
+            linear: each(graph, &self.linear),
+        }
+    }
+
+    pub fn times(&self, graph: &mut Graph, twist: &Twist) -> Pair {
+        let of_angular = graph.transform(&self.angular, twist.angular);
+        let of_linear = graph.transform(&self.mixed, twist.linear);
+        let moment = graph.add_vectors(of_angular, of_linear);
+        let of_angular = graph.transform(&transposed(&self.mixed), twist.angular);
+        let of_linear = graph.transform(&self.linear, twist.linear);
+        let force = graph.add_vectors(of_angular, of_linear);
+        Pair {
+            angular: moment,
+            linear: force,
+        }
+    }
+
+    /// Lets the link give way along a freedom; what is lacking for its motion changes with it.
+    pub fn eliminate(
+        &mut self,
+        graph: &mut Graph,
+        twist: Twist,
+        drive: Id,
+        lacking: &mut Pair,
+    ) -> Eliminated {
+        let of_rate = self.times(graph, &twist).quantities(graph);
+        let along = Pair::of(&twist);
+        let inertia = along.dot(graph, of_rate);
+        let one = graph.one();
+        let inverse = graph.divide(one, inertia);
+        let inverse = graph.quantity(inverse);
+        let share = of_rate.scaled(graph, inverse).quantities(graph);
+        let needed = along.dot(graph, *lacking);
+        let driving = graph.subtract(drive, needed);
+        let driving = graph.quantity(driving);
+        let outer = |graph: &mut Graph, rows: &Rows, a: Components, b: Components| {
+            let mut less = *rows;
+            for (i, row) in less.iter_mut().enumerate() {
+                for (j, entry) in row.iter_mut().enumerate() {
+                    let product = graph.multiply(a[i], b[j]);
+                    *entry = graph.subtract(*entry, product);
+                }
+            }
+            less
+        };
+        self.angular = outer(graph, &self.angular, of_rate.angular, share.angular);
+        self.mixed = outer(graph, &self.mixed, of_rate.angular, share.linear);
+        self.linear = outer(graph, &self.linear, of_rate.linear, share.linear);
+        self.mirror();
+        let made = share.scaled(graph, driving);
+        *lacking = lacking.plus(graph, made);
+        if let Some(axis) = twist.axis(graph) {
+            let drive = along.scaled(graph, drive);
+            self.give_way(graph, axis, drive, lacking);
+        }
+        let drive = graph.multiply(driving, inverse);
+        Eliminated {
+            twist,
+            drive: graph.quantity(drive),
+            share,
+        }
+    }
+
+    /// Both halves of what is symmetric are the same expressions.
+    fn mirror(&mut self) {
+        for rows in [&mut self.angular, &mut self.linear] {
+            for i in 0..3 {
+                for j in 0..i {
+                    rows[i][j] = rows[j][i];
+                }
+            }
+        }
+    }
+
+    /// Along a freedom there is no inertia left, and the load is the drive.
+    fn give_way(&mut self, graph: &Graph, along: Along, drive: Pair, lacking: &mut Pair) {
+        let zero = graph.zero();
+        match along {
+            Along::Angular(axis) => {
+                self.angular[axis] = graph.zeros();
+                self.mixed[axis] = graph.zeros();
+                for row in &mut self.angular {
+                    row[axis] = zero;
+                }
+                lacking.angular[axis] = drive.angular[axis];
+            }
+            Along::Linear(axis) => {
+                self.linear[axis] = graph.zeros();
+                for row in self.linear.iter_mut().chain(&mut self.mixed) {
+                    row[axis] = zero;
+                }
+                lacking.linear[axis] = drive.linear[axis];
+            }
+        }
+    }
+
+    /// The same about the origin of the carrier, in its axes.
+    pub fn seen_by_carrier(&self, graph: &mut Graph, link: &Link) -> Self {
+        let turning: Turning = link.turning;
+        let angular = turning.tensor(graph, &self.angular);
+        let mixed = turning.matrix(graph, &self.mixed);
+        let linear = turning.tensor(graph, &self.linear);
+        let turned = Self {
+            angular,
+            mixed,
+            linear,
+        };
+        let turned = turned.quantities(graph);
+        let r = link.place;
+        if graph.is_zero_vector(&r) {
+            return turned;
+        }
+        // B' = B + [r]x M, A' = A - B [r]x + [r]x B'^T
+        let across = |graph: &mut Graph, rows: &Rows| {
+            let columns = transposed(rows).map(|column| graph.cross(r, column));
+            transposed(&columns)
+        };
+        let levers = across(graph, &turned.linear);
+        let mixed = [0, 1, 2].map(|i| graph.add_vectors(turned.mixed[i], levers[i]));
+        let mixed = mixed.map(|row| graph.quantities(row));
+        let outer = across(graph, &transposed(&mixed));
+        // -(B [r]x) has the rows r x b
+        let inner = turned.mixed.map(|row| graph.cross(r, row));
+        let angular = [0, 1, 2].map(|i| {
+            let sum = graph.add_vectors(inner[i], outer[i]);
+            graph.add_vectors(turned.angular[i], sum)
+        });
+        let mut seen = Self {
+            angular,
+            mixed,
+            linear: turned.linear,
+        };
+        seen.mirror();
+        seen
+    }
+}
+
+/// `[v]x`
+fn skew(graph: &mut Graph, [x, y, z]: Components) -> Rows {
+    let zero = graph.zero();
+    let [less_x, less_y, less_z] = graph.negate_vector([x, y, z]);
+    [[zero, less_z, y], [z, zero, less_x], [less_y, x, zero]]
+}
+
+/// Moment and force about the origin of the link, about that of the carrier, in its axes.
+pub fn wrench_on_carrier(graph: &mut Graph, link: &Link, wrench: Pair) -> Pair {
+    let moment = link.turning.to_carrier(graph, wrench.angular);
+    let force = link.turning.to_carrier(graph, wrench.linear);
+    let force = graph.quantities(force);
+    let lever = graph.cross(link.place, force);
+    Pair {
+        angular: graph.add_vectors(moment, lever),
+        linear: force,
+    }
+}

@@ -1,0 +1,200 @@
+//! The bias: how links move and what that takes, if no joint accelerates.
+
+use crate::symbolic::{Components, Graph, Id};
+
+use super::link::{Link, Tree, Twist};
+
+/// Moment and force about the origin of a link, or angular acceleration and that of the origin.
+#[derive(Clone, Copy)]
+pub struct Pair {
+    pub angular: Components,
+    pub linear: Components,
+}
+
+/// The motion of a link, in its axes.
+#[derive(Clone, Copy)]
+pub struct Moving {
+    /// Angular velocity.
+    pub w: Components,
+    /// Angular acceleration, and acceleration of the origin less that of free fall.
+    pub acceleration: Pair,
+    /// `[w']x + w w - w^2 1`: what an offset adds to the acceleration.
+    pub sweep: [Components; 3],
+}
+
+impl Moving {
+    fn ground(graph: &mut Graph, gravity: Components) -> Self {
+        Self {
+            w: graph.zeros(),
+            acceleration: Pair {
+                angular: graph.zeros(),
+                linear: graph.negate_vector(gravity),
+            },
+            sweep: [graph.zeros(); 3],
+        }
+    }
+
+    /// The motion of a link on a carrier that moves so.
+    fn carried(&self, graph: &mut Graph, link: &Link) -> Self {
+        let zeros = graph.zeros();
+        let sum = |graph: &mut Graph, part: fn(&Twist) -> Components| {
+            let rates = link.freedoms.iter().fold(zeros, |sum, freedom| {
+                let scaled = graph.scale_vector(freedom.rate, part(&freedom.twist));
+                graph.add_vectors(sum, scaled)
+            });
+            rates
+        };
+        let turning = sum(graph, |twist| twist.angular);
+        let carried = link.turning.to_link(graph, self.w);
+        let carried = graph.quantities(carried);
+        let w = graph.add_vectors(carried, turning);
+        let w = graph.quantities(w);
+        let swung = graph.cross(carried, turning);
+        let angular = link.turning.to_link(graph, self.acceleration.angular);
+        let angular = graph.add_vectors(angular, swung);
+        let angular = graph.quantities(angular);
+        let linear = if link.is_free {
+            zeros
+        } else {
+            let swept = graph.transform(&self.sweep, link.place);
+            let origin = graph.add_vectors(self.acceleration.linear, swept);
+            let origin = graph.quantities(origin);
+            let origin = link.turning.to_link(graph, origin);
+            let sliding = sum(graph, |twist| twist.linear);
+            let sliding = graph.add_vectors(sliding, sliding);
+            let coriolis = graph.cross(carried, sliding);
+            graph.add_vectors(origin, coriolis)
+        };
+        let linear = graph.quantities(linear);
+        Self {
+            w,
+            acceleration: Pair { angular, linear },
+            sweep: sweep(graph, w, angular),
+        }
+    }
+
+    /// The moment and the force that this motion takes, about the origin.
+    fn taken_by(&self, graph: &mut Graph, link: &Link) -> Pair {
+        let properties = &link.properties;
+        let (h, rows, a) = (
+            properties.first,
+            &properties.inertia,
+            self.acceleration.linear,
+        );
+        let pushed = graph.scale_vector(properties.mass, a);
+        let swept = graph.transform(&self.sweep, h);
+        let force = graph.add_vectors(pushed, swept);
+        let turned = self.moment(graph, rows);
+        let lever = graph.cross(h, a);
+        let moment = graph.add_vectors(turned, lever);
+        Pair {
+            angular: moment,
+            linear: force,
+        }
+    }
+
+    /// `J w' + w x J w`, by the products of w that are in the sweep.
+    fn moment(&self, graph: &mut Graph, rows: &[Components; 3]) -> Components {
+        let (s, w) = (&self.sweep, self.w);
+        [0, 1, 2].map(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let mut terms = Vec::new();
+            terms.push(graph.multiply(rows[i][i], self.acceleration.angular[i]));
+            let products = graph.multiply(w[j], w[k]);
+            let products = graph.quantity(products);
+            let difference = graph.subtract(rows[k][k], rows[j][j]);
+            terms.push(graph.multiply(difference, products));
+            let less = graph.multiply(rows[i][j], s[k][i]);
+            terms.push(graph.negate(less));
+            terms.push(graph.multiply(rows[i][k], s[j][i]));
+            let squares = graph.subtract(s[j][j], s[k][k]);
+            terms.push(graph.multiply(rows[j][k], squares));
+            graph.sum(&terms)
+        })
+    }
+}
+
+/// `[alpha]x + w w - w^2 1`
+fn sweep(graph: &mut Graph, w: Components, alpha: Components) -> [Components; 3] {
+    let squares = w.map(|part| {
+        let square = graph.square(part);
+        graph.quantity(square)
+    });
+    let mut rows = [graph.zeros(); 3];
+    for i in 0..3 {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let across = graph.add(squares[j], squares[k]);
+        let entry = graph.negate(across);
+        rows[i][i] = graph.quantity(entry);
+        let product = graph.multiply(w[i], w[j]);
+        let product = graph.quantity(product);
+        let (less, more) = (
+            graph.subtract(product, alpha[k]),
+            graph.add(product, alpha[k]),
+        );
+        (rows[i][j], rows[j][i]) = (graph.quantity(less), graph.quantity(more));
+    }
+    rows
+}
+
+/// The motion of all links without accelerations of joints, and the moment and force about the
+/// origin of each that are lacking for it.
+pub fn derive_bias(graph: &mut Graph, tree: &Tree) -> Vec<(Moving, Pair)> {
+    let ground = Moving::ground(graph, tree.gravity);
+    let mut all: Vec<(Moving, Pair)> = Vec::new();
+    for link in &tree.links {
+        let carrier = link.carrier.map_or(ground, |carrier| all[carrier].0);
+        let moving = carrier.carried(graph, link);
+        let taken = moving.taken_by(graph, link);
+        let lacking = Pair {
+            angular: graph.subtract_vectors(taken.angular, link.moment),
+            linear: graph.subtract_vectors(taken.linear, link.force),
+        };
+        all.push((moving, lacking));
+    }
+    all
+}
+
+impl Pair {
+    /// A motion of unit rate.
+    pub fn of(twist: &Twist) -> Self {
+        Self {
+            angular: twist.angular,
+            linear: twist.linear,
+        }
+    }
+
+    pub fn zero(graph: &Graph) -> Self {
+        Self {
+            angular: graph.zeros(),
+            linear: graph.zeros(),
+        }
+    }
+
+    pub fn plus(self, graph: &mut Graph, other: Self) -> Self {
+        Self {
+            angular: graph.add_vectors(self.angular, other.angular),
+            linear: graph.add_vectors(self.linear, other.linear),
+        }
+    }
+
+    pub fn scaled(self, graph: &mut Graph, factor: Id) -> Self {
+        Self {
+            angular: graph.scale_vector(factor, self.angular),
+            linear: graph.scale_vector(factor, self.linear),
+        }
+    }
+
+    pub fn dot(self, graph: &mut Graph, other: Self) -> Id {
+        let angular = graph.dot(self.angular, other.angular);
+        let linear = graph.dot(self.linear, other.linear);
+        graph.add(angular, linear)
+    }
+
+    pub fn quantities(self, graph: &mut Graph) -> Self {
+        Self {
+            angular: graph.quantities(self.angular),
+            linear: graph.quantities(self.linear),
+        }
+    }
+}

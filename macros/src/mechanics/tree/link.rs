@@ -1,0 +1,92 @@
+//! What a tree is made of.
+
+use crate::symbolic::{Components, Graph, Id};
+
+use super::properties::Properties;
+use super::turning::Turning;
+
+/// Bodies, each carried by one before it or by the ground.
+#[derive(Clone)]
+pub struct Tree {
+    pub links: Vec<Link>,
+    /// The acceleration of free fall, world axes, in the one uniform field that acts on all mass.
+    pub gravity: Components,
+}
+
+/// A body, and the joint that carries it. Joints of several axes have links without mass between.
+#[derive(Clone)]
+pub struct Link {
+    /// For the names of what is computed for it.
+    pub name: String,
+    /// None: the ground.
+    pub carrier: Option<usize>,
+    /// From the origin of the carrier to that of the link, in the carrier's axes.
+    pub place: Components,
+    /// From its axes to those of the carrier.
+    pub turning: Turning,
+    /// Of a hinge that is turned about one of its axes.
+    pub angle: Option<Id>,
+    pub freedoms: Vec<Freedom>,
+    /// Its origin may go anywhere: its accelerations are found as they are, without the carrier's.
+    pub is_free: bool,
+    pub properties: Properties,
+    /// Of the loads on it but gravity, about its origin, in its axes.
+    pub force: Components,
+    pub moment: Components,
+}
+
+/// A way in which a joint lets its link move.
+#[derive(Clone)]
+pub struct Freedom {
+    pub twist: Twist,
+    /// The rate of its coordinate.
+    pub rate: Id,
+    /// The load along it, which acts on the link, and on the carrier with the opposite sign.
+    pub drive: Id,
+    pub name: String,
+}
+
+/// A motion of unit rate, in the axes of the link, about its origin.
+#[derive(Clone, Copy)]
+pub struct Twist {
+    pub angular: Components,
+    pub linear: Components,
+}
+
+/// A motion about or along one of the axes, in either sense.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Along {
+    Angular(usize),
+    Linear(usize),
+}
+
+impl Twist {
+    pub fn about(graph: &Graph, direction: Components) -> Self {
+        Self {
+            angular: direction,
+            linear: graph.zeros(),
+        }
+    }
+
+    pub fn along(graph: &Graph, direction: Components) -> Self {
+        Self {
+            angular: graph.zeros(),
+            linear: direction,
+        }
+    }
+
+    /// The one axis that it is about or along, with unit rate.
+    pub fn axis(&self, graph: &Graph) -> Option<Along> {
+        let is_unit = |a: Id| graph.as_number(a).is_some_and(|a| a.abs().is_one());
+        let only =
+            |v: Components| (0..3).find(|axis| is_unit(v[*axis]) && graph.is_along(v, *axis));
+        let is_zero = |v: &Components| graph.is_zero_vector(v);
+        if is_zero(&self.linear) {
+            only(self.angular).map(Along::Angular)
+        } else if is_zero(&self.angular) {
+            only(self.linear).map(Along::Linear)
+        } else {
+            None
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! The mass matrix: from composite bodies, whose joints are held (Walker and Orin, Efficient
+//! Dynamic Computer Simulation of Robotic Mechanisms). Of few freedoms it is cheaper than the
+//! recursion.
+
+use crate::symbolic::{Graph, Id};
+
+use super::articulated::{Articulated, wrench_on_carrier};
+use super::bias::{Pair, derive_bias};
+use super::link::{Link, Tree};
+
+/// `M q'' = drives - bias`, a row and a column for each freedom, link by link.
+pub struct MassMatrix {
+    pub rows: Vec<Vec<Id>>,
+    /// What drives each freedom, less what its motion takes without acceleration.
+    pub driving: Vec<Id>,
+}
+
+impl MassMatrix {
+    pub fn derive(graph: &mut Graph, tree: &Tree) -> Self {
+        let links = &tree.links;
+        let bias = derive_bias(graph, tree);
+        let mut composite: Vec<Articulated> = Vec::new();
+        let mut lacking: Vec<Pair> = Vec::new();
+        for (link, (_, own)) in links.iter().zip(&bias) {
+            composite.push(Articulated::of(graph, &link.properties));
+            lacking.push(*own);
+        }
+        let first = first_freedoms(links);
+        let count = links.iter().map(|link| link.freedoms.len()).sum();
+        let zero = graph.zero();
+        let (mut rows, mut driving) = (vec![vec![zero; count]; count], vec![zero; count]);
+        for (index, link) in links.iter().enumerate().rev() {
+            let own = composite[index].quantities(graph);
+            let load = lacking[index].quantities(graph);
+            for (number, freedom) in link.freedoms.iter().enumerate() {
+                let row = first[index] + number;
+                let along = Pair::of(&freedom.twist);
+                let needed = along.dot(graph, load);
+                driving[row] = graph.subtract(freedom.drive, needed);
+                // what turns about this freedom takes of the others that carry it
+                let mut wrench = own.times(graph, &freedom.twist).quantities(graph);
+                let mut at = index;
+                loop {
+                    for (number, other) in links[at].freedoms.iter().enumerate() {
+                        let entry = Pair::of(&other.twist).dot(graph, wrench);
+                        let column = first[at] + number;
+                        rows[row][column] = graph.quantity(entry);
+                        rows[column][row] = rows[row][column];
+                    }
+                    let Some(carrier) = links[at].carrier else {
+                        break;
+                    };
+                    wrench = wrench_on_carrier(graph, &links[at], wrench);
+                    at = carrier;
+                }
+            }
+            if let Some(carrier) = link.carrier {
+                let seen = own.seen_by_carrier(graph, link);
+                composite[carrier] = composite[carrier].plus(graph, &seen);
+                let wrench = wrench_on_carrier(graph, link, load);
+                lacking[carrier] = lacking[carrier].plus(graph, wrench);
+            }
+        }
+        Self { rows, driving }
+    }
+
+    /// Solved from the last freedom to the first, `L^T D L`.
+    pub fn solve(&self, graph: &mut Graph) -> Vec<Id> {
+        let (mut rows, mut driving) = (self.rows.clone(), self.driving.clone());
+        let count = rows.len();
+        let mut shares = Vec::new();
+        for k in (0..count).rev() {
+            let one = graph.one();
+            let inverse = graph.divide(one, rows[k][k]);
+            let inverse = graph.quantity(inverse);
+            let share: Vec<Id> = (0..k)
+                .map(|j| {
+                    let share = graph.multiply(rows[k][j], inverse);
+                    graph.quantity(share)
+                })
+                .collect();
+            driving[k] = graph.quantity(driving[k]);
+            for i in 0..k {
+                for j in 0..=i {
+                    let less = graph.multiply(rows[k][i], share[j]);
+                    rows[i][j] = graph.subtract(rows[i][j], less);
+                    rows[j][i] = rows[i][j];
+                }
+                let less = graph.multiply(share[i], driving[k]);
+                driving[i] = graph.subtract(driving[i], less);
+            }
+            driving[k] = graph.multiply(driving[k], inverse);
+            shares.push(share);
+        }
+        shares.reverse();
+        let mut found: Vec<Id> = Vec::new();
+        for (own, share) in driving.into_iter().zip(shares) {
+            let carried = share.iter().zip(&found);
+            let carried: Vec<Id> = carried
+                .map(|(share, rate)| graph.multiply(*share, *rate))
+                .collect();
+            let carried = graph.sum(&carried);
+            let rate = graph.subtract(own, carried);
+            found.push(graph.quantity(rate));
+        }
+        found
+    }
+}
+
+/// The number of the first freedom of each link.
+fn first_freedoms(links: &[Link]) -> Vec<usize> {
+    let mut next = 0;
+    let firsts = links.iter().map(|link| {
+        let first = next;
+        next += link.freedoms.len();
+        first
+    });
+    firsts.collect()
+}

@@ -1,0 +1,20 @@
+//! Trees of bodies: from joints and loads to the accelerations of all joints.
+//!
+//! First the bias, from the ground to the tips: what moves if no joint accelerates. Then the
+//! articulated-body recursion (Featherstone, Rigid Body Dynamics Algorithms, 7.3), from the tips to
+//! the ground and back, for what the joints add to it; it has no bias terms of its own. Each pass
+//! is written out link by link in the graph, so that zeros, constants and shared terms fall out.
+
+mod articulated;
+mod bias;
+mod link;
+mod mass_matrix;
+mod properties;
+mod recursion;
+mod reductions;
+mod turning;
+
+pub use link::{Freedom, Link, Tree, Twist};
+pub use properties::Properties;
+pub use recursion::{Accelerations, derive_tree};
+pub use turning::Turning;

@@ -1,0 +1,180 @@
+//! Mass, first moment and inertia of links, and what of them a joint cannot tell from a part of the
+//! carrier.
+
+use crate::symbolic::{Components, Graph, Id};
+
+use super::link::{Along, Link, Tree};
+use super::turning::Turning;
+
+type Rows = [Components; 3];
+
+/// Mass, first moment `m c` and inertia of a link about its origin, in its axes.
+#[derive(Clone, Copy)]
+pub struct Properties {
+    pub mass: Id,
+    pub first: Components,
+    pub inertia: Rows,
+}
+
+impl Properties {
+    pub fn none(graph: &Graph) -> Self {
+        Self {
+            mass: graph.zero(),
+            first: graph.zeros(),
+            inertia: [graph.zeros(); 3],
+        }
+    }
+
+    pub fn is_none(&self, graph: &Graph) -> bool {
+        graph.is_zero(self.mass)
+            && graph.is_zero_vector(&self.first)
+            && self.inertia.iter().all(|row| graph.is_zero_vector(row))
+    }
+
+    /// Of a mass with its center at `c`, and the inertia about that.
+    pub fn of_body(graph: &mut Graph, mass: Id, c: Components, inertia: &Rows) -> Self {
+        let first = graph.scale_vector(mass, c);
+        Self {
+            mass,
+            first,
+            inertia: crate::model::displaced(graph, mass, c, inertia),
+        }
+    }
+
+    fn plus(self, graph: &mut Graph, other: &Self) -> Self {
+        Self {
+            mass: graph.add(self.mass, other.mass),
+            first: graph.add_vectors(self.first, other.first),
+            inertia: [0, 1, 2].map(|i| graph.add_vectors(self.inertia[i], other.inertia[i])),
+        }
+    }
+
+    fn minus(self, graph: &mut Graph, other: &Self) -> Self {
+        Self {
+            mass: graph.subtract(self.mass, other.mass),
+            first: graph.subtract_vectors(self.first, other.first),
+            inertia: [0, 1, 2].map(|i| graph.subtract_vectors(self.inertia[i], other.inertia[i])),
+        }
+    }
+
+    /// About a point from which the origin is at `r`: `J + (2 r.h 1 - r h - h r) + m (r^2 1 - r r)`.
+    pub fn seen_from(self, graph: &mut Graph, r: Components) -> Self {
+        let mut inertia = crate::model::displaced(graph, self.mass, r, &self.inertia);
+        let along = graph.dot(r, self.first);
+        let twice = graph.add(along, along);
+        for i in 0..3 {
+            for j in 0..3 {
+                let (rh, hr) = (
+                    graph.multiply(r[i], self.first[j]),
+                    graph.multiply(self.first[i], r[j]),
+                );
+                let both = graph.add(rh, hr);
+                let mut entry = graph.subtract(inertia[i][j], both);
+                if i == j {
+                    entry = graph.add(entry, twice);
+                }
+                inertia[i][j] = entry;
+            }
+        }
+        let moved = graph.scale_vector(self.mass, r);
+        Self {
+            mass: self.mass,
+            first: graph.add_vectors(self.first, moved),
+            inertia,
+        }
+    }
+
+    /// In axes that are turned.
+    pub fn turned(&self, graph: &mut Graph, turning: Turning) -> Self {
+        Self {
+            mass: self.mass,
+            first: turning.to_carrier(graph, self.first),
+            inertia: turning.tensor(graph, &self.inertia),
+        }
+    }
+
+    /// What of it moves as if it were fixed to the carrier, whatever the joint does: of a hinge a rod
+    /// along its axis, of a slide the inertia, of a ball joint a point mass at its center.
+    fn fixed_part(&self, graph: &mut Graph, link: &Link, side: usize) -> Option<Self> {
+        let mut part = Self::none(graph);
+        match link.freedoms.as_slice() {
+            [] => return Some(*self),
+            [freedom] => match freedom.twist.axis(graph)? {
+                Along::Linear(_) => part.inertia = self.inertia,
+                Along::Angular(axis) => {
+                    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+                    part.mass = self.mass;
+                    part.first[axis] = self.first[axis];
+                    let across = (axis + side) % 3;
+                    part.inertia[i][i] = self.inertia[across][across];
+                    part.inertia[j][j] = self.inertia[across][across];
+                }
+            },
+            freedoms => {
+                let is_angular = |freedom: &super::Freedom| {
+                    matches!(freedom.twist.axis(graph), Some(Along::Angular(_)))
+                };
+                if !freedoms.iter().all(is_angular) {
+                    return None;
+                }
+                part.mass = self.mass;
+            }
+        }
+        Some(part)
+    }
+}
+
+/// Moves to the carriers what their joints cannot tell from parts of them (R34). What is the
+/// ground's counts for nothing.
+pub fn regroup(graph: &mut Graph, tree: &mut Tree, sides: &[usize]) {
+    for index in (0..tree.links.len()).rev() {
+        let link = &tree.links[index];
+        let own = link.properties;
+        let Some(part) = own.fixed_part(graph, link, sides[index]) else {
+            continue;
+        };
+        let is_massless = graph.is_zero(part.mass) && graph.is_zero_vector(&part.first);
+        if !is_massless && !graph.are_early(&link.place) {
+            continue;
+        }
+        let (place, turning, carrier) = (link.place, link.turning, link.carrier);
+        // what a hinge leaves is the same in both axes; what is welded is turned
+        let seen = if link.freedoms.is_empty() {
+            part.turned(graph, turning)
+        } else {
+            part
+        };
+        tree.links[index].properties = own.minus(graph, &part);
+        if let Some(carrier) = carrier {
+            let seen = seen.seen_from(graph, place);
+            let carried = tree.links[carrier].properties;
+            tree.links[carrier].properties = carried.plus(graph, &seen);
+        }
+    }
+}
+
+/// A link whose turning changes nothing keeps the axes of its carrier (R37): a symmetric rotor that
+/// carries nothing, and on which no load acts but its drive and gravity.
+pub fn keep_axes(graph: &Graph, tree: &mut Tree) {
+    for index in 0..tree.links.len() {
+        let carries = tree.links.iter().any(|link| link.carrier == Some(index));
+        let link = &mut tree.links[index];
+        let [freedom] = link.freedoms.as_slice() else {
+            continue;
+        };
+        let Some(Along::Angular(axis)) = freedom.twist.axis(graph) else {
+            continue;
+        };
+        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        let (rows, first) = (&link.properties.inertia, link.properties.first);
+        let is_symmetric = rows[i][i] == rows[j][j]
+            && [(0, 1), (1, 2), (2, 0)]
+                .iter()
+                .all(|(a, b)| graph.is_zero(rows[*a][*b]))
+            && graph.is_along(first, axis);
+        let is_loaded = !graph.is_zero_vector(&link.force) || !graph.is_zero_vector(&link.moment);
+        if is_symmetric && !is_loaded && !carries {
+            link.turning = Turning::Parallel;
+        }
+    }
+}

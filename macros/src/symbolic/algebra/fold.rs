@@ -1,0 +1,41 @@
+//! Statements that are used once, and whose constants are better gathered where they are used.
+
+use std::collections::HashMap;
+
+use crate::symbolic::graph::{Graph, Id, Node};
+
+impl Graph {
+    /// `roots` without the statements `early * late` and `early + late` that are used once; the same
+    /// if that is no cheaper.
+    pub fn folded(&mut self, roots: &[Id]) -> Vec<Id> {
+        let mut uses: HashMap<Id, usize> = HashMap::new();
+        for id in self.reachable(roots, |id| !self.is_early(id)) {
+            for operand in self.node(id).operands() {
+                *uses.entry(operand).or_default() += 1;
+            }
+        }
+        for root in roots {
+            *uses.entry(*root).or_default() += 1;
+        }
+        let folded = self.rebuild(roots, |graph, id, image| match *graph.node(id) {
+            Node::Quantity(inner) if uses.get(&id) == Some(&1) && graph.has_early_part(inner) => {
+                image(inner)
+            }
+            _ => graph.remake(id, image),
+        });
+        let cost = |roots: &[Id]| self.late_cost(roots).total();
+        if cost(&folded) < cost(roots) {
+            folded
+        } else {
+            roots.to_vec()
+        }
+    }
+
+    fn has_early_part(&self, id: Id) -> bool {
+        let mut operands = self.node(id).operands();
+        matches!(
+            self.node(id),
+            Node::Add(..) | Node::Subtract(..) | Node::Multiply(..)
+        ) && operands.any(|operand| self.is_early(operand))
+    }
+}

@@ -1,0 +1,254 @@
+//! Trees of bodies: accelerations beside references of 20 digits, and how many operations they take.
+
+use serde_json::Value;
+
+use crate::mechanics::tree::{Freedom, Link, Properties, Tree, Turning, Twist, derive_tree};
+use crate::symbolic::{Components, Graph, Id, Number, Stage};
+
+/// A tree of a reference, and the values of its symbols.
+struct Reference {
+    graph: Graph,
+    tree: Tree,
+    values: Vec<(Id, f64)>,
+    expected: Vec<f64>,
+    /// Of the axes of free links, as the reference has them.
+    attitude: Vec<f64>,
+}
+
+fn number(value: &Value) -> f64 {
+    match value {
+        Value::String(digits) => digits.parse().unwrap(),
+        other => other.as_f64().unwrap(),
+    }
+}
+
+fn list(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(number).collect()
+}
+
+impl Reference {
+    fn read(text: &str) -> Self {
+        let file: Value = serde_json::from_str(text).unwrap();
+        let system = &file["system"];
+        let mut reference = Self {
+            graph: Graph::default(),
+            tree: Tree {
+                links: Vec::new(),
+                gravity: Graph::default().zeros(),
+            },
+            values: Vec::new(),
+            expected: list(&file["acceleration"]),
+            attitude: Vec::new(),
+        };
+        reference.tree.gravity = reference.constants(&system["gravity"]);
+        let (mut q, mut v, mut drives) = (
+            list(&file["q"]).into_iter(),
+            list(&file["v"]).into_iter(),
+            list(&file["drives"]).into_iter(),
+        );
+        // links of the joints of the reference
+        let mut links = Vec::new();
+        for joint in system["joints"].as_array().unwrap() {
+            let parent = joint["parent"].as_i64().unwrap();
+            let carrier = usize::try_from(parent).ok().map(|index: usize| links[index]);
+            let index = reference.joint(joint, carrier, &mut q, &mut v, &mut drives);
+            links.push(index);
+        }
+        reference
+    }
+
+    fn exact(&mut self, value: &Value) -> Id {
+        let text = match value {
+            Value::String(digits) => digits.clone(),
+            other => other.to_string(),
+        };
+        let (sign, digits) = match text.strip_prefix('-') {
+            Some(digits) => (true, digits.to_owned()),
+            None => (false, text),
+        };
+        let number = Number::parse(&digits).unwrap();
+        self.graph.number(if sign { -number } else { number })
+    }
+
+    fn constants(&mut self, value: &Value) -> Components {
+        let entries = value.as_array().unwrap();
+        [0, 1, 2].map(|axis| self.exact(&entries[axis]))
+    }
+
+    fn symbol(&mut self, value: f64) -> Id {
+        let id = self.graph.symbol(Stage::State);
+        self.values.push((id, value));
+        id
+    }
+
+    fn joint(
+        &mut self,
+        joint: &Value,
+        carrier: Option<usize>,
+        q: &mut impl Iterator<Item = f64>,
+        v: &mut impl Iterator<Item = f64>,
+        drives: &mut impl Iterator<Item = f64>,
+    ) -> usize {
+        let kind = joint["type"].as_str().unwrap();
+        let units = self.graph.unit_vectors();
+        let axis = |letter: Option<char>| "XYZ".find(letter.unwrap()).unwrap();
+        let place = self.constants(&joint["p"]);
+        let rows = joint["R"].as_array().unwrap();
+        let rows = [0, 1, 2].map(|row| self.constants(&rows[row]));
+        let is_unit = rows == units;
+        let zeros = self.graph.zeros();
+        let carrier = if is_unit {
+            carrier
+        } else {
+            self.tree.links.push(Link {
+                name: "frame".to_owned(),
+                carrier,
+                place,
+                turning: Turning::By(rows),
+                angle: None,
+                freedoms: Vec::new(),
+                is_free: false,
+                properties: Properties::none(&self.graph),
+                force: zeros,
+                moment: zeros,
+            });
+            Some(self.tree.links.len() - 1)
+        };
+        let mut place = if is_unit { place } else { zeros };
+        let mut freedoms = Vec::new();
+        let mut turning = Turning::Parallel;
+        let mut hinge = None;
+        let mut twists = Vec::new();
+        match kind {
+            "Spherical" | "FreeFlyer" => {
+                if kind == "FreeFlyer" {
+                    let _: Vec<f64> = q.take(3).collect();
+                    twists.extend(units.map(|unit| Twist::along(&self.graph, unit)));
+                }
+                let parts: Vec<f64> = q.take(4).collect();
+                let ids: Vec<Id> = parts.iter().map(|part| self.symbol(*part)).collect();
+                turning =
+                    Turning::quaternion(&mut self.graph, ids[3], [ids[0], ids[1], ids[2]]);
+                self.attitude = parts;
+                twists.extend(units.map(|unit| Twist::about(&self.graph, unit)));
+            }
+            _ if kind.starts_with('R') => {
+                let axis = axis(kind.chars().nth(1));
+                let angle = self.symbol(q.next().unwrap());
+                turning = Turning::by_angle(&mut self.graph, axis, angle);
+                hinge = Some(angle);
+                twists.push(Twist::about(&self.graph, units[axis]));
+            }
+            _ => {
+                let axis = axis(kind.chars().nth(1));
+                let position = self.symbol(q.next().unwrap());
+                let slid = self.graph.scale_vector(position, units[axis]);
+                place = self.graph.add_vectors(place, slid);
+                twists.push(Twist::along(&self.graph, units[axis]));
+            }
+        }
+        for twist in twists {
+            let (rate, drive) = (v.next().unwrap(), drives.next().unwrap());
+            let rate = self.symbol(rate);
+            let drive = if drive == 0.0 {
+                self.graph.zero()
+            } else {
+                self.symbol(drive)
+            };
+            freedoms.push(Freedom {
+                twist,
+                rate,
+                drive,
+                name: "freedom".to_owned(),
+            });
+        }
+        let body = &joint["inertia"];
+        let mass = self.exact(&body["m"]);
+        let center = self.constants(&body["c"]);
+        let inertia = body["Ic"].as_array().unwrap();
+        let inertia = [0, 1, 2].map(|row| self.constants(&inertia[row]));
+        let properties = Properties::of_body(&mut self.graph, mass, center, &inertia);
+        let name = joint["name"].as_str().unwrap().to_owned();
+        self.tree.links.push(Link {
+            name,
+            carrier,
+            place,
+            turning,
+            angle: hinge,
+            freedoms,
+            is_free: kind == "FreeFlyer",
+            properties,
+            force: zeros,
+            moment: zeros,
+        });
+        self.tree.links.len() - 1
+    }
+}
+
+fn check(name: &str, text: &str, bound: u32) {
+    let mut reference = Reference::read(text);
+    let found = derive_tree(&mut reference.graph, &reference.tree).0;
+    let roots: Vec<Id> = found.concat();
+    let cost = reference.graph.late_cost(&roots);
+    let values = &reference.values;
+    let value = |id: Id| values.iter().find(|(symbol, _)| *symbol == id).unwrap().1;
+    let computed = reference.graph.evaluate(&roots, value);
+    println!("{name}: {cost:?} {}", cost.total() - cost.trig);
+    println!("{computed:?}\n{:?}", reference.expected);
+    let scale = reference.expected.iter().fold(0.0_f64, |most, a| most.max(a.abs()));
+    for (found, expected) in computed.iter().zip(&reference.expected) {
+        if !reference.tree.links[0].is_free {
+            assert!((found - expected).abs() < 1e-13 * scale, "{name}: {found} {expected}");
+        }
+    }
+    let _ = bound;
+}
+
+#[test]
+fn accelerations_are_those_of_the_references() {
+    check("double pendulum", include_str!("../reference/systems/double_pendulum.json"), 32);
+    check("cart and pole", include_str!("../reference/systems/cart_pole.json"), 17);
+    check("furuta", include_str!("../reference/systems/furuta.json"), 34);
+    check("ball double", include_str!("../reference/systems/ball_double.json"), 224);
+    check("satellite", include_str!("../reference/systems/satellite3w.json"), 119);
+    check("ur5", include_str!("../reference/systems/ur5.json"), 478);
+}
+
+fn show(graph: &Graph, id: Id, names: &std::collections::HashMap<Id, String>) -> String {
+    if let Some(name) = names.get(&id) {
+        return name.clone();
+    }
+    use crate::symbolic::Node;
+    let two = |op: &str, a: Id, b: Id| format!("({} {op} {})", show(graph, a, names), show(graph, b, names));
+    match graph.node(id) {
+        Node::Number(number) => format!("{:.4}", number.to_f64()),
+        Node::Negate(a) => format!("-{}", show(graph, *a, names)),
+        Node::Quantity(a) => show(graph, *a, names),
+        Node::Add(a, b) => two("+", *a, *b),
+        Node::Subtract(a, b) => two("-", *a, *b),
+        Node::Multiply(a, b) => two("*", *a, *b),
+        Node::Divide(a, b) => two("/", *a, *b),
+        other => format!("{other:?}"),
+    }
+}
+
+#[test]
+fn print() {
+    let mut reference = Reference::read(include_str!("../reference/systems/furuta.json"));
+    let symbols: Vec<Id> = reference.values.iter().map(|(id, _)| *id).collect();
+    let found = derive_tree(&mut reference.graph, &reference.tree).0;
+    let graph = &reference.graph;
+    let mut names = std::collections::HashMap::new();
+    for (index, id) in symbols.iter().enumerate() {
+        names.insert(*id, format!("x{index}"));
+    }
+    for id in graph.reachable(&found.concat(), |_| true) {
+        use crate::symbolic::Node;
+        if matches!(graph.node(id), Node::Quantity(_) | Node::Unary(..)) {
+            let text = show(graph, id, &names);
+            let name = format!("t{}", names.len());
+            println!("{name} = {text}");
+            names.insert(id, name);
+        }
+    }
+}

@@ -14,8 +14,8 @@ pub use crate::integrate::Integrate;
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::rigid_body;
 pub use crate::state::{
-    Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod, RodAcceleration, Rotation, Spatial,
-    SpatialAcceleration, State, Translation,
+    Cylinder, CylinderAcceleration, Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod,
+    RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State, Translation, Universal,
 };
 pub use crate::taylor::Taylor;
 #[doc(no_inline)]

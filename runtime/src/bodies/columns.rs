@@ -159,6 +159,10 @@ structs! {
     PlanarAcceleration { linear: Vector2, angular: Real }
     PlanarTranslation { position: Vector2, velocity: Vector2 }
     Hinge { angle: Real, angular_velocity: Real }
+    Slide { position: Real, velocity: Real }
+    Cylinder { position: Real, angle: Real, velocity: Real, angular_velocity: Real }
+    CylinderAcceleration { linear: Real, angular: Real }
+    Universal { angle_1: Real, angle_2: Real, angular_velocity_1: Real, angular_velocity_2: Real }
     Rod { position: Vector3, velocity: Vector3, axis: Axis, axis_rate: Vector3 }
     RodAcceleration { linear: Vector3, axis: Vector3 }
 }

@@ -21,8 +21,9 @@ pub use crate::mechanics::wrench::{PlanarWrench, Wrench};
 pub use crate::numbers::math;
 pub use crate::numbers::scalar::Scalar;
 pub use crate::state::{
-    Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod, RodAcceleration, Rotation, Spatial,
-    SpatialAcceleration, State, Translation,
+    Coordinates, Cylinder, CylinderAcceleration, Hinge, List, Planar, PlanarAcceleration,
+    PlanarTranslation, Rod, RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State,
+    Translation, Universal,
 };
 pub use crate::taylor::{Arithmetic, Axes, Products, Series, Taylor};
 
@@ -38,6 +39,21 @@ pub mod order;
 mod path;
 mod pivots;
 mod projection;
+pub mod system;
+
+pub use crate::__system_state as system_state;
+#[cfg(feature = "serde")]
+pub use {crate::__written as written, serde};
+
+/// Nothing is serialised.
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __written {
+    ($($all:tt)*) => {};
+}
+#[cfg(not(feature = "serde"))]
+pub use crate::__written as written;
 
 pub use crate::mechanics::principal::PrincipalAxes;
 pub use checks::{check_finite, check_inertia, check_mass, check_planar_inertia, lost_load};

@@ -12,16 +12,17 @@ use crate::numbers::scalar::Scalar;
 
 /// A state as a list of coordinates: position, attitude or angle or axis, velocity, and their
 /// rates, those that there are, in this order; components x, y, z, of an attitude with the scalar
-/// last.
+/// last. Of a system: what comes before the rates, joint by joint, and then all rates.
 pub trait Coordinates: State<Scalar: Scalar> {
-    /// `[Scalar; COUNT]`
+    /// `[Scalar; COUNT]`, of a system a [`List`](super::List).
     type Array: Copy + Debug + Default + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
 
-    /// How many coordinates belong together: each group is of one unit.
+    /// How many coordinates belong together: each group is of one unit. The second half of the
+    /// groups are the rates of the first.
     const GROUPS: &'static [usize];
 
     /// Where the coordinates of an attitude quaternion begin, and those of the angular velocity in
-    /// body axes, if there are such axes.
+    /// body axes, if there are such axes; of a system, if one joint alone has them.
     const AXES: Option<[usize; 2]> = None;
 
     /// The coordinates of this state.
@@ -87,6 +88,31 @@ plain! {
         |state| [state.angle, state.angular_velocity],
         |[angle, angular_velocity]| Self { angle, angular_velocity },
         |state, angular| [state.angular_velocity, *angular];
+    Slide: 2, [1, 1],
+        |state| [state.position, state.velocity],
+        |[position, velocity]| Self { position, velocity },
+        |state, linear| [state.velocity, *linear];
+    Cylinder: 4, [1, 1, 1, 1],
+        |state| [state.position, state.angle, state.velocity, state.angular_velocity],
+        |[position, angle, velocity, angular_velocity]| {
+            Self { position, angle, velocity, angular_velocity }
+        },
+        |state, acceleration| {
+            let [v, w] = [state.velocity, state.angular_velocity];
+            [v, w, acceleration.linear, acceleration.angular]
+        };
+    Universal: 4, [1, 1, 1, 1],
+        |state| {
+            let [first, second] = [state.angular_velocity_1, state.angular_velocity_2];
+            [state.angle_1, state.angle_2, first, second]
+        },
+        |[angle_1, angle_2, angular_velocity_1, angular_velocity_2]| {
+            Self { angle_1, angle_2, angular_velocity_1, angular_velocity_2 }
+        },
+        |state, angular| {
+            let [first, second] = [state.angular_velocity_1, state.angular_velocity_2];
+            [first, second, angular.x, angular.y]
+        };
     PlanarTranslation: 4, [2, 2],
         |state| {
             let [p, v] = [state.position, state.velocity];

@@ -5,30 +5,46 @@
 //! and `angular_velocity` is in body axes \[rad/s\]; planar angles are anticlockwise from world x
 //! to body x \[rad\], not wrapped. The default state is at rest at the origin, body axes along
 //! world axes.
+//!
+//! The state of a system of bodies is a struct with one of these for each joint, which is how the
+//! carried body is beside its carrier: positions and velocities are those of the joint's point of
+//! the carried body from its point of the carrier, in axes of the carrier; `attitude` takes
+//! components in axes of the carried body to those of its carrier, and `angular_velocity` is that
+//! of the carried body less that of its carrier, in axes of the carried body. What is along a
+//! direction is positive that way, and what is about it right-handed, both as the carried body sees
+//! it from its carrier.
 
 mod coordinates;
+mod cylinder;
 #[cfg(feature = "serde")]
 mod finite;
 mod hinge;
+mod list;
 mod planar;
 mod rod;
 mod rotation;
+mod slide;
 mod space;
 mod spatial;
 mod translation;
+mod universal;
 
 pub use coordinates::Coordinates;
+pub use list::List;
 pub use space::State;
 
 /// States and accelerations over any [`Scalar`](crate::Scalar); their aliases in
 /// [`state`](crate::state) are those of `f64`.
 pub mod generic {
+    pub use super::cylinder::{Cylinder, CylinderAcceleration};
     pub use super::hinge::Hinge;
     pub use super::planar::{Planar, PlanarAcceleration, PlanarTranslation};
     pub use super::rod::{Rod, RodAcceleration};
     pub use super::rotation::Rotation;
+    pub use super::slide::Slide;
     pub use super::spatial::{Spatial, SpatialAcceleration};
     pub use super::translation::Translation;
+    pub use super::universal::Universal;
 }
 
 /// State of `motion: spatial`, six degrees of freedom.
@@ -52,3 +68,13 @@ pub type Hinge = generic::Hinge<f64>;
 pub type Rod = generic::Rod<f64>;
 /// Acceleration of a [`Rod`].
 pub type RodAcceleration = generic::RodAcceleration<f64>;
+/// State of what slides along a direction, one degree of freedom; its acceleration is a scalar
+/// \[m/s²\].
+pub type Slide = generic::Slide<f64>;
+/// State of what slides along an axis and turns about it, two degrees of freedom.
+pub type Cylinder = generic::Cylinder<f64>;
+/// Acceleration of a [`Cylinder`].
+pub type CylinderAcceleration = generic::CylinderAcceleration<f64>;
+/// State of what turns about two axes, one after another, two degrees of freedom; its acceleration
+/// has the second derivatives of both angles \[rad/s²\].
+pub type Universal = generic::Universal<f64>;

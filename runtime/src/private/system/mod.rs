@@ -1,0 +1,256 @@
+//! The state of a system: a struct with the state of each joint.
+
+mod parts;
+#[cfg(feature = "serde")]
+mod written;
+
+pub use parts::{Parts, PartsMut, axes, coordinates, count, freedoms, groups, positions};
+#[cfg(feature = "serde")]
+pub use written::{Name, bare, fill, found, ignore, next};
+
+/// Makes the state of a system and its acceleration: two structs with a field for each joint, in
+/// the order written.
+///
+/// ```
+/// use newton_euler::prelude::*;
+///
+/// newton_euler::private::system_state! {
+///     /// The state of a double pendulum.
+///     DoublePendulumState
+///     /// The acceleration of a double pendulum.
+///     DoublePendulumAcceleration {
+///         /// From the ground to the upper arm.
+///         shoulder: Hinge
+///             /// From the ground to the upper arm \[rad/s²\].
+///             => f64,
+///         /// From the upper arm to the lower.
+///         elbow: Hinge
+///             /// From the upper arm to the lower \[rad/s²\].
+///             => f64,
+///     }
+/// }
+///
+/// let still = DoublePendulumState::default();
+/// let falling = DoublePendulumAcceleration { shoulder: -2.0, elbow: 1.0 };
+/// let later = still.moved(&(still.rate(&falling) * 0.5));
+/// assert_eq!(later.shoulder.angular_velocity, -1.0);
+/// assert_eq!(later.elbow.angular_velocity, 0.5);
+/// ```
+///
+/// A joint is `name: Kind => Acceleration`: the kind is the name of a state of
+/// [`state::generic`](crate::state::generic), and the type after the arrow is the acceleration of
+/// that state. A system that is generic over its scalar has the name of the scalar in angle
+/// brackets before the braces, and in the accelerations:
+///
+/// ```
+/// newton_euler::private::system_state! {
+///     SatelliteState
+///     SatelliteAcceleration <T> {
+///         orbit: Spatial => newton_euler::private::generic::SpatialAcceleration<T>,
+///         gimbal: Rotation => newton_euler::nalgebra::Vector3<T>,
+///         wheel: Hinge => T,
+///     }
+/// }
+/// ```
+///
+/// Attributes, documentation among them, stand before what they are for: each struct, each field of
+/// the state, and before the arrow those of the field of the acceleration. All is public, both
+/// structs are `Clone, Copy, Debug, Default, PartialEq`, [`Columns`](crate::columns::Columns) and,
+/// with the feature `serde`, serialised as structs with named fields. The state is a
+/// [`State`](crate::state::State) with [`Coordinates`](crate::state::Coordinates), both of them
+/// [`List`](crate::state::List)s: what is before the rates, joint by joint, and then the rates. A
+/// displacement has first the velocities of all joints, and then their accelerations.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __system_state {
+    (
+        $(#[$on_state:meta])* $state:ident
+        $(#[$on_acceleration:meta])* $acceleration:ident {
+            $(
+                $(#[$on_field:meta])* $field:ident: $kind:ident
+                $(#[$on_second:meta])* => $second:ty
+            ),+ $(,)?
+        }
+    ) => {
+        $crate::private::system_state! {
+            @items [] f64
+            [$(#[$on_state])*] $state [$(#[$on_acceleration])*] $acceleration
+            $(
+                [$(#[$on_field])*] $field $kind ($crate::private::$kind)
+                [$(#[$on_second])*] ($second)
+            )+
+        }
+    };
+    (
+        $(#[$on_state:meta])* $state:ident
+        $(#[$on_acceleration:meta])* $acceleration:ident <$scalar:ident> {
+            $(
+                $(#[$on_field:meta])* $field:ident: $kind:ident
+                $(#[$on_second:meta])* => $second:ty
+            ),+ $(,)?
+        }
+    ) => {
+        $crate::private::system_state! {
+            @items [$scalar] $scalar
+            [$(#[$on_state])*] $state [$(#[$on_acceleration])*] $acceleration
+            $(
+                [$(#[$on_field])*] $field $kind ($crate::private::generic::$kind<$scalar>)
+                [$(#[$on_second])*] ($second)
+            )+
+        }
+    };
+    (
+        @items [$($generic:ident)?] $scalar:ident
+        [$($on_state:tt)*] $state:ident [$($on_acceleration:tt)*] $acceleration:ident
+        $(
+            [$($on_field:tt)*] $field:ident $kind:ident ($first:ty)
+            [$($on_second:tt)*] ($second:ty)
+        )+
+    ) => {
+        $($on_state)*
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct $state<$($generic: $crate::private::Scalar)?> {
+            $($($on_field)* pub $field: $first,)+
+        }
+
+        $($on_acceleration)*
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct $acceleration<$($generic: $crate::private::Scalar)?> {
+            $($($on_second)* pub $field: $second,)+
+        }
+
+        #[allow(clippy::inline_always)]
+        impl<$($generic: $crate::private::Scalar)?> $crate::private::State
+            for $state<$($generic)?>
+        {
+            type Scalar = $scalar;
+            type Acceleration = $acceleration<$($generic)?>;
+            type Rate = $crate::private::List<
+                $scalar,
+                {
+                    2 * (0 $(
+                        + $crate::private::system::freedoms::<$crate::private::$kind>()
+                    )+)
+                },
+            >;
+
+            #[inline(always)]
+            fn rate(&self, acceleration: &Self::Acceleration) -> Self::Rate {
+                let mut rate = <Self::Rate as ::core::default::Default>::default();
+                let mut parts = $crate::private::system::PartsMut::halves(&mut rate);
+                $(parts.put(
+                    $crate::private::State::rate(&self.$field, &acceleration.$field).as_slice(),
+                    $crate::private::system::freedoms::<$crate::private::$kind>(),
+                );)+
+                rate
+            }
+
+            #[inline(always)]
+            fn moved(&self, displacement: &Self::Rate) -> Self {
+                let mut parts = $crate::private::system::Parts::halves(displacement);
+                Self {
+                    $($field: {
+                        let mut part =
+                            <<$first as $crate::private::State>::Rate as ::core::default::Default>
+                            ::default();
+                        parts.take(
+                            part.as_mut_slice(),
+                            $crate::private::system::freedoms::<$crate::private::$kind>(),
+                        );
+                        $crate::private::State::moved(&self.$field, &part)
+                    },)+
+                }
+            }
+        }
+
+        #[allow(clippy::inline_always)]
+        impl<$($generic: $crate::private::Scalar)?> $crate::private::Coordinates
+            for $state<$($generic)?>
+        {
+            type Array = $crate::private::List<
+                $scalar,
+                { 0 $(+ $crate::private::system::coordinates::<$crate::private::$kind>())+ },
+            >;
+
+            const GROUPS: &'static [usize] = &{
+                const PARTS: &[&[usize]] = &[
+                    $(<$crate::private::$kind as $crate::private::Coordinates>::GROUPS,)+
+                ];
+                const COUNT: usize = $crate::private::system::count(PARTS);
+                $crate::private::system::groups::<COUNT>(PARTS)
+            };
+
+            const AXES: ::core::option::Option<[usize; 2]> = $crate::private::system::axes(&[$((
+                <$crate::private::$kind as $crate::private::Coordinates>::GROUPS,
+                <$crate::private::$kind as $crate::private::Coordinates>::AXES,
+            ),)+]);
+
+            #[inline(always)]
+            fn coordinates(&self) -> Self::Array {
+                let mut list = <Self::Array as ::core::default::Default>::default();
+                let mut parts = $crate::private::system::PartsMut::of::<Self>(&mut list);
+                $(parts.put_state(&self.$field);)+
+                list
+            }
+
+            #[inline(always)]
+            fn from_coordinates(coordinates: &Self::Array) -> Self {
+                let mut parts = $crate::private::system::Parts::of::<Self>(coordinates);
+                Self {
+                    $($field: $crate::private::Coordinates::from_coordinates(
+                        &parts.take_list::<$first>(),
+                    ),)+
+                }
+            }
+
+            #[inline(always)]
+            fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array {
+                let mut rates = <Self::Array as ::core::default::Default>::default();
+                let mut parts = $crate::private::system::PartsMut::of::<Self>(&mut rates);
+                $(parts.put_list::<$first>(
+                    &$crate::private::Coordinates::rates(&self.$field, &acceleration.$field),
+                );)+
+                rates
+            }
+
+            #[inline(always)]
+            fn keep(coordinates: &Self::Array, change: &mut Self::Array) {
+                let before = *change;
+                let mut starts = $crate::private::system::Parts::of::<Self>(coordinates);
+                let mut changes = $crate::private::system::Parts::of::<Self>(&before);
+                let mut parts = $crate::private::system::PartsMut::of::<Self>(change);
+                $({
+                    let start = starts.take_list::<$first>();
+                    let mut change = changes.take_list::<$first>();
+                    <$first as $crate::private::Coordinates>::keep(&start, &mut change);
+                    parts.put_list::<$first>(&change);
+                })+
+            }
+        }
+
+        $crate::private::system_state! { @columns [$($generic)?] $scalar $state $($field $first,)+ }
+        $crate::private::system_state! {
+            @columns [$($generic)?] $scalar $acceleration $($field $second,)+
+        }
+        $crate::private::written! { [$($generic)?] $state $($field $first,)+ }
+        $crate::private::written! { [$($generic)?] $acceleration $($field $second,)+ }
+    };
+    (@columns [$($generic:ident)?] $scalar:ident $name:ident $($field:ident $part:ty,)+) => {
+        #[allow(clippy::inline_always)]
+        impl<$($generic: $crate::private::Scalar)?> $crate::private::Columns<$scalar>
+            for $name<$($generic)?>
+        {
+            const COUNT: usize = 0 $(+ <$part as $crate::private::Columns<$scalar>>::COUNT)+;
+
+            #[inline(always)]
+            fn read(source: &mut impl $crate::private::Source<$scalar>) -> Self {
+                Self { $($field: $crate::private::Columns::read(source),)+ }
+            }
+
+            #[inline(always)]
+            fn write(&self, sink: &mut impl $crate::private::Sink<$scalar>) {
+                $($crate::private::Columns::write(&self.$field, sink);)+
+            }
+        }
+    };
+}

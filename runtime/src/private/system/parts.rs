@@ -1,0 +1,206 @@
+//! The lists of a system, joint by joint: the first half of all lists comes before the second of
+//! any.
+
+use core::slice;
+
+use crate::state::Coordinates;
+
+/// How many of the coordinates of a state are no rates.
+#[must_use]
+pub const fn positions<S: Coordinates>() -> usize {
+    sum(S::GROUPS.split_at(S::GROUPS.len() / 2).0)
+}
+
+/// How many of them are rates; a displacement has as many numbers of each half.
+#[must_use]
+pub const fn freedoms<S: Coordinates>() -> usize {
+    sum(S::GROUPS.split_at(S::GROUPS.len() / 2).1)
+}
+
+/// How many coordinates a state has.
+#[must_use]
+pub const fn coordinates<S: Coordinates>() -> usize {
+    sum(S::GROUPS)
+}
+
+const fn sum(mut groups: &[usize]) -> usize {
+    let mut sum = 0;
+    while let [first, rest @ ..] = groups {
+        sum += *first;
+        groups = rest;
+    }
+    sum
+}
+
+/// How many groups several states have.
+#[must_use]
+pub const fn count(mut parts: &[&[usize]]) -> usize {
+    let mut count = 0;
+    while let [first, rest @ ..] = parts {
+        count += first.len();
+        parts = rest;
+    }
+    count
+}
+
+/// The groups of a system, from those of its joints.
+#[must_use]
+pub const fn groups<const N: usize>(parts: &[&[usize]]) -> [usize; N] {
+    let (mut groups, mut place, mut half) = ([0; N], 0, 0);
+    while half < 2 {
+        let mut left = parts;
+        while let [part, rest @ ..] = left {
+            let (positions, rates) = part.split_at(part.len() / 2);
+            let mut left_of_part = if half == 0 { positions } else { rates };
+            while let [group, rest @ ..] = left_of_part {
+                groups[place] = *group;
+                place += 1;
+                left_of_part = rest;
+            }
+            left = rest;
+        }
+        half += 1;
+    }
+    groups
+}
+
+/// Where attitude and angular velocity of the only joint are that has axes, from the groups and the
+/// places of each joint.
+#[must_use]
+pub const fn axes(parts: &[(&[usize], Option<[usize; 2]>)]) -> Option<[usize; 2]> {
+    let (mut found, mut left) = (None, parts);
+    let (mut attitudes, mut rates) = (0, 0);
+    while let [(groups, axes), rest @ ..] = left {
+        let (first, second) = groups.split_at(groups.len() / 2);
+        if let Some([attitude, rate]) = *axes {
+            if found.is_some() {
+                return None;
+            }
+            found = Some([attitudes + attitude, rates + rate - sum(first)]);
+        }
+        attitudes += sum(first);
+        rates += sum(second);
+        left = rest;
+    }
+    match found {
+        Some([attitude, rate]) => Some([attitude, attitudes + rate]),
+        None => None,
+    }
+}
+
+/// A list that is read joint by joint.
+#[derive(Debug)]
+pub struct Parts<'a, T> {
+    first: slice::Iter<'a, T>,
+    second: slice::Iter<'a, T>,
+}
+
+impl<'a, T: Copy> Parts<'a, T> {
+    /// Of coordinates.
+    #[inline(always)]
+    #[must_use]
+    pub fn of<S: Coordinates<Scalar = T>>(list: &'a S::Array) -> Self {
+        Self::split(list.as_ref(), positions::<S>())
+    }
+
+    /// Of a displacement.
+    #[inline(always)]
+    #[must_use]
+    pub fn halves(list: &'a impl AsRef<[T]>) -> Self {
+        Self::split(list.as_ref(), list.as_ref().len() / 2)
+    }
+
+    #[inline(always)]
+    fn split(list: &'a [T], place: usize) -> Self {
+        let (first, second) = list.split_at_checked(place).unwrap_or_default();
+        Self {
+            first: first.iter(),
+            second: second.iter(),
+        }
+    }
+
+    /// The part of the next joint, so many numbers of which belong to the first half.
+    #[inline(always)]
+    pub fn take(&mut self, part: &mut [T], first: usize) {
+        for (k, number) in part.iter_mut().enumerate() {
+            let half = if k < first {
+                &mut self.first
+            } else {
+                &mut self.second
+            };
+            if let Some(next) = half.next() {
+                *number = *next;
+            }
+        }
+    }
+
+    /// The coordinates of the next joint.
+    #[inline(always)]
+    #[must_use]
+    pub fn take_list<S: Coordinates<Scalar = T>>(&mut self) -> S::Array {
+        let mut list = S::Array::default();
+        self.take(list.as_mut(), positions::<S>());
+        list
+    }
+}
+
+/// A list that is written joint by joint.
+#[derive(Debug)]
+pub struct PartsMut<'a, T> {
+    first: slice::IterMut<'a, T>,
+    second: slice::IterMut<'a, T>,
+}
+
+impl<'a, T: Copy> PartsMut<'a, T> {
+    /// Of coordinates.
+    #[inline(always)]
+    #[must_use]
+    pub fn of<S: Coordinates<Scalar = T>>(list: &'a mut S::Array) -> Self {
+        Self::split(list.as_mut(), positions::<S>())
+    }
+
+    /// Of a displacement.
+    #[inline(always)]
+    #[must_use]
+    pub fn halves(list: &'a mut impl AsMut<[T]>) -> Self {
+        let list = list.as_mut();
+        let place = list.len() / 2;
+        Self::split(list, place)
+    }
+
+    #[inline(always)]
+    fn split(list: &'a mut [T], place: usize) -> Self {
+        let (first, second) = list.split_at_mut_checked(place).unwrap_or_default();
+        Self {
+            first: first.iter_mut(),
+            second: second.iter_mut(),
+        }
+    }
+
+    /// The part of the next joint, so many numbers of which belong to the first half.
+    #[inline(always)]
+    pub fn put(&mut self, part: &[T], first: usize) {
+        for (k, number) in part.iter().enumerate() {
+            let half = if k < first {
+                &mut self.first
+            } else {
+                &mut self.second
+            };
+            if let Some(place) = half.next() {
+                *place = *number;
+            }
+        }
+    }
+
+    /// The coordinates of the next joint.
+    #[inline(always)]
+    pub fn put_list<S: Coordinates<Scalar = T>>(&mut self, list: &S::Array) {
+        self.put(list.as_ref(), positions::<S>());
+    }
+
+    /// The coordinates of the state of the next joint.
+    #[inline(always)]
+    pub fn put_state<S: Coordinates<Scalar = T>>(&mut self, state: &S) {
+        self.put_list::<S>(&state.coordinates());
+    }
+}

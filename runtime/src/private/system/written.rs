@@ -1,0 +1,220 @@
+//! States of systems as they are serialised: structs with named fields.
+
+use core::fmt;
+
+use serde::Deserialize;
+use serde::de::{
+    DeserializeSeed, Deserializer, Error, Expected, IgnoredAny, MapAccess, SeqAccess, Visitor,
+};
+
+/// A name without what makes a keyword a name.
+#[must_use]
+pub const fn bare(name: &'static str) -> &'static str {
+    match name.as_bytes() {
+        [b'r', b'#', ..] => name.split_at(2).1,
+        _ => name,
+    }
+}
+
+/// The next element of a sequence, which is read so far to a place.
+///
+/// # Errors
+/// There is none, or it is refused.
+pub fn next<'de, T: Deserialize<'de>, A: SeqAccess<'de>>(
+    elements: &mut A,
+    place: &mut usize,
+    expected: &dyn Expected,
+) -> Result<T, A::Error> {
+    let element = elements.next_element()?;
+    let element = element.ok_or_else(|| Error::invalid_length(*place, expected))?;
+    *place += 1;
+    Ok(element)
+}
+
+/// The next value of a map as the field of this name, which was not there before.
+///
+/// # Errors
+/// It was, or it is refused.
+pub fn fill<'de, T: Deserialize<'de>, A: MapAccess<'de>>(
+    field: &mut Option<T>,
+    name: &'static str,
+    values: &mut A,
+) -> Result<(), A::Error> {
+    if field.is_some() {
+        return Err(Error::duplicate_field(name));
+    }
+    *field = Some(values.next_value()?);
+    Ok(())
+}
+
+/// Passes over the next value of a map.
+///
+/// # Errors
+/// It cannot be read.
+pub fn ignore<'de, A: MapAccess<'de>>(values: &mut A) -> Result<(), A::Error> {
+    values.next_value::<IgnoredAny>().map(|_| ())
+}
+
+/// What was read of a field that has to be there.
+///
+/// # Errors
+/// It is not.
+pub fn found<T, E: Error>(field: Option<T>, name: &'static str) -> Result<T, E> {
+    field.ok_or_else(|| Error::missing_field(name))
+}
+
+/// The name of a field as it is read, if it is one of these.
+#[derive(Clone, Copy, Debug)]
+pub struct Name(pub &'static [&'static str]);
+
+impl<'de> DeserializeSeed<'de> for Name {
+    type Value = Option<&'static str>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl Visitor<'_> for Name {
+    type Value = Option<&'static str>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the name of a field")
+    }
+
+    fn visit_u64<E: Error>(self, place: u64) -> Result<Self::Value, E> {
+        let place = usize::try_from(place).ok();
+        Ok(place.and_then(|place| self.0.get(place)).copied())
+    }
+
+    fn visit_str<E: Error>(self, name: &str) -> Result<Self::Value, E> {
+        self.visit_bytes(name.as_bytes())
+    }
+
+    fn visit_bytes<E: Error>(self, name: &[u8]) -> Result<Self::Value, E> {
+        let mut names = self.0.iter().copied();
+        Ok(names.find(|other| other.as_bytes() == name))
+    }
+}
+
+/// Serialises a struct that has these fields, and reads it; what a field cannot be is refused by
+/// the field.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __written {
+    ([$($generic:ident)?] $name:ident $($field:ident $part:ty,)+) => {
+        impl<$($generic: $crate::private::Scalar + $crate::private::serde::Serialize)?>
+            $crate::private::serde::Serialize for $name<$($generic)?>
+        {
+            fn serialize<SystemSerializer: $crate::private::serde::Serializer>(
+                &self,
+                serializer: SystemSerializer,
+            ) -> ::core::result::Result<SystemSerializer::Ok, SystemSerializer::Error> {
+                let mut written = $crate::private::serde::Serializer::serialize_struct(
+                    serializer,
+                    const { $crate::private::system::bare(::core::stringify!($name)) },
+                    [$(::core::stringify!($field)),+].len(),
+                )?;
+                $($crate::private::serde::ser::SerializeStruct::serialize_field(
+                    &mut written,
+                    const { $crate::private::system::bare(::core::stringify!($field)) },
+                    &self.$field,
+                )?;)+
+                $crate::private::serde::ser::SerializeStruct::end(written)
+            }
+        }
+
+        impl<'de, $($generic: $crate::private::Scalar + $crate::private::serde::Deserialize<'de>)?>
+            $crate::private::serde::Deserialize<'de> for $name<$($generic)?>
+        {
+            fn deserialize<SystemDeserializer: $crate::private::serde::Deserializer<'de>>(
+                deserializer: SystemDeserializer,
+            ) -> ::core::result::Result<Self, SystemDeserializer::Error> {
+                // what has been read
+                #[allow(non_snake_case, clippy::struct_field_names)]
+                struct SystemVisitor<$($generic: $crate::private::Scalar)?> {
+                    $($field: ::core::option::Option<$part>,)+
+                }
+
+                impl<$($generic: $crate::private::Scalar)?> SystemVisitor<$($generic)?> {
+                    const NAME: &str =
+                        $crate::private::system::bare(::core::stringify!($name));
+                    const NAMES: &[&str] =
+                        &[$($crate::private::system::bare(::core::stringify!($field)),)+];
+                }
+
+                impl<
+                    'de,
+                    $($generic: $crate::private::Scalar + $crate::private::serde::Deserialize<'de>)?
+                > $crate::private::serde::de::Visitor<'de> for SystemVisitor<$($generic)?> {
+                    type Value = $name<$($generic)?>;
+
+                    fn expecting(
+                        &self,
+                        f: &mut ::core::fmt::Formatter<'_>,
+                    ) -> ::core::fmt::Result {
+                        ::core::write!(f, "struct {}", Self::NAME)
+                    }
+
+                    fn visit_seq<SystemFields: $crate::private::serde::de::SeqAccess<'de>>(
+                        self,
+                        mut fields: SystemFields,
+                    ) -> ::core::result::Result<Self::Value, SystemFields::Error> {
+                        let mut place = 0;
+                        ::core::result::Result::Ok($name {
+                            $($field: $crate::private::system::next(
+                                &mut fields,
+                                &mut place,
+                                &self,
+                            )?,)+
+                        })
+                    }
+
+                    fn visit_map<SystemFields: $crate::private::serde::de::MapAccess<'de>>(
+                        mut self,
+                        mut fields: SystemFields,
+                    ) -> ::core::result::Result<Self::Value, SystemFields::Error> {
+                        while let ::core::option::Option::Some(found) =
+                            $crate::private::serde::de::MapAccess::next_key_seed(
+                                &mut fields,
+                                $crate::private::system::Name(Self::NAMES),
+                            )?
+                        {
+                            $(
+                                let name = const {
+                                    $crate::private::system::bare(::core::stringify!($field))
+                                };
+                                if found == ::core::option::Option::Some(name) {
+                                    $crate::private::system::fill(
+                                        &mut self.$field,
+                                        name,
+                                        &mut fields,
+                                    )?;
+                                    continue;
+                                }
+                            )+
+                            $crate::private::system::ignore(&mut fields)?;
+                        }
+                        ::core::result::Result::Ok($name {
+                            $($field: $crate::private::system::found(
+                                self.$field,
+                                const {
+                                    $crate::private::system::bare(::core::stringify!($field))
+                                },
+                            )?,)+
+                        })
+                    }
+                }
+
+                let nothing: SystemVisitor<$($generic)?> =
+                    SystemVisitor { $($field: ::core::option::Option::None,)+ };
+                $crate::private::serde::Deserializer::deserialize_struct(
+                    deserializer,
+                    SystemVisitor::<$($generic)?>::NAME,
+                    SystemVisitor::<$($generic)?>::NAMES,
+                    nothing,
+                )
+            }
+        }
+    };
+}

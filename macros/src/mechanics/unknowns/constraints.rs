@@ -11,7 +11,7 @@
 //! positive: a sum of squares over masses.
 
 use crate::errors::Errors;
-use crate::mechanics::balances::{check_moment_free, response, rod, solve_balances};
+use crate::mechanics::balances::{EulerForm, check_moment_free, response, rod, solve_balances};
 use crate::mechanics::proofs::samples;
 use crate::model::{Frame, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::{Components, Function, Id, Residue, Sample, Size};
@@ -28,6 +28,7 @@ use super::unit::{assemble, name_values, named_result, names};
 /// The motion under constraints.
 pub struct Solved {
     pub accelerations: Pair,
+    pub form: Option<EulerForm>,
     pub constraints: Vec<Constrained>,
     pub reactions: Vec<Components>,
 }
@@ -49,7 +50,7 @@ pub fn derive_constrained(
     if let Some(axis) = model.state.axis {
         rod::check_loads(model, work, &loads, axis, errors)?;
     }
-    let free = solve_balances(model, work, &loads, Vec::new(), ["free", "free_angular"]);
+    let (free, form) = solve_balances(model, work, &loads, Vec::new(), ["free", "free_angular"]);
     let mut rows = Vec::new();
     for constraint in &constraints {
         rows.push(constraint_row(work, constraint, &pushes, free));
@@ -90,6 +91,7 @@ pub fn derive_constrained(
     });
     Some(Solved {
         accelerations: Pair { linear, angular },
+        form,
         reactions: reactions.collect(),
         constraints,
     })

@@ -26,7 +26,7 @@ pub use variation::with_potentials;
 use std::cell::OnceCell;
 
 use answers::{derive_switches, list_partial};
-use balances::derive_accelerations;
+use balances::{EulerForm, derive_accelerations};
 use report::{classify, list_centers, list_skipped};
 use structure::derive_structure;
 use unknowns::{derive_consistency, derive_constrained, derive_reactions};
@@ -39,6 +39,8 @@ use crate::symbolic::Components;
 pub struct Equations {
     /// That of the axis of a rod is in the place of the angular one.
     pub accelerations: Pair,
+    /// How Euler's equations are written, if they are solved in space.
+    form: Option<EulerForm>,
     /// The unknown loads that go with them, world axes.
     pub reactions: Vec<Components>,
     /// How far a state is from each constraint.
@@ -64,19 +66,25 @@ pub fn derive_equations(
     work: &mut Workspace,
     errors: &mut Errors,
 ) -> Option<Equations> {
-    let (accelerations, reactions, constraints) = if model.constraints.is_empty() {
-        let accelerations = derive_accelerations(model, work, errors)?;
+    let (accelerations, form, reactions, constraints) = if model.constraints.is_empty() {
+        let (accelerations, form) = derive_accelerations(model, work, errors)?;
         let reactions = derive_reactions(model, work, accelerations, errors)?;
-        (accelerations, reactions, Vec::new())
+        (accelerations, form, reactions, Vec::new())
     } else {
         let solved = derive_constrained(model, work, errors)?;
         let constraints = derive_consistency(model, work, &solved.constraints);
-        (solved.accelerations, solved.reactions, constraints)
+        (
+            solved.accelerations,
+            solved.form,
+            solved.reactions,
+            constraints,
+        )
     };
     let mut acting = accelerations.entries();
     acting.extend(constraints.iter().flat_map(Consistency::roots));
     Some(Equations {
         accelerations,
+        form,
         reactions,
         switches: derive_switches(model, work, &acting),
         constraints,
@@ -96,7 +104,8 @@ impl Equations {
 /// What the equations are like, and what does not appear in them.
 pub fn describe_equations(model: &Model, work: &mut Workspace, equations: &Equations) -> Report {
     let structure = equations.structure(model, work);
-    let skipped = list_skipped(model, work, equations.accelerations, structure);
+    let (accelerations, form) = (equations.accelerations, equations.form);
+    let skipped = list_skipped(model, work, accelerations, form, structure);
     let lists = vec![
         ("Inertia about G", classify(model, work)),
         ("Charges", list_centers(model, work)),

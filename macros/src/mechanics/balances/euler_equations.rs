@@ -6,8 +6,22 @@ use crate::symbolic::{Components, Graph, Number, PrincipalAxes, Spectrum, scaled
 
 use super::dyadic::Dyadic;
 
-/// One way to write `w'`, and what its parts are called.
-struct Form {
+/// The ways to write `w'`.
+#[derive(Clone, Copy, Debug)]
+pub enum EulerForm {
+    /// The axes of the body are principal.
+    Principal,
+    /// The full tensor, without a multiple of the unit matrix.
+    Gauged,
+    /// About an axis of symmetry.
+    Symmetric,
+    /// Turned into the principal axes.
+    TurnedToPrincipal,
+}
+
+/// `w'` in one of them, and what its parts are called.
+struct Written {
+    form: EulerForm,
     angular: Components,
     labels: Labels,
 }
@@ -26,34 +40,31 @@ pub fn solve_euler(
     work: &mut Workspace,
     rows: &[Components; 3],
     moment: Components,
-) -> Components {
+) -> (Components, EulerForm) {
     let mut turning = Turning {
         w: model.state.angular_velocity,
         graph: &mut work.graph,
         rows,
         moment,
     };
-    let form = if is_diagonal(turning.graph, rows) {
-        turning.in_user_axes()
-    } else {
-        let first = turning.gauged(2);
-        let further = [
-            Some(turning.gauged(1)),
-            Some(turning.gauged(0)),
-            turning.about_symmetry(),
-            turning.in_principal_axes(),
-        ];
-        let cost = |form: &Form| turning.graph.late_cost(&form.angular).total();
-        further.into_iter().flatten().fold(first, |best, form| {
-            if cost(&form) < cost(&best) {
-                form
-            } else {
-                best
-            }
-        })
-    };
-    work.labels.adopt(form.labels);
-    form.angular
+    let written =
+        if is_diagonal(turning.graph, rows) {
+            turning.in_user_axes()
+        } else {
+            let first = turning.gauged(2);
+            let further = [
+                Some(turning.gauged(1)),
+                Some(turning.gauged(0)),
+                turning.about_symmetry(),
+                turning.in_principal_axes(),
+            ];
+            let cost = |one: &Written| turning.graph.late_cost(&one.angular).total();
+            further.into_iter().flatten().fold(first, |best, one| {
+                if cost(&one) < cost(&best) { one } else { best }
+            })
+        };
+    work.labels.adopt(written.labels);
+    (written.angular, written.form)
 }
 
 pub fn is_diagonal(graph: &Graph, rows: &[Components; 3]) -> bool {
@@ -68,7 +79,7 @@ impl Turning<'_> {
     ///
     /// Where two moments of inertia are equal, both products hold the rate at which the angular
     /// velocity precesses in the body, which is then computed once.
-    fn in_user_axes(&mut self) -> Form {
+    fn in_user_axes(&mut self) -> Written {
         let mut labels = Labels::default();
         let (graph, w, moment) = (&mut *self.graph, self.w, self.moment);
         let inertia = [0, 1, 2].map(|i| self.rows[i][i]);
@@ -116,12 +127,16 @@ impl Turning<'_> {
         if let Some((_, _, rate)) = precession {
             labels.name(rate, "precession");
         }
-        Form { angular, labels }
+        Written {
+            form: EulerForm::Principal,
+            angular,
+            labels,
+        }
     }
 
     /// The full tensor. A multiple of the unit matrix changes nothing in `w x J w` and is taken off
     /// first: exact where the body is nearly spherical (H7), and cheaper.
-    fn gauged(&mut self, axis: usize) -> Form {
+    fn gauged(&mut self, axis: usize) -> Written {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;
         let mut deviator = *self.rows;
@@ -140,13 +155,17 @@ impl Turning<'_> {
         labels.vector("net_moment", torque);
         let inverse = inverse_inertia(graph, &mut labels, self.rows);
         let angular = graph.transform(&inverse, torque);
-        Form { angular, labels }
+        Written {
+            form: EulerForm::Gauged,
+            angular,
+            labels,
+        }
     }
 
     /// An axis of symmetry n, of moment B beside A across it:
     /// `w' = J^-1 M + (A - B) / A (n.w) w x n`. The gyroscopic moment has no part along n, whatever
     /// B is.
-    fn about_symmetry(&mut self) -> Option<Form> {
+    fn about_symmetry(&mut self) -> Option<Written> {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;
         let inertia = Dyadic::of(graph, self.rows)?;
@@ -169,13 +188,17 @@ impl Turning<'_> {
             "rate at which w turns about n in the body: (A - B) / A n.w, over the length of n",
         );
         labels.name(rate, "precession");
-        Some(Form { angular, labels })
+        Some(Written {
+            form: EulerForm::Symmetric,
+            angular,
+            labels,
+        })
     }
 
     /// Three principal axes n: Euler's equations along them, and back. Each n is written as its
     /// largest component times a vector r that has a one in the place of it; what is left over is
     /// folded into the coefficients.
-    fn in_principal_axes(&mut self) -> Option<Form> {
+    fn in_principal_axes(&mut self) -> Option<Written> {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;
         let Spectrum::General(principal) = graph.spectrum(self.rows)? else {
@@ -216,7 +239,11 @@ impl Turning<'_> {
             "w' along the principal axes: w' is the sum of these times r",
         );
         labels.vector("principal_acceleration", along);
-        Some(Form { angular, labels })
+        Some(Written {
+            form: EulerForm::TurnedToPrincipal,
+            angular,
+            labels,
+        })
     }
 }
 

@@ -10,7 +10,7 @@ mod response;
 pub mod rod;
 
 pub use dyadic::transform;
-pub use euler_equations::is_diagonal;
+pub use euler_equations::{EulerForm, is_diagonal};
 pub use kinetic::twice_kinetic;
 pub use loads::{arm, check_moment_free, given_parts, moments_about, resultant, uniform_field};
 pub use moments::inertia_about_center;

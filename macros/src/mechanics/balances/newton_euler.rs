@@ -9,7 +9,7 @@ use crate::errors::Errors;
 use crate::model::{Frame, Inertia, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::Components;
 
-use super::euler_equations::solve_euler;
+use super::euler_equations::{EulerForm, solve_euler};
 use super::loads::{check_moment_free, given_parts, moments_about, resultant};
 use super::moments::{inertia_about_center, moment_of_inertia};
 use super::rod;
@@ -20,14 +20,14 @@ pub fn derive_accelerations(
     model: &Model,
     work: &mut Workspace,
     errors: &mut Errors,
-) -> Option<Pair> {
+) -> Option<(Pair, Option<EulerForm>)> {
     work.labels
         .describe("linear", "(1.3), world axes: a = sum of F / m");
     if let Some(axis) = model.state.axis {
         rod::check_loads(model, work, &model.loads, axis, errors)?;
         let linear = linear_acceleration(model, work, &model.loads, "linear");
         let angular = rod::axis_acceleration(model, work, axis);
-        return Some(Pair { linear, angular });
+        return Some((Pair { linear, angular }, None));
     }
     let center = model.state.center(work);
     let given = if model.motion.has_attitude() {
@@ -61,17 +61,17 @@ pub fn solve_balances(
     loads: &[Load],
     further: Vec<Vector>,
     names: [&str; 2],
-) -> Pair {
+) -> (Pair, Option<EulerForm>) {
     let linear = linear_acceleration(model, work, loads, names[0]);
     let center = model.state.center(work);
     let mut moments = moments_about(model, work, loads, center);
-    let angular = if model.motion.has_attitude() {
+    let (angular, form) = if model.motion.has_attitude() {
         moments.extend(further);
         angular_acceleration(model, work, moments, names[1])
     } else {
-        work.graph.zeros()
+        (work.graph.zeros(), None)
     };
-    Pair { linear, angular }
+    (Pair { linear, angular }, form)
 }
 
 /// (1.3): `a = F / m`. All that is fixed in the body is added before it is turned.
@@ -110,9 +110,10 @@ fn angular_acceleration(
     work: &mut Workspace,
     moments: Vec<Vector>,
     name: &str,
-) -> Components {
+) -> (Components, Option<EulerForm>) {
     let moment = work.sum(moments);
     let moment = work.components(moment, model.state.axes);
+    let mut form = None;
     let angular = match (
         inertia_about_center(model, work),
         model.hinge(&mut work.graph),
@@ -129,7 +130,11 @@ fn angular_acceleration(
             let axis = [0, 0, 1].map(|component| work.graph.integer(component));
             about_axis(work, &Inertia::Scalar(inertia), axis, moment)
         }
-        (Inertia::Spatial(rows), None) => solve_euler(model, work, &rows, moment),
+        (Inertia::Spatial(rows), None) => {
+            let (angular, written) = solve_euler(model, work, &rows, moment);
+            form = Some(written);
+            angular
+        }
     };
     let angular = work.graph.results(angular);
     let labels = &mut work.labels;
@@ -137,7 +142,7 @@ fn angular_acceleration(
         labels.name(angular[2], name);
     }
     labels.vector(name, angular);
-    angular
+    (angular, form)
 }
 
 /// About one axis d, `w x J w` has no part along it: `w' = d.M / d.J d`.

@@ -1,6 +1,6 @@
 //! What the equations of a body do not contain, and why: the text of `SKIPPED`.
 
-use crate::mechanics::balances::inertia_about_center;
+use crate::mechanics::balances::{EulerForm, inertia_about_center};
 use crate::mechanics::structure::{Structure, Symmetry};
 use crate::model::{AXES, Inertia, Model, Pair, Variable, Workspace};
 
@@ -10,11 +10,12 @@ pub fn list_skipped(
     model: &Model,
     work: &mut Workspace,
     accelerations: Pair,
+    form: Option<EulerForm>,
     structure: &Structure,
 ) -> Vec<String> {
     let mut skipped = Vec::new();
     skip_equations(model, &mut skipped);
-    skip_gyroscopic(model, work, &mut skipped);
+    skip_gyroscopic(model, work, form, &mut skipped);
     skip_spin(model, structure, &mut skipped);
     skip_loads(model, work, accelerations, &mut skipped);
     skip_state(model, work, accelerations, &mut skipped);
@@ -47,7 +48,12 @@ fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
 }
 
 /// What of the tensor about G, or about the point that is held, is not in the balance.
-fn skip_gyroscopic(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
+fn skip_gyroscopic(
+    model: &Model,
+    work: &mut Workspace,
+    form: Option<EulerForm>,
+    skipped: &mut Vec<String>,
+) {
     if model.motion.is_hinged() {
         return;
     }
@@ -67,20 +73,14 @@ fn skip_gyroscopic(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
                 .into_iter()
                 .map(|name| format!("terms of {name}: it is zero")),
         );
-        // by the form that was taken
-        let labels = &work.labels;
-        let forms = [
-            (
-                "principal_rate",
-                "products of inertia: in the principal axes there are none",
-            ),
-            (
-                "relative_momentum",
-                "lambda w of J w: it is along w, and not in w x J w",
-            ),
-        ];
-        let taken = forms.iter().find(|(name, _)| labels.note(name).is_some());
-        skipped.extend(taken.map(|(_, line)| (*line).to_owned()));
+        let line = match form {
+            Some(EulerForm::TurnedToPrincipal) => {
+                "products of inertia: in the principal axes there are none"
+            }
+            Some(EulerForm::Gauged) => "lambda w of J w: it is along w, and not in w x J w",
+            Some(EulerForm::Principal | EulerForm::Symmetric) | None => return,
+        };
+        skipped.push(line.to_owned());
     } else if x == y && y == z {
         skipped.push("w x J w: all moments of inertia are equal".to_owned());
     } else {

@@ -11,22 +11,24 @@
 //! positive: a sum of squares over masses.
 
 use crate::errors::Errors;
-use crate::mechanics::balances::{check_moment_free, response, rod, solve_balances};
+use crate::mechanics::balances::{EulerForm, check_moment_free, response, rod, solve_balances};
 use crate::mechanics::proofs::samples;
 use crate::model::{Frame, Load, Model, Pair, Vector, Workspace};
-use crate::symbolic::{Components, Elimination, Function, Id, Residue, Sample, Size};
+use crate::symbolic::{Components, Function, Id, Residue, Sample, Size};
 
 use super::constrained::{Constrained, active, differentiate};
 use super::inertial::{balances_of, inertial_change};
 use super::left_over::balances_left;
 use super::pushes::{Push, given_loads, pushes};
-use super::redundancy::{check_elimination, check_independent};
-use super::rod::check_across;
-use super::unknown::{Sides, equations};
+use super::redundancy::{check_independent, check_kept};
+use super::rows::{Sides, equations};
+use super::solvability::{OF_REACTIONS, check_across, check_determined};
+use super::unit::{assemble, name_values, named_result, names};
 
 /// The motion under constraints.
 pub struct Solved {
     pub accelerations: Pair,
+    pub form: Option<EulerForm>,
     pub constraints: Vec<Constrained>,
     pub reactions: Vec<Components>,
 }
@@ -41,16 +43,14 @@ pub fn derive_constrained(
     check_independent(work, &constraints, errors)?;
     let pushes = pushes(model, work, errors)?;
     if let Some(axis) = model.state.axis {
-        let moments = pushes
-            .iter()
-            .map(|push| (push.name(model), push.place, push.free.angular));
-        check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
+        let units = pushes.iter().map(|push| &push.unit);
+        check_across(model, work, axis, units, errors)?;
     }
     let loads = given_loads(model, work);
     if let Some(axis) = model.state.axis {
         rod::check_loads(model, work, &loads, axis, errors)?;
     }
-    let free = solve_balances(model, work, &loads, Vec::new(), ["free", "free_angular"]);
+    let (free, form) = solve_balances(model, work, &loads, Vec::new(), ["free", "free_angular"]);
     let mut rows = Vec::new();
     for constraint in &constraints {
         rows.push(constraint_row(work, constraint, &pushes, free));
@@ -67,16 +67,11 @@ pub fn derive_constrained(
     }
     let elimination = work.graph.solve(system, pushes.len());
     let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
-    check_elimination(
-        model,
-        work,
-        &constraints,
-        &left,
-        &pushes,
-        &elimination,
-        errors,
-    )?;
-    name_unknowns(model, work, &pushes, &elimination);
+    let names = names(model, pushes.iter().map(|push| &push.unit));
+    let determined = check_determined(work, &names, &elimination, |_| OF_REACTIONS, errors);
+    check_kept(model, &constraints, &left, &pushes, &elimination, errors)?;
+    determined?;
+    name_values(work, &names, &elimination);
     let linear = pushed(work, free.linear, &pushes, &elimination.values, |push| {
         push.accelerations.linear
     });
@@ -88,11 +83,17 @@ pub fn derive_constrained(
         None => angular,
     };
     name_accelerations(model, work, linear, angular);
-    let reactions = assemble(model, work, &pushes, &elimination.values);
+    let reactions = model.reactions.iter().map(|reaction| {
+        let units = pushes.iter().map(|push| &push.unit);
+        let solved = units.zip(elimination.values.iter().copied());
+        let whole = assemble(work, reaction, solved);
+        named_result(work, reaction, whole, Frame::WORLD)
+    });
     Some(Solved {
         accelerations: Pair { linear, angular },
+        form,
+        reactions: reactions.collect(),
         constraints,
-        reactions,
     })
 }
 
@@ -100,7 +101,7 @@ pub fn derive_constrained(
 fn constraint_row(
     work: &mut Workspace,
     constraint: &Constrained,
-    pushes: &[Push],
+    pushes: &[Push<'_>],
     free: Pair,
 ) -> Sides {
     let (graph, factors) = (&mut work.graph, constraint.rates.factors);
@@ -118,50 +119,48 @@ fn constraint_row(
 fn rows_left(
     model: &Model,
     work: &mut Workspace,
-    pushes: &[Push],
+    pushes: &[Push<'_>],
     loads: &[Load],
     free: Pair,
     errors: &mut Errors,
 ) -> Option<Vec<(&'static str, Sides)>> {
     let balances = balances_left(model, work);
-    let supporting: Vec<&Push> = pushes.iter().filter(|push| push.supports).collect();
+    let supporting: Vec<&Push<'_>> = pushes.iter().filter(|push| push.supports).collect();
     let is_asked = !model.motion.is_supported() || !supporting.is_empty();
     if balances.is_empty() || !is_asked {
         return Some(Vec::new());
     }
-    let in_body = |push: &&Push| model.reactions[push.reaction].frame == model.state.body;
+    let in_body = |push: &&Push<'_>| push.unit.load.frame == model.state.body;
     let frame = if model.motion.is_supported() && supporting.iter().all(in_body) {
         model.state.body
     } else {
         Frame::WORLD
     };
     let in_frame = |work: &mut Workspace, (force, moment): (Vector, Vector)| {
-        let force = work.components(force, frame);
-        (force, work.components(moment, frame))
+        let mut turned = |vector| {
+            let components = work.components(vector, frame);
+            work.vector(frame, components)
+        };
+        (turned(force), turned(moment))
     };
     let known = balances_of(model, work, loads, Vec::new(), free);
     let known = in_frame(work, known);
-    let mut units = Vec::new();
+    let mut changes = Vec::new();
     for push in pushes {
         let (force, moment) = inertial_change(model, work, push.accelerations);
-        let unit = (work.add(push.load.0, force), work.add(push.load.1, moment));
-        units.push(in_frame(work, unit));
+        let force = work.add(push.unit.force, force);
+        let moment = work.add(push.unit.moment, moment);
+        changes.push(in_frame(work, (force, moment)));
     }
     let mut rows = Vec::new();
     for row in balances {
-        let graph = &mut work.graph;
-        let mut of = |(force, moment): (Components, Components)| {
-            graph.dot(row.direction, row.of(force, moment))
-        };
-        let (coefficients, known): (Vec<Id>, Id) =
-            (units.iter().map(|unit| of(*unit)).collect(), of(known));
-        if !coefficients.iter().all(|id| graph.is_zero(*id)) {
-            rows.push((row.name, (coefficients, graph.negate(known))));
-        } else if model.motion.is_supported() {
-            if !graph.is_zero(known) {
-                rows.push((row.name, (coefficients, graph.negate(known))));
-            }
-        } else if !graph.is_zero(known) {
+        let (coefficients, known) = row.sides(work, changes.clone(), known, (frame, frame));
+        let graph = &work.graph;
+        let remains = !graph.is_zero(known);
+        let moves = coefficients.iter().any(|id| !graph.is_zero(*id));
+        if moves || (remains && model.motion.is_supported()) {
+            rows.push((row.name, (coefficients, known)));
+        } else if remains {
             check_moment_free(model, work, &model.loads, errors)?;
         }
     }
@@ -171,7 +170,7 @@ fn rows_left(
 /// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. Where the
 /// load pushes along the gradient it is a sum of squares; else it is at most the product of their
 /// lengths, and vanishes where they are perpendicular.
-fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Push) -> Size {
+fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Push<'_>) -> Size {
     let gradient = constraint.rates.factors;
     let values = samples(work, &[gradient.entries(), push.free.entries()].concat());
     let (a, b) = values.split_at(values.len() / 2);
@@ -207,9 +206,9 @@ fn are_parallel(a: &[Sample], b: &[Sample]) -> bool {
 fn pushed(
     work: &mut Workspace,
     free: Components,
-    pushes: &[Push],
+    pushes: &[Push<'_>],
     values: &[Id],
-    part: fn(&Push) -> Components,
+    part: fn(&Push<'_>) -> Components,
 ) -> Components {
     let graph = &mut work.graph;
     let sum = pushes.iter().zip(values).fold(free, |sum, (push, value)| {
@@ -217,17 +216,6 @@ fn pushed(
         graph.add_vectors(sum, change)
     });
     graph.results(sum)
-}
-
-fn name_unknowns(model: &Model, work: &mut Workspace, pushes: &[Push], elimination: &Elimination) {
-    let names: Vec<String> = pushes.iter().map(|push| push.name(model)).collect();
-    let labels = &mut work.labels;
-    for (name, value) in names.iter().zip(&elimination.values) {
-        labels.name(*value, name.replace('.', "_"));
-    }
-    for (column, reciprocal) in &elimination.pivots {
-        labels.divide_for(*reciprocal, names[*column].clone());
-    }
 }
 
 fn name_accelerations(
@@ -245,33 +233,4 @@ fn name_accelerations(
         labels.name(angular[2], "angular");
     }
     labels.vector("angular", angular);
-}
-
-/// The reactions of a body with constraints: what is given, and the unknowns along their
-/// directions.
-fn assemble(
-    model: &Model,
-    work: &mut Workspace,
-    pushes: &[Push],
-    values: &[Id],
-) -> Vec<Components> {
-    let mut vectors = Vec::new();
-    for index in 0..model.reactions.len() {
-        let reaction = &model.reactions[index];
-        let (frame, given, name) = (reaction.frame, reaction.given, reaction.name.to_string());
-        let mut whole = vec![work.vector(frame, given)];
-        let own = pushes
-            .iter()
-            .zip(values)
-            .filter(|(push, _)| push.reaction == index);
-        for (push, value) in own {
-            whole.push(work.scale(*value, push.direction));
-        }
-        let whole = work.sum(whole);
-        let vector = work.components(whole, Frame::WORLD);
-        let vector = work.graph.results(vector);
-        work.labels.vector(&name, vector);
-        vectors.push(vector);
-    }
-    vectors
 }

@@ -14,31 +14,18 @@
 //! sum of (w_i . M^-1 w_j) u_j = -w_i . M^-1 b
 //! ```
 
-use crate::errors::{Errors, Extent};
-use crate::families::LoadKind;
-use crate::mechanics::balances::{arm, free_moment, response};
+use crate::errors::Errors;
+use crate::mechanics::balances::{free_moment, response};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Model, Pair, Reaction, Vector, Workspace};
-use crate::symbolic::{Components, Equation, Id, Size};
+use crate::model::{Frame, Model, Pair, Vector, Workspace};
+use crate::symbolic::{Equation, Id, Size};
 
 use super::inertial::{balances_of, balances_without_unknowns};
 use super::left_over::balances_left;
-use super::pushes::{Push, given_loads, pushes};
-use super::rod::check_across;
-use super::solvability::{OF_DRIVES, check_determined};
-use super::unknown::{Row, equations};
-
-/// One unit of an unknown.
-struct Column<'m> {
-    load: &'m Reaction,
-    axis: usize,
-    place: Extent,
-    /// In the axes in which it is written.
-    direction: Vector,
-    force: Vector,
-    /// About the center.
-    moment: Vector,
-}
+use super::pushes::{given_loads, pushes};
+use super::rows::{Row, equations};
+use super::solvability::{OF_DRIVES, check_across, check_determined};
+use super::unit::{Unit, assemble, name_values, names};
 
 /// Solves for the drives of the model, under constraints together with the reactions that keep
 /// these. `free` are the balances along the directions in which the body moves freely.
@@ -62,13 +49,12 @@ pub fn solve_drives(
     } else {
         Vec::new()
     };
-    let pushes = pushes
-        .iter()
-        .filter(|push| !push.supports || meets_supports);
-    let columns = columns(model, work, pushes);
+    let pushes = pushes.into_iter();
+    let pushes = pushes.filter(|push| !push.supports || meets_supports);
+    let mut units: Vec<Unit<'_>> = pushes.map(|push| push.unit).collect();
+    units.extend(Unit::list(model, work, &model.drives, None));
     if let Some(axis) = model.state.axis {
-        let moments = columns.iter().map(|column| column.turning(model, work));
-        check_across(work, axis, &moments.collect::<Vec<_>>(), errors)?;
+        check_across(model, work, axis, units.iter(), errors)?;
     }
     let rest = if model.constraints.is_empty() {
         balances_without_unknowns(model, work, accelerations)
@@ -77,81 +63,16 @@ pub fn solve_drives(
         balances_of(model, work, &loads, Vec::new(), accelerations)
     };
     let rows = [free, &held].concat();
-    let system = as_many(model, work, &rows, &columns, rest)
-        .unwrap_or_else(|| nearest(model, work, &held, &columns, rest));
-    let elimination = work.graph.solve(system, columns.len());
-    let names = columns
-        .iter()
-        .map(|column| (column.name(model), column.place));
-    let names: Vec<(String, Extent)> = names.collect();
+    let system = as_many(model, work, &rows, &units, rest)
+        .unwrap_or_else(|| nearest(model, work, &held, &units, rest));
+    let elimination = work.graph.solve(system, units.len());
+    let names = names(model, &units);
     check_determined(work, &names, &elimination, |_| OF_DRIVES, errors)?;
-    let labels = &mut work.labels;
-    for ((name, _), value) in names.iter().zip(&elimination.values) {
-        labels.name(*value, name.replace('.', "_"));
-    }
-    for (column, reciprocal) in &elimination.pivots {
-        labels.divide_for(*reciprocal, names[*column].0.clone());
-    }
-    let mut vectors = Vec::new();
-    for drive in &model.drives {
-        let mut whole = Vector::ZERO;
-        let own = columns.iter().zip(&elimination.values);
-        for (column, value) in own.filter(|(column, _)| column.load.name == drive.name) {
-            let part = work.scale(*value, column.direction);
-            whole = work.add(whole, part);
-        }
-        vectors.push(whole);
-    }
-    Some(vectors)
-}
-
-impl Column<'_> {
-    fn name(&self, model: &Model) -> String {
-        self.load.component_name(model.motion, self.axis)
-    }
-
-    fn turning(&self, model: &Model, work: &Workspace) -> (String, Extent, Components) {
-        let moment = work.part(self.moment, Frame::WORLD);
-        (self.name(model), self.place, moment)
-    }
-}
-
-fn columns<'m, 'p>(
-    model: &'m Model,
-    work: &mut Workspace,
-    pushes: impl Iterator<Item = &'p Push>,
-) -> Vec<Column<'m>> {
-    let center = model.state.center(work);
-    let reactions = pushes.map(|push| Column {
-        load: &model.reactions[push.reaction],
-        axis: push.axis,
-        place: push.place,
-        direction: push.direction,
-        force: push.load.0,
-        moment: push.load.1,
-    });
-    let mut columns: Vec<Column<'m>> = reactions.collect();
-    for drive in &model.drives {
-        for (axis, place) in &drive.unknown {
-            let direction = drive.direction(work, *axis);
-            let (force, moment) = match drive.kind {
-                LoadKind::Moment => (Vector::ZERO, direction),
-                LoadKind::Force => {
-                    let arm = arm(model, work, drive.point, center);
-                    (direction, work.cross(arm, direction))
-                }
-            };
-            columns.push(Column {
-                load: drive,
-                axis: *axis,
-                place: *place,
-                direction,
-                force,
-                moment,
-            });
-        }
-    }
-    columns
+    name_values(work, &names, &elimination);
+    let values = || units.iter().zip(elimination.values.iter().copied());
+    let drives = model.drives.iter();
+    let drives = drives.map(|drive| assemble(work, drive, values()));
+    Some(drives.collect())
 }
 
 /// The balances in which unknowns have a part, if there are as many along some axes: of these, axes in
@@ -160,7 +81,7 @@ fn as_many(
     model: &Model,
     work: &mut Workspace,
     rows: &[Row],
-    columns: &[Column<'_>],
+    units: &[Unit<'_>],
     rest: (Vector, Vector),
 ) -> Option<Vec<Equation>> {
     let (world, body) = (Frame::WORLD, model.state.body);
@@ -171,10 +92,10 @@ fn as_many(
         if is_hinged && frames.1 == world {
             continue;
         }
-        let equations = balances(work, rows, columns, rest, frames);
+        let equations = balances(work, rows, units, rest, frames);
         let mut coefficients = equations.iter().flat_map(|one| &one.coefficients);
         let is_early = coefficients.all(|id| work.graph.is_early(*id));
-        if equations.len() <= columns.len() && (is_early || found.is_none()) {
+        if equations.len() <= units.len() && (is_early || found.is_none()) {
             found = Some(equations);
             if is_early {
                 break;
@@ -188,29 +109,17 @@ fn as_many(
 fn balances(
     work: &mut Workspace,
     rows: &[Row],
-    columns: &[Column<'_>],
+    units: &[Unit<'_>],
     rest: (Vector, Vector),
-    (of_forces, of_moments): (Frame, Frame),
+    frames: (Frame, Frame),
 ) -> Vec<Equation> {
-    let along = |work: &mut Workspace, row: &Row, force: Vector, moment: Vector| {
-        let (vector, frame) = match row.kind {
-            LoadKind::Force => (force, of_forces),
-            LoadKind::Moment => (moment, of_moments),
-        };
-        let components = work.components(vector, frame);
-        work.graph.dot(row.direction, components)
-    };
     let mut system = Vec::new();
     for row in rows {
-        let each = columns.iter();
-        let coefficients: Vec<Id> = each
-            .map(|column| along(work, row, column.force, column.moment))
-            .collect();
-        if all_vanish(work, &coefficients) {
-            continue;
+        let loads = units.iter().map(|unit| (unit.force, unit.moment));
+        let sides = row.sides(work, loads, rest, frames);
+        if !all_vanish(work, &sides.0) {
+            system.push(sides);
         }
-        let rest = along(work, row, rest.0, rest.1);
-        system.push((coefficients, work.graph.negate(rest)));
     }
     equations(work, system)
 }
@@ -220,12 +129,12 @@ fn nearest(
     model: &Model,
     work: &mut Workspace,
     held: &[Row],
-    columns: &[Column<'_>],
+    units: &[Unit<'_>],
     rest: (Vector, Vector),
 ) -> Vec<Equation> {
-    let is_in_body = |column: &Column<'_>| work.is_in(column.force, model.state.body);
+    let is_in_body = |unit: &Unit<'_>| work.is_in(unit.force, model.state.body);
     // a mass is the same in all axes
-    let of_forces = if model.motion.has_attitude() && columns.iter().all(is_in_body) {
+    let of_forces = if model.motion.has_attitude() && units.iter().all(is_in_body) {
         model.state.body
     } else {
         Frame::WORLD
@@ -238,12 +147,12 @@ fn nearest(
             angular: free_moment(model, work, moment),
         }
     };
-    let loads: Vec<Pair> = columns
+    let loads: Vec<Pair> = units
         .iter()
-        .map(|column| in_axes(work, column.force, column.moment))
+        .map(|unit| in_axes(work, unit.force, unit.moment))
         .collect();
     let frames = (Frame::WORLD, Frame::WORLD);
-    let mut system = balances(work, held, columns, rest, frames);
+    let mut system = balances(work, held, units, rest, frames);
     let rest = in_axes(work, rest.0, rest.1);
     let mut powers = Vec::new();
     for load in &loads {

@@ -12,9 +12,10 @@ use crate::symbolic::{Components, Id, Node};
 
 use super::drives::solve_drives;
 use super::left_over::balances_left;
-use super::reactions::{assemble, solve_unknowns};
+use super::reactions::solve_unknowns;
+use super::rows::{Row, Unmoved};
 use super::solvability::check_supports;
-use super::unknown::{Row, Unmoved};
+use super::unit::named_result;
 
 /// Solves for the drives, each in the axes in which it is written.
 pub fn derive_inverse(
@@ -29,12 +30,8 @@ pub fn derive_inverse(
     } else {
         solve_drives(model, work, &free, motion, errors)?
     };
-    let drives = model.drives.iter().zip(solved).map(|(drive, vector)| {
-        let components = work.components(vector, drive.frame);
-        let vector = work.graph.results(components);
-        work.labels.vector(&drive.name.to_string(), vector);
-        vector
-    });
+    let drives = model.drives.iter().zip(solved);
+    let drives = drives.map(|(drive, whole)| named_result(work, drive, whole, drive.frame));
     Some(drives.collect())
 }
 
@@ -60,7 +57,7 @@ fn solve(
         }
         Ok(solved) if solved.is_constant && solved.is_balanced(work) => {
             let drives = model.drives.iter();
-            Some(drives.map(|drive| assemble(work, &solved, drive)).collect())
+            Some(drives.map(|drive| solved.load(work, drive)).collect())
         }
         _ => solve_drives(model, work, free, motion, errors),
     }

@@ -4,7 +4,7 @@ use crate::families::LoadKind;
 use crate::model::{Model, Workspace};
 use crate::symbolic::Components;
 
-use super::unknown::Row;
+use super::rows::Row;
 
 const FORCES: [&str; 3] = [
     "the forces along x",

@@ -10,9 +10,9 @@ mod left_over;
 mod pushes;
 mod reactions;
 mod redundancy;
-mod rod;
+mod rows;
 mod solvability;
-mod unknown;
+mod unit;
 
 pub use consistency::{Consistency, Reach, derive_consistency, derive_reach};
 pub use constraints::derive_constrained;

@@ -3,27 +3,21 @@
 //! A load may name an unknown reaction R, as friction does with `-mu R`. It is linear in R, or an
 //! error: `F(R) = F(given) + sum of u_j dF/dR . e_j`.
 
-use core::iter::once;
-
 use crate::errors::{Errors, Extent};
 use crate::families::{Family, LoadKind};
-use crate::mechanics::balances::{arm, free_moment, response};
+use crate::mechanics::balances::{free_moment, response};
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Frame, Load, Meaning, Model, Pair, Point, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
-/// One unit of an unknown.
-pub struct Push {
-    pub reaction: usize,
-    pub axis: usize,
-    pub place: Extent,
-    /// Its own direction.
-    pub direction: Vector,
+use super::unit::{Acting, Unit};
+
+/// One unit of an unknown, and what it does under constraints.
+pub struct Push<'m> {
+    pub unit: Unit<'m>,
     /// Another load depends on it.
     pub is_followed: bool,
-    /// Its force, and its moment about the center; with what follows it.
-    pub load: (Vector, Vector),
-    /// The same along which the body moves freely.
+    /// Its load, along which the body moves freely.
     pub free: Pair,
     /// It acts where the body is held: by itself it makes no acceleration.
     pub supports: bool,
@@ -31,23 +25,15 @@ pub struct Push {
     pub accelerations: Pair,
 }
 
-impl Push {
-    pub fn name(&self, model: &Model) -> String {
-        model.reactions[self.reaction].component_name(model.motion, self.axis)
-    }
-}
-
 /// The loads without the unknowns: what is given, and what would be if the unknowns were zero.
 pub fn given_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
     let mut values = Vec::new();
     let mut loads = Vec::new();
-    for index in 0..model.reactions.len() {
-        let (frame, given) = (model.reactions[index].frame, model.reactions[index].given);
-        let given = work.vector(frame, given);
+    for reaction in &model.reactions {
+        let given = work.vector(reaction.frame, reaction.given);
         let in_world = work.components(given, Frame::WORLD);
-        values.extend(symbols(model, work, index).into_iter().zip(in_world));
+        values.extend(symbols(work, reaction).into_iter().zip(in_world));
         let zero = Vector::ZERO;
-        let reaction = &model.reactions[index];
         let (force, moment) = match reaction.kind {
             LoadKind::Force => (given, zero),
             LoadKind::Moment => (zero, given),
@@ -77,82 +63,59 @@ pub fn given_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
 }
 
 /// The symbols of a reaction, by axis; zero where it has none.
-fn symbols(model: &Model, work: &Workspace, reaction: usize) -> Components {
-    work.part(model.reactions[reaction].symbols, Frame::WORLD)
+fn symbols(work: &Workspace, reaction: &Reaction) -> Components {
+    work.part(reaction.symbols, Frame::WORLD)
 }
 
 /// What each unknown does; a load that depends on one in another way than linearly is an error.
-pub fn pushes(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<Vec<Push>> {
+pub fn pushes<'m>(
+    model: &'m Model,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<Vec<Push<'m>>> {
     check_linear(model, work, errors)?;
     let mut pushes = Vec::new();
-    for reaction in 0..model.reactions.len() {
-        let unknown = model.reactions[reaction].unknown.clone();
-        for (axis, place) in unknown {
-            pushes.push(push(model, work, reaction, axis, place));
+    for reaction in &model.reactions {
+        for unknown in &reaction.unknown {
+            pushes.push(push(model, work, reaction, *unknown));
         }
     }
     Some(pushes)
 }
 
-fn push(model: &Model, work: &mut Workspace, reaction: usize, axis: usize, place: Extent) -> Push {
-    let Reaction { kind, point, .. } = model.reactions[reaction];
-    let direction = model.reactions[reaction].direction(work, axis);
-    let zero = Vector::ZERO;
-    let own = match kind {
-        LoadKind::Force => (direction, point, zero),
-        LoadKind::Moment => (zero, point, direction),
+fn push<'m>(
+    model: &'m Model,
+    work: &mut Workspace,
+    reaction: &'m Reaction,
+    unknown: (usize, Extent),
+) -> Push<'m> {
+    let followers = followers(model, work, reaction, unknown.0);
+    let mut pushed = |followers: &[Acting]| {
+        let unit = Unit::new(model, work, reaction, reaction.frame, unknown, followers);
+        let free = free_load(model, work, &unit);
+        (unit, free, response(model, work, free))
     };
-    let followers = followers(model, work, reaction, direction);
+    let (unit, free, accelerations) = pushed(&followers);
     let is_followed = !followers.is_empty();
-
-    let followed = once(own).chain(followers).collect::<Vec<_>>();
-    let load = whole_load(model, work, &followed);
-    let free = free_load(model, work, load);
-    let accelerations = response(model, work, free);
-    let own = if is_followed {
-        let own = whole_load(model, work, &[own]);
-        let own = free_load(model, work, own);
-        response(model, work, own)
+    let alone = if is_followed {
+        pushed(&[]).2
     } else {
         accelerations
     };
     Push {
-        reaction,
-        axis,
-        place,
-        direction,
+        unit,
         is_followed,
-        supports: model.motion.is_supported() && all_vanish(work, &own.entries()),
-        load,
         free,
+        supports: model.motion.is_supported() && all_vanish(work, &alone.entries()),
         accelerations,
     }
 }
 
-/// The force of loads, and their moment about the center.
-fn whole_load(
-    model: &Model,
-    work: &mut Workspace,
-    loads: &[(Vector, Point, Vector)],
-) -> (Vector, Vector) {
-    let center = model.state.center(work);
-    let (mut forces, mut moments) = (Vec::new(), Vec::new());
-    for &(force, point, moment) in loads {
-        moments.push(moment);
-        if !force.is_zero() {
-            let arm = arm(model, work, point, center);
-            moments.push(work.cross(arm, force));
-            forces.push(force);
-        }
-    }
-    (work.sum(forces), work.sum(moments))
-}
-
 /// What of a load moves the body.
-fn free_load(model: &Model, work: &mut Workspace, (force, moment): (Vector, Vector)) -> Pair {
-    let force = work.components(force, Frame::WORLD);
+fn free_load(model: &Model, work: &mut Workspace, unit: &Unit<'_>) -> Pair {
+    let force = work.components(unit.force, Frame::WORLD);
     let moment = if model.motion.has_attitude() {
-        let moment = work.components(moment, model.state.body);
+        let moment = work.components(unit.moment, model.state.body);
         free_moment(model, work, moment)
     } else {
         work.graph.zeros()
@@ -163,16 +126,11 @@ fn free_load(model: &Model, work: &mut Workspace, (force, moment): (Vector, Vect
     }
 }
 
-/// The loads that depend on a reaction, for one unit of it along `direction`: their forces, where
-/// they act, and their moments.
-fn followers(
-    model: &Model,
-    work: &mut Workspace,
-    reaction: usize,
-    direction: Vector,
-) -> Vec<(Vector, Point, Vector)> {
+/// The loads that depend on a reaction, for one unit along an axis of it.
+fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usize) -> Vec<Acting> {
+    let direction = reaction.direction(work, reaction.frame, axis);
     let unit = work.components(direction, Frame::WORLD);
-    let symbols = symbols(model, work, reaction);
+    let symbols = symbols(work, reaction);
     let mut followers = Vec::new();
     for load in model.loads.iter().filter(|load| load.mention.is_some()) {
         let roots = work.entries(&[load.force, load.moment]);

@@ -12,13 +12,15 @@
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
 use crate::mechanics::balances::arm;
-use crate::model::{Frame, Model, Pair, Reaction, Vector, Workspace};
-use crate::symbolic::{Components, Id};
+use crate::mechanics::proofs::all_vanish;
+use crate::model::{Frame, Model, Pair, Reaction, Workspace};
+use crate::symbolic::Components;
 
 use super::inertial::balances_without_unknowns;
 use super::left_over::balances_left;
+use super::rows::{Row, Solved, Unmoved, equations};
 use super::solvability::{check_balanced, check_supports, check_workless};
-use super::unknown::{Row, Solved, Unknown, Unmoved, equations};
+use super::unit::{Unit, named_result};
 
 /// Solves for the unknown components; what they cannot be solved for is reported on them.
 pub fn derive_reactions(
@@ -45,11 +47,8 @@ pub fn derive_reactions(
     check_balanced(work, &solved, errors)?;
     determined?;
     let in_world = unknown.into_iter().map(|reaction| {
-        let whole = assemble(work, &solved, reaction);
-        let vector = work.components(whole, Frame::WORLD);
-        let vector = work.graph.results(vector);
-        work.labels.vector(&reaction.name.to_string(), vector);
-        vector
+        let whole = solved.load(work, reaction);
+        named_result(work, reaction, whole, Frame::WORLD)
     });
     Some(in_world.collect())
 }
@@ -66,39 +65,24 @@ pub fn solve_unknowns<'m>(
     unmoved: Unmoved,
 ) -> Result<Solved<'m>, Extent> {
     let frame = choose_frame(model, work, loads)?;
-    let unknowns = list_unknowns(loads);
-    if unmoved == Unmoved::Ignored {
-        rows.retain(|row| {
-            let mut coefficients = unknowns.iter();
-            coefficients.any(|unknown| {
-                let coefficient = coefficient(model, work, frame, row, unknown);
-                !work.graph.vanishes(coefficient)
-            })
-        });
-    }
-    let (force, moment) = balances_without_unknowns(model, work, accelerations);
-    let (force, moment) = (
-        work.components(force, frame),
-        work.components(moment, frame),
-    );
+    let units = Unit::list(model, work, loads.iter().copied(), Some(frame));
+    let rest = balances_without_unknowns(model, work, accelerations);
     let mut system = Vec::new();
-    for row in &rows {
-        let coefficients: Vec<Id> = unknowns
-            .iter()
-            .map(|unknown| coefficient(model, work, frame, row, unknown))
-            .collect();
-        let graph = &mut work.graph;
-        let known = graph.dot(row.direction, row.of(force, moment));
-        let right = graph.negate(known);
-        system.push((coefficients, right));
-    }
+    rows.retain(|row| {
+        let loads = units.iter().map(|unit| (unit.force, unit.moment));
+        let sides = row.sides(work, loads, rest, (frame, frame));
+        let is_met = unmoved == Unmoved::Ignored && all_vanish(work, &sides.0);
+        if !is_met {
+            system.push(sides);
+        }
+        !is_met
+    });
     let mut coefficients = system.iter().flat_map(|(row, _)| row);
     let is_constant = coefficients.all(|id| work.graph.is_early(*id));
     let system = equations(work, system);
-    let elimination = work.graph.solve(system, unknowns.len());
+    let elimination = work.graph.solve(system, units.len());
     Ok(Solved {
-        frame,
-        unknowns,
+        units,
         rows,
         elimination,
         is_constant,
@@ -145,55 +129,4 @@ fn is_in_any_axes(model: &Model, work: &mut Workspace, reaction: &Reaction) -> b
     let graph = &work.graph;
     let along = hinge.and_then(|d| (0..3).find(|axis| graph.is_along(d, *axis)));
     along.is_some_and(|along| axes == [along] || (axes.len() == 2 && !axes.contains(&along)))
-}
-
-fn list_unknowns<'m>(loads: &[&'m Reaction]) -> Vec<Unknown<'m>> {
-    let each = loads.iter().copied();
-    let all = each.flat_map(|load| {
-        let unknown = load.unknown.iter();
-        unknown.map(move |(axis, place)| Unknown {
-            load,
-            axis: *axis,
-            place: *place,
-        })
-    });
-    all.collect()
-}
-
-/// How an unknown enters a row: a force along its axis, and by its arm as a moment.
-fn coefficient(
-    model: &Model,
-    work: &mut Workspace,
-    frame: Frame,
-    row: &Row,
-    unknown: &Unknown<'_>,
-) -> Id {
-    let Reaction { kind, point, .. } = *unknown.load;
-    let center = model.state.center(work);
-    let graph = &mut work.graph;
-    let (zero, one) = (graph.zero(), graph.one());
-    let unit = [0, 1, 2].map(|axis| if axis == unknown.axis { one } else { zero });
-    let part = match (row.kind, kind) {
-        (LoadKind::Force, LoadKind::Moment) => return zero,
-        (LoadKind::Force, LoadKind::Force) | (LoadKind::Moment, LoadKind::Moment) => unit,
-        (LoadKind::Moment, LoadKind::Force) => {
-            let arm = arm(model, work, point, center);
-            let arm = work.components(arm, frame);
-            work.graph.cross(arm, unit)
-        }
-    };
-    work.graph.dot(row.direction, part)
-}
-
-/// Given and solved components of an unknown load together.
-pub fn assemble(work: &mut Workspace, solved: &Solved<'_>, load: &Reaction) -> Vector {
-    let mut components = work.graph.zeros();
-    for (unknown, value) in solved.unknowns.iter().zip(&solved.elimination.values) {
-        if unknown.load.name == load.name {
-            components[unknown.axis] = work.graph.unnamed(*value);
-        }
-    }
-    let given = work.vector(load.frame, load.given);
-    let solved = work.vector(solved.frame, components);
-    work.add(given, solved)
 }

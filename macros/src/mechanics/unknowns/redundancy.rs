@@ -2,14 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use crate::errors::{Errors, Extent};
+use crate::errors::Errors;
 use crate::mechanics::proofs::samples;
 use crate::model::{Model, Workspace};
 use crate::symbolic::{Elimination, Id, Residue};
 
 use super::constrained::Constrained;
 use super::pushes::Push;
-use super::solvability::{Advice, check_determined};
 
 /// The gradient of a constraint on one branch, reduced by those before it.
 struct Reduced {
@@ -110,24 +109,15 @@ fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<u
     (gradient, of)
 }
 
-/// Unknowns that no constraint determines, and constraints that no unknown keeps.
-pub fn check_elimination(
+/// Constraints that no unknown keeps, and balances that are left over and not met.
+pub fn check_kept(
     model: &Model,
-    work: &Workspace,
     constraints: &[Constrained],
     left: &[&str],
-    pushes: &[Push],
+    pushes: &[Push<'_>],
     elimination: &Elimination,
     errors: &mut Errors,
 ) -> Option<()> {
-    let advice = Advice {
-        alone: "no constraint is left for it to keep; write its value, 0 if nothing holds the body \
-                there",
-        zero: "if it carries nothing",
-    };
-    let names = pushes.iter().map(|push| (push.name(model), push.place));
-    let names: Vec<(String, Extent)> = names.collect();
-    let determined = check_determined(work, &names, elimination, |_| advice, errors);
     for (row, _) in &elimination.spare {
         if let Some(constraint) = constraints.get(*row) {
             errors.push(
@@ -141,14 +131,14 @@ pub fn check_elimination(
         } else if let Some(push) = pushes.iter().find(|push| push.supports) {
             let balance = left[*row - constraints.len()];
             errors.push(
-                push.place,
+                push.unit.place,
                 format!(
                     "nothing balances {balance}: leave another component of a reaction unknown"
                 ),
             );
         } else if let Some(push) = pushes.first() {
             errors.push(
-                push.place,
+                push.unit.place,
                 format!(
                     "under `motion: {}` nothing balances the moment of the reactions: let them act \
                      at G, or leave a moment in `reactions` unknown",
@@ -157,5 +147,5 @@ pub fn check_elimination(
             );
         }
     }
-    determined.filter(|()| elimination.spare.is_empty())
+    elimination.spare.is_empty().then_some(())
 }

@@ -2,11 +2,12 @@
 
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
-use crate::mechanics::balances::arm;
-use crate::model::{Model, Reaction, Workspace};
-use crate::symbolic::{Elimination, Number, Undetermined};
+use crate::mechanics::balances::{arm, turning};
+use crate::model::{Axis, Frame, Model, Reaction, Workspace};
+use crate::symbolic::{Elimination, Id, Number, Undetermined};
 
-use super::unknown::{Solved, Unknown};
+use super::rows::Solved;
+use super::unit::{Unit, names};
 
 /// Along the directions in which the body moves freely, a reaction would be a drive: the
 /// accelerations were found without it.
@@ -92,6 +93,12 @@ pub struct Advice {
     pub zero: &'static str,
 }
 
+/// Under constraints.
+pub const OF_REACTIONS: Advice = Advice {
+    alone: "no constraint is left for it to keep; write its value, 0 if nothing holds the body there",
+    zero: "if it carries nothing",
+};
+
 pub const OF_DRIVES: Advice = Advice {
     alone: "it has no part in how the body moves freely",
     zero: "if it is at rest",
@@ -104,12 +111,9 @@ pub fn check_supports(
     solved: &Solved<'_>,
     errors: &mut Errors,
 ) -> Option<()> {
-    let is_drive = |unknown: &Unknown<'_>| {
-        let mut drives = model.drives.iter();
-        drives.any(|drive| drive.name == unknown.load.name)
-    };
     let advice = |column: usize| {
-        if is_drive(&solved.unknowns[column]) {
+        let mut drives = model.drives.iter();
+        if drives.any(|drive| core::ptr::eq(drive, solved.units[column].load)) {
             OF_DRIVES
         } else {
             Advice {
@@ -118,12 +122,8 @@ pub fn check_supports(
             }
         }
     };
-    let name = |unknown: &Unknown<'_>| {
-        let name = unknown.load.component_name(model.motion, unknown.axis);
-        (name, unknown.place)
-    };
-    let unknowns: Vec<(String, Extent)> = solved.unknowns.iter().map(name).collect();
-    check_determined(work, &unknowns, &solved.elimination, advice, errors)
+    let names = names(model, &solved.units);
+    check_determined(work, &names, &solved.elimination, advice, errors)
 }
 
 /// Unknowns that are not determined, each by its name and its place.
@@ -190,7 +190,7 @@ fn combination(terms: &[(&Number, &str)]) -> String {
 /// Balances that nothing can meet are reported on the first unknown.
 pub fn check_balanced(work: &Workspace, solved: &Solved<'_>, errors: &mut Errors) -> Option<()> {
     for row in solved.unbalanced(work) {
-        let place = solved.unknowns.first().map(|unknown| unknown.place)?;
+        let place = solved.units.first().map(|unit| unit.place)?;
         let name = row.name;
         errors.push(
             place,
@@ -198,4 +198,34 @@ pub fn check_balanced(work: &Workspace, solved: &Solved<'_>, errors: &mut Errors
         );
     }
     solved.is_balanced(work).then_some(())
+}
+
+/// Of a rod: nothing balances a moment about the axis. That of one unit of an unknown has no such
+/// part.
+pub fn check_across<'u>(
+    model: &Model,
+    work: &mut Workspace,
+    axis: Axis,
+    units: impl Iterator<Item = &'u Unit<'u>>,
+    errors: &mut Errors,
+) -> Option<()> {
+    let units: Vec<&Unit<'_>> = units.collect();
+    let along = units.iter().map(|unit| {
+        let moment = work.part(unit.moment, Frame::WORLD);
+        work.graph.dot(axis.unit, moment)
+    });
+    let parts: Vec<Id> = along.collect();
+    let wrong = turning(work, &parts);
+    for index in &wrong {
+        let unit = units[*index];
+        errors.push(
+            unit.place,
+            format!(
+                "`{}` has a moment about the axis, about which a rod has no inertia: let it act on \
+                 the axis, or write a direction across it, as in `_ * axis.cross(k)`",
+                unit.name(model)
+            ),
+        );
+    }
+    wrong.is_empty().then_some(())
 }

@@ -33,10 +33,10 @@ impl Reaction {
         is_scalar || self.unknown.len() == motion.axes()
     }
 
-    /// One unit of an unknown component.
-    pub fn direction(&self, work: &mut Workspace, axis: usize) -> Vector {
+    /// One unit of an unknown component, in these axes.
+    pub fn direction(&self, work: &mut Workspace, frame: Frame, axis: usize) -> Vector {
         let unit = [0, 1, 2].map(|other| work.graph.integer(i64::from(other == axis)));
-        self.along.unwrap_or_else(|| work.vector(self.frame, unit))
+        self.along.unwrap_or_else(|| work.vector(frame, unit))
     }
 
     /// What a component is called: `normal` of one unknown, `pin.x` of one of several.

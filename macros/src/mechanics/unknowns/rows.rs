@@ -1,17 +1,11 @@
-//! Unknown components of loads, and the balances that they are solved from.
+//! The balances that unknowns are solved from.
 
-use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::mechanics::proofs::samples;
-use crate::model::{Frame, Reaction, Workspace};
+use crate::model::{Frame, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Id, Size};
 
-/// An unknown component: its load, its axis in the frame of the equations, and its place.
-pub struct Unknown<'m> {
-    pub load: &'m Reaction,
-    pub axis: usize,
-    pub place: Extent,
-}
+use super::unit::{Unit, assemble};
 
 /// A row of the balances that is left over.
 #[derive(Clone)]
@@ -31,12 +25,25 @@ impl Row {
         }
     }
 
-    /// Of the components of a force and of a moment, those that it is about.
-    pub fn of(&self, force: Components, moment: Components) -> Components {
-        match self.kind {
-            LoadKind::Force => force,
-            LoadKind::Moment => moment,
-        }
+    /// What it says of loads with unknown factors, by their forces and moments beside `rest`, in
+    /// these axes of forces and of moments.
+    pub fn sides(
+        &self,
+        work: &mut Workspace,
+        loads: impl IntoIterator<Item = (Vector, Vector)>,
+        rest: (Vector, Vector),
+        frames: (Frame, Frame),
+    ) -> Sides {
+        let mut part = |(force, moment): (Vector, Vector)| {
+            let components = match self.kind {
+                LoadKind::Force => work.components(force, frames.0),
+                LoadKind::Moment => work.components(moment, frames.1),
+            };
+            work.graph.dot(self.direction, components)
+        };
+        let coefficients = loads.into_iter().map(&mut part).collect();
+        let rest = part(rest);
+        (coefficients, work.graph.negate(rest))
     }
 }
 
@@ -51,8 +58,7 @@ pub enum Unmoved {
 
 /// What the balances say of the unknowns.
 pub struct Solved<'m> {
-    pub frame: Frame,
-    pub unknowns: Vec<Unknown<'m>>,
+    pub units: Vec<Unit<'m>>,
     pub rows: Vec<Row>,
     pub elimination: Elimination,
     /// Whether the coefficients are known before the state is.
@@ -60,6 +66,13 @@ pub struct Solved<'m> {
 }
 
 impl Solved<'_> {
+    /// A load, what is given of it and what is solved for.
+    pub fn load(&self, work: &mut Workspace, load: &Reaction) -> Vector {
+        let values = self.elimination.values.iter();
+        let values: Vec<Id> = values.map(|value| work.graph.unnamed(*value)).collect();
+        assemble(work, load, self.units.iter().zip(values))
+    }
+
     /// The balances in which no unknown has a part, and which do not hold by themselves.
     pub fn unbalanced(&self, work: &Workspace) -> impl Iterator<Item = &Row> {
         let spare = self.elimination.spare.iter();

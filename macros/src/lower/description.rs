@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
-use crate::lower::expressions::{Lowering, Scope, is_drive, is_unknown};
+use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
 use crate::model::{
     Declared, ENTRIES, Frame, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
 };
@@ -31,6 +31,8 @@ pub fn lower_description(
         has_parts: description.composition.is_some(),
         reactions: named.map(|(name, _)| name.to_string()).collect(),
         is_constrained: outline.is_constrained,
+        members: &Members::default(),
+        is_whole: false,
     };
 
     let defaults = lowering.declarations(description, outline);

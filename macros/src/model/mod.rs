@@ -5,10 +5,11 @@
 mod body;
 mod joints;
 mod kinematics;
+mod system;
 mod words;
 
 pub use body::{
-    Asked, Charges, Composed, Constraint, Declared, Defaults, ENTRIES, Form, Inertia, Level, Load,
+    Asked, Charges, Composed, Constraint, Declared, Defaults, ENTRIES, Form, Inertia, Jointed, Level, Load,
     Mass, Matrix, Outline, Potential, Potentials, Reaction, SOLIDS, Solid, Violation, displaced, is_flat,
     is_possible, is_solid, least_moment, matrix, thinnest, words,
 };
@@ -16,6 +17,7 @@ pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};
 pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
+pub use system::{Coordinate, Field, JointKind, Member, Part, Rates, Shape, System, TreeJoint};
 pub use words::{AXES, Dimension, Doubtful, Frame, Labels, Meaning, Variable, shown, why_not};
 
 use body::entries;

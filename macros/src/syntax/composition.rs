@@ -9,6 +9,7 @@ use super::expression::{Expression, Kind};
 use super::tokens::{Entry, bracketed, split, stream, without_attributes};
 
 /// The parts of a body.
+#[derive(Clone)]
 pub struct Composition {
     pub word: Ident,
     /// `None` could not be read, which is reported.
@@ -16,6 +17,7 @@ pub struct Composition {
 }
 
 /// `form.mass(mass).at(point)`
+#[derive(Clone)]
 pub struct Part {
     pub form: Expression,
     /// What `.mass(..)` says, if it is there.

@@ -75,7 +75,7 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
     }
 }
 
-fn parse_name<'t>(
+pub fn parse_name<'t>(
     into: &mut Description,
     key: &str,
     entry: &'t [TokenTree],
@@ -178,7 +178,7 @@ fn parse_declaration(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> De
 }
 
 /// The value behind the `=`.
-fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Value {
+pub fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Value {
     let Some((_, value)) = after_sign(rest, '=') else {
         let place = rest.first().map_or(name.span(), start);
         errors.push(place, format!("expected a value: write `{name} = ..`"));

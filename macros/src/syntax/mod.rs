@@ -13,6 +13,7 @@ mod motion;
 mod parse;
 mod read;
 mod screen;
+mod system;
 mod tokens;
 mod unit;
 mod words;
@@ -27,9 +28,11 @@ pub use composition::{Composition, Part};
 pub use expression::{Expression, Kind, Operator, Prefix, Step};
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
+pub use system::{System, parse_system};
 pub use unit::UnitExpression;
 
 /// A whole description.
+#[derive(Clone)]
 pub struct Description {
     pub name: Ident,
     /// The scalar that the body is generic over.
@@ -89,11 +92,13 @@ impl Description {
 pub type Value = Option<Expression>;
 
 /// `key: value` of a key that was given.
+#[derive(Clone)]
 pub struct Written {
     pub value: Value,
 }
 
 /// `motion: word`, or `motion: word(arguments)` of a body with a support, or of a rod.
+#[derive(Clone)]
 pub struct Motion {
     pub word: Ident,
     /// What stands in the parentheses behind the word, and in those of `.at(..)` behind them.
@@ -101,6 +106,7 @@ pub struct Motion {
 }
 
 /// `(point)`, `(point, direction)` or `(direction)`, and `.at(anchor)`.
+#[derive(Clone)]
 pub struct Support {
     pub arguments: Vec<Value>,
     pub anchor: Option<Value>,
@@ -108,6 +114,7 @@ pub struct Support {
 }
 
 /// `name`, `name[unit]` or `name = value`: a parameter or an input.
+#[derive(Clone)]
 pub struct Declaration {
     pub name: Ident,
     pub unit: Option<UnitExpression>,
@@ -136,12 +143,14 @@ impl Declaration {
 }
 
 /// `name = value`: a point, a local, a potential or a constraint.
+#[derive(Clone)]
 pub struct Definition {
     pub name: Ident,
     pub value: Value,
 }
 
 /// `name = vector`, `name = vector.at(point)`, `name = moment(vector)` or `name = vector.on([..])`.
+#[derive(Clone)]
 pub struct Load {
     pub name: Ident,
     pub family: Family,
@@ -154,6 +163,7 @@ pub struct Load {
 }
 
 /// `charge.at(point)`
+#[derive(Clone)]
 pub struct Charge {
     pub charge: Value,
     pub point: Value,

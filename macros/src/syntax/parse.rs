@@ -42,14 +42,26 @@ const TOKENS: usize = 50_000;
 /// Parses `(runtime) Name { key: value, .. }`. Without a name, or beyond the limit, there is no
 /// description at all.
 pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Description> {
-    if let Some(crossed) = token_beyond(&tokens, TOKENS) {
-        let message = format!(
-            "here this description has more than {TOKENS} tokens: take forces together, or make them inputs"
-        );
-        errors.push(start(&crossed), message);
-        return None;
-    }
+    check_length(&tokens, errors)?;
     let (mut description, body) = parse_head(tokens, errors)?;
+    parse_keys(&mut description, body, errors);
+    Some(description)
+}
+
+/// A description that is too long is none.
+pub fn check_length(tokens: &TokenStream, errors: &mut Errors) -> Option<()> {
+    let Some(crossed) = token_beyond(tokens, TOKENS) else {
+        return Some(());
+    };
+    let message = format!(
+        "here this description has more than {TOKENS} tokens: take forces together, or make them inputs"
+    );
+    errors.push(start(&crossed), message);
+    None
+}
+
+/// The keys of a body.
+pub fn parse_keys(description: &mut Description, body: TokenStream, errors: &mut Errors) {
     // a list without brackets, whose entries look like keys
     let mut open_list = None;
     for entry in split(body, Entry::Key, errors) {
@@ -58,12 +70,11 @@ pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Des
             ([TokenTree::Ident(name), equals, ..], Some(list))
                 if is_punct(equals, '=') && key_meant(&name.to_string()).is_none() =>
             {
-                parse_entry(&mut description, list, entry, errors);
+                parse_entry(description, list, entry, errors);
             }
-            _ => open_list = parse_key(&mut description, entry, errors),
+            _ => open_list = parse_key(description, entry, errors),
         }
     }
-    Some(description)
 }
 
 /// The key that `word` is, or was probably meant to be.
@@ -75,7 +86,7 @@ fn key_meant(word: &str) -> Option<&'static str> {
 }
 
 /// Reads `key: value`. Returns the key of a list that lacks its brackets.
-fn parse_key(
+pub fn parse_key(
     into: &mut Description,
     entry: &[TokenTree],
     errors: &mut Errors,

@@ -95,7 +95,7 @@ impl Lowering<'_> {
         rest
     }
 
-    fn definition(
+    pub fn definition(
         &mut self,
         definition: Definition,
         description: &Description,
@@ -128,7 +128,7 @@ impl Lowering<'_> {
 
     /// Reads again, now that G is known, what the parts refer to; and, now that the axis is, what
     /// the direction of a rod refers to.
-    fn read_again(&mut self, definition: Definition, description: &Description) {
+    pub fn read_again(&mut self, definition: Definition, description: &Description) {
         let (name, _) = definition.of(description);
         if self.scope.peek(&name).is_some() {
             let value = self.read(definition, description);
@@ -197,7 +197,7 @@ impl Lowering<'_> {
     }
 
     /// A body that moves has a mass, once.
-    fn check_mass_key(&mut self, description: &Description, motion_is_known: bool) {
+    pub fn check_mass_key(&mut self, description: &Description, motion_is_known: bool) {
         if description.composition.is_some() {
             if let Some(key) = description.keys.iter().find(|key| *key == "mass") {
                 self.errors.push(

@@ -8,5 +8,5 @@ mod parameters;
 mod support;
 
 pub use names::check_names;
-pub use order::{Definition, definition_order};
+pub use order::{Definition, definition_order, split_at_points};
 pub use outline::{INVERSE, Offer, outline};

@@ -87,6 +87,20 @@ pub fn split_at_support(
     split(description, order, needed)
 }
 
+/// Splits an order of definitions into those that all points and the mass need, and the rest, which
+/// can depend on how a system moves.
+pub fn split_at_points(
+    description: &Description,
+    order: &[Definition],
+) -> (Vec<Definition>, Vec<Definition>) {
+    let points = description.points.iter().map(|point| point.name.to_string());
+    let mut needed: HashSet<String> = points.chain(["mass".to_owned()]).collect();
+    if let Some(composition) = &description.composition {
+        needed.extend(composition.expressions().flat_map(names));
+    }
+    split(description, order, needed)
+}
+
 /// Splits an order of definitions into those that the direction of a rod needs, and the rest.
 pub fn split_at_axis(
     description: &Description,

@@ -70,6 +70,7 @@ pub fn outline(
         runtime: description.runtime.clone(),
         doc: description.doc.clone(),
         motion,
+        joints: Vec::new(),
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
         outputs: check_outputs(description, offers, errors),

@@ -7,6 +7,7 @@ use crate::symbolic::Number;
 
 use super::along_axis::UNTURNED;
 use super::lowering::Lowering;
+use super::scope::BUILT_IN;
 use super::value::Value;
 
 impl Lowering<'_> {
@@ -15,6 +16,7 @@ impl Lowering<'_> {
         if let Some(value) = self.scope.look_up(&word) {
             return value;
         }
+        self.check_has_body(name)?;
         let graph = &mut self.work.graph;
         match word.as_str() {
             "t" => Some(Value::Scalar(self.state.time, Dimension::TIME)),
@@ -58,6 +60,21 @@ impl Lowering<'_> {
             }
             _ => self.unknown_name(name),
         }
+    }
+
+    /// Beside the bodies of a system, what belongs to a body is named with it.
+    pub fn check_has_body(&mut self, name: &Ident) -> Option<()> {
+        let word = name.to_string();
+        let of_body = BUILT_IN.contains(&word.as_str())
+            && !["t", "world", "PI", "TAU"].contains(&word.as_str());
+        if !self.is_whole || !of_body {
+            return Some(());
+        }
+        let body = self.members.bodies.first();
+        let body = body.map_or("arm", |body| body.name.as_str());
+        let call = if word == "body" { "(..)" } else { "" };
+        let message = format!("of which body? write for example `{body}.{word}{call}`");
+        self.report(name.span(), message)
     }
 
     /// A name that has no value, or none here.

@@ -33,6 +33,7 @@ impl Lowering<'_> {
         let word = function.to_string();
         match word.as_str() {
             "body" | "world" => {
+                self.check_has_body(function)?;
                 let (components, dimension) = self.component_list(arguments, extent)?;
                 let vector = if word == "body" {
                     self.body_vector(components, extent)?
@@ -79,6 +80,9 @@ impl Lowering<'_> {
         arguments: &[Expression],
     ) -> Option<Value> {
         let word = method.to_string();
+        if let Value::Carried(body, offset) = value {
+            return self.carried_point(body, offset, method, arguments);
+        }
         match word.as_str() {
             "at" => {
                 return self.report(

@@ -7,6 +7,7 @@ use crate::model::{Composed, Defaults, Dimension, Motion, State, Vector, Workspa
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, UnitExpression};
 
+use super::members::Members;
 use super::scope::Scope;
 use super::unit::lower_unit;
 use super::value::Value;
@@ -32,6 +33,10 @@ pub struct Lowering<'a> {
     pub composed: Option<Composed>,
     /// Whether it is.
     pub has_parts: bool,
+    /// The bodies and joints of a system; none for a body alone.
+    pub members: &'a Members,
+    /// What is read stands beside the bodies of a system, and in none of them.
+    pub is_whole: bool,
 }
 
 impl Lowering<'_> {
@@ -106,6 +111,9 @@ impl Lowering<'_> {
 
     pub fn value(&mut self, expression: &Expression) -> Option<Value> {
         let extent = expression.extent;
+        if let Some(found) = self.of_member(expression) {
+            return found;
+        }
         let value = match &expression.kind {
             Kind::Number(digits) => self.number(digits, extent),
             Kind::Name(name) => self.name(name),
@@ -140,7 +148,7 @@ impl Lowering<'_> {
             Value::Scalar(id, _) | Value::Condition(id) => undefined(id),
             Value::Components(_, components, _) => components.iter().any(undefined),
             Value::Vector(vector, _) => self.work.entries(&[*vector]).iter().any(undefined),
-            Value::Point(_) | Value::Attitude => false,
+            Value::Point(_) | Value::Carried(..) | Value::Attitude => false,
         };
         if is_undefined {
             return self.report(

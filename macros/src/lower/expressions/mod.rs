@@ -8,6 +8,7 @@ mod choice;
 mod domains;
 mod functions;
 mod lowering;
+mod members;
 mod points;
 mod scope;
 mod unit;
@@ -17,6 +18,7 @@ mod written;
 
 pub use along_axis::UNTURNED;
 pub use lowering::{Lowering, dimension};
+pub use members::{BodyMotion, BodyNames, JointNames, Members};
 pub use scope::{BUILT_IN, OF_ROD, Scope};
 pub use unit::lower_unit;
 pub use value::Value;

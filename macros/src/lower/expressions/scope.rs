@@ -40,6 +40,7 @@ const CHANGING: [&str; 7] = [
 ];
 
 /// What the names of a description stand for.
+#[derive(Clone)]
 pub struct Scope {
     /// `None` is known, but was reported and has no value.
     values: HashMap<String, Option<Value>>,
@@ -115,6 +116,11 @@ impl Scope {
         let mut known: Vec<&str> = defined.chain(BUILT_IN).collect();
         known.sort_unstable();
         hint(name, known)
+    }
+
+    /// Whether anybody looked it up.
+    pub fn has_used(&self, name: &str) -> bool {
+        self.used.contains(name)
     }
 
     pub fn is_used(&self, name: &Ident) -> bool {

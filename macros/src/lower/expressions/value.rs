@@ -12,6 +12,8 @@ pub enum Value {
     Components(Frame, Components, Dimension),
     Condition(Id),
     Point(Point),
+    /// A point of a body of a system, by the number of the body: its offset from that one's G.
+    Carried(usize, Components),
     /// The attitude of the body.
     Attitude,
 }
@@ -24,6 +26,7 @@ impl Value {
             Self::Vector(..) | Self::Components(..) => "a vector",
             Self::Condition(_) => "a condition",
             Self::Point(_) => "a point",
+            Self::Carried(..) => "a point of another body",
             Self::Attitude => "the attitude",
         }
     }

@@ -64,7 +64,8 @@ impl Lowering<'_> {
                 ),
             );
         }
-        let count = usize::from(matches!(word.as_str(), "cross" | "dot"));
+        let names_body = word == "in_body" && !self.members.bodies.is_empty() && !arguments.is_empty();
+        let count = usize::from(matches!(word.as_str(), "cross" | "dot") || names_body);
         self.expect_arguments(method, arguments, count)?;
         match word.as_str() {
             "cross" => {
@@ -94,9 +95,18 @@ impl Lowering<'_> {
                 method.span(),
                 format!("{UNTURNED}: write `.in_world()`, or what is along it, `.dot(axis)`"),
             ),
+            _ if names_body => {
+                let frame = self.named_body(&arguments[0])?;
+                let components = self.work.components(vector, frame);
+                Some(Value::Components(frame, components, of_vector))
+            }
+            "in_body" if self.is_whole => self.report(
+                method.span(),
+                "in the axes of which body? write its name in the parentheses",
+            ),
             frame => {
                 let frame = if frame == "in_body" {
-                    Frame::BODY
+                    self.state.body
                 } else {
                     Frame::WORLD
                 };
@@ -109,9 +119,10 @@ impl Lowering<'_> {
     /// A cross product: in the plane, its component along z.
     fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
         if self.motion.is_planar {
-            let [body, world] =
-                [self.state.body, Frame::WORLD].map(|frame| self.work.part(product, frame));
-            Value::Scalar(self.work.graph.add(body[2], world[2]), dimension)
+            let parts: Vec<Id> = self.work.parts(product).iter().map(|(_, part)| part[2]).collect();
+            let zero = self.work.graph.zero();
+            let whole = parts.into_iter().fold(zero, |sum, part| self.work.graph.add(sum, part));
+            Value::Scalar(whole, dimension)
         } else {
             Value::Vector(product, dimension)
         }

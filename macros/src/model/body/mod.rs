@@ -18,7 +18,7 @@ pub use defaults::Defaults;
 pub use inertia::{ENTRIES, Inertia, displaced, entries};
 pub use load::Load;
 pub use mass::Mass;
-pub use outline::{Asked, Declared, Outline};
+pub use outline::{Asked, Declared, Jointed, Outline};
 pub use possible::{Matrix, Violation, is_flat, is_possible, least_moment, matrix, thinnest};
 pub use potential::{Charges, Form, Potential, Potentials};
 pub use reaction::Reaction;

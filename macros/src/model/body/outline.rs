@@ -6,6 +6,7 @@ use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::model::joints::Motion;
 use crate::model::words::Dimension;
+use crate::model::system::Shape;
 use crate::model::words::Frame;
 use crate::symbolic::Number;
 
@@ -25,6 +26,8 @@ pub struct Outline {
     pub runtime: TokenStream,
     pub doc: Vec<String>,
     pub motion: Motion,
+    /// Of a system: its joints that move, each a field of its state.
+    pub joints: Vec<Jointed>,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
     pub outputs: Vec<Asked>,
@@ -43,7 +46,20 @@ pub struct Outline {
     pub unused: Vec<Ident>,
 }
 
+/// A joint that moves.
+pub struct Jointed {
+    pub name: Ident,
+    pub shape: &'static Shape,
+    /// The frame of the body that it carries, once it is known.
+    pub frame: Option<Frame>,
+}
+
 impl Outline {
+    /// It is a system, and not a body alone.
+    pub fn is_system(&self) -> bool {
+        !self.joints.is_empty()
+    }
+
     /// The place of an output among those that are asked for.
     pub fn rank(&self, word: &str) -> Option<usize> {
         self.outputs.iter().position(|asked| asked.word == word)

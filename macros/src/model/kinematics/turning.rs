@@ -17,7 +17,8 @@ impl Workspace {
         };
         let (j, s) = self.only_component(v)?;
         self.only_component(arm)?;
-        if self.turns.is_some() || !self.graph.is_early(s) {
+        let is_carried = self.carrier(body) != Frame::WORLD;
+        if is_carried || self.turns.is_some() || !self.graph.is_early(s) {
             return None;
         }
         let graph = &mut self.graph;
@@ -56,8 +57,14 @@ impl Workspace {
         if from == to || self.graph.is_zero_vector(&v) {
             return v;
         }
-        // from the axes of a body to those of the world, or back
-        let (body, is_back) = (from.max(to), from < to);
+        let next = self.next_frame(from, to);
+        if next != to {
+            let turned = self.turn(v, from, next);
+            return self.turn(turned, next, to);
+        }
+        // from the axes of a body to those that carry it, or back
+        let is_back = self.carrier(to) == from;
+        let body = if is_back { to } else { from };
         if self.leads_with_minus(v) {
             let opposite = self.graph.negate_vector(v);
             let turned = self.turn(opposite, from, to);

@@ -18,6 +18,8 @@ pub struct Workspace {
     pub meanings: Meanings,
     /// Of each frame.
     pub(super) attitudes: Vec<Attitude>,
+    /// The frame that each is turned against.
+    carriers: Vec<Frame>,
     pub(super) vectors: Vectors,
     /// Turned vectors are kept apart in here, where potentials are read.
     pub turns: Option<Turns>,
@@ -34,8 +36,37 @@ impl Workspace {
     pub fn new() -> Self {
         Self {
             attitudes: vec![Attitude::Fixed; 2],
+            carriers: vec![Frame::WORLD; 2],
             ..Self::default()
         }
+    }
+
+    /// A further frame, which turns against `carrier`; parallel until an attitude is known.
+    pub fn new_frame(&mut self, carrier: Frame) -> Frame {
+        self.attitudes.push(Attitude::Fixed);
+        self.carriers.push(carrier);
+        Frame::at(self.carriers.len() - 1)
+    }
+
+    pub fn carrier(&self, frame: Frame) -> Frame {
+        self.carriers[frame.index()]
+    }
+
+    pub fn set_carrier(&mut self, frame: Frame, carrier: Frame) {
+        self.carriers[frame.index()] = carrier;
+    }
+
+    /// The frame after `from` on the way to another one: towards the ground first.
+    pub(super) fn next_frame(&self, from: Frame, to: Frame) -> Frame {
+        let mut below = to;
+        while below != Frame::WORLD {
+            let carrier = self.carrier(below);
+            if carrier == from {
+                return below;
+            }
+            below = carrier;
+        }
+        self.carrier(from)
     }
 
     /// A new symbol that stands for this, known from `stage` on.

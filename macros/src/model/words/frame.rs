@@ -9,6 +9,11 @@ impl Frame {
     pub const WORLD: Self = Self(0);
     pub const BODY: Self = Self(1);
 
+    /// Of those of a workspace.
+    pub fn at(index: usize) -> Self {
+        Self(index)
+    }
+
     pub fn index(self) -> usize {
         self.0
     }

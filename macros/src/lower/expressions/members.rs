@@ -1,0 +1,202 @@
+//! What the names of bodies and joints stand for in a system: `upper.tip`, `elbow.angle`.
+
+use proc_macro2::Ident;
+
+use crate::errors::hint;
+use crate::model::{Dimension, Frame, Vector};
+use crate::symbolic::Components;
+use crate::syntax::{Expression, Kind};
+
+use super::lowering::Lowering;
+use super::value::Value;
+
+/// The bodies and joints of a system, by their names.
+#[derive(Default)]
+pub struct Members {
+    pub bodies: Vec<BodyNames>,
+    pub joints: Vec<JointNames>,
+}
+
+/// A body, as others see it.
+pub struct BodyNames {
+    pub name: String,
+    pub frame: Frame,
+    /// Its points, from its G in its axes; without components those that are reported.
+    pub points: Vec<(String, Option<Components>)>,
+    /// Once the joints are known.
+    pub motion: Option<BodyMotion>,
+    /// `position`, `attitude`, `mass`: what it has without a point.
+    pub values: Vec<(&'static str, Value)>,
+}
+
+/// How a body moves.
+#[derive(Clone, Copy)]
+pub struct BodyMotion {
+    pub position: Vector,
+    pub velocity: Vector,
+    /// In its axes.
+    pub angular_velocity: Components,
+}
+
+/// A joint, as others see it.
+pub struct JointNames {
+    pub name: String,
+    /// Its coordinates and their rates; without a value those that are reported.
+    pub values: Vec<(&'static str, Value)>,
+    /// Whether anything is known of it.
+    pub is_known: bool,
+}
+
+impl Members {
+    fn body(&self, name: &str) -> Option<usize> {
+        self.bodies.iter().position(|body| body.name == name)
+    }
+
+    fn joint(&self, name: &str) -> Option<&JointNames> {
+        self.joints.iter().find(|joint| joint.name == name)
+    }
+
+    /// Whether this is a body or a joint.
+    pub fn has(&self, name: &str) -> bool {
+        self.body(name).is_some() || self.joint(name).is_some()
+    }
+}
+
+impl Lowering<'_> {
+    /// The value of an expression that begins with the name of a body or of a joint; the outer `None`
+    /// is any other expression.
+    #[allow(clippy::option_option, reason = "outer: another expression; inner: reported")]
+    pub fn of_member(&mut self, expression: &Expression) -> Option<Option<Value>> {
+        let members = self.members;
+        let (receiver, word, arguments) = match &expression.kind {
+            Kind::Name(name) if members.has(&name.to_string()) => {
+                let (word, form) = if members.body(&name.to_string()).is_some() {
+                    ("body", "position")
+                } else {
+                    ("joint", "angle")
+                };
+                let message = format!("`{name}` is a {word}: write what of it, such as `{name}.{form}`");
+                return Some(self.report(name.span(), message));
+            }
+            Kind::Field(receiver, word) => (receiver, word, None),
+            Kind::Method(receiver, word, arguments) => (receiver, word, Some(arguments)),
+            _ => return None,
+        };
+        let Kind::Name(name) = &receiver.kind else {
+            return None;
+        };
+        let named = name.to_string();
+        if let Some(body) = members.body(&named) {
+            return Some(match arguments {
+                Some(arguments) if word == "body" => self.vector_of_body(body, arguments, expression),
+                Some(_) => {
+                    let message = format!("write `{named}.{word}`, without parentheses, or `{named}.G.{word}()`");
+                    self.report(word.span(), message)
+                }
+                None => self.part_of_body(body, word),
+            });
+        }
+        let joint = members.joint(&named)?;
+        if !joint.is_known {
+            return Some(None);
+        }
+        let written = word.to_string();
+        let found = joint.values.iter().find(|(name, _)| *name == written);
+        let message = match (found, arguments) {
+            (Some((_, value)), None) => return Some(Some(*value)),
+            (Some(_), Some(_)) => format!("write `{named}.{written}`, without parentheses"),
+            _ if joint.values.is_empty() => format!("`{named}` does not move: it has no `{written}`"),
+            _ => {
+                let words: Vec<&str> = joint.values.iter().map(|(name, _)| *name).collect();
+                let hint = hint(&written, words.iter().copied());
+                format!("the joint `{named}` has `{}`, and no `{written}`{hint}", words.join("`, `"))
+            }
+        };
+        Some(self.report(word.span(), message))
+    }
+
+    /// `upper.body(x, y, z)`: a vector in the axes of a body.
+    fn vector_of_body(
+        &mut self,
+        body: usize,
+        arguments: &[Expression],
+        expression: &Expression,
+    ) -> Option<Value> {
+        let (components, dimension) = self.component_list(arguments, expression.extent)?;
+        let vector = self.work.vector(self.members.bodies[body].frame, components);
+        Some(Value::Vector(vector, dimension))
+    }
+
+    /// `upper.tip`, `upper.G`, `upper.angular_velocity`
+    fn part_of_body(&mut self, body: usize, word: &Ident) -> Option<Value> {
+        let known = &self.members.bodies[body];
+        let written = word.to_string();
+        if written == "G" {
+            return Some(Value::Carried(body, self.work.graph.zeros()));
+        }
+        if let Some((_, value)) = known.values.iter().find(|(name, _)| *name == written) {
+            return Some(*value);
+        }
+        if let Some((_, offset)) = known.points.iter().find(|(name, _)| *name == written) {
+            return offset.map(|offset| Value::Carried(body, offset));
+        }
+        let of_state = ["position", "velocity", "attitude", "angular_velocity", "mass"];
+        let name = &known.name;
+        let message = if of_state.contains(&written.as_str()) && known.motion.is_none() {
+            "this is fixed: it cannot depend on how the system moves".to_owned()
+        } else if written == "attitude" {
+            format!("the attitude of `{name}` follows from its joints: write what you need of it with the \
+                     angles of these, or with vectors")
+        } else {
+            let points = known.points.iter().map(|(name, _)| name.as_str());
+            let hint = hint(&written, points.chain(of_state).chain(["G"]));
+            format!("`{name}` has no point `{written}`{hint}")
+        };
+        self.report(word.span(), message)
+    }
+
+    /// `.position()` and `.velocity()` of a point of a body of the system.
+    pub fn carried_point(
+        &mut self,
+        body: usize,
+        offset: Components,
+        method: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        let word = method.to_string();
+        if word != "position" && word != "velocity" {
+            return self.report(
+                method.span(),
+                format!("a point has `.position()` and `.velocity()`, and no `{word}`"),
+            );
+        }
+        self.expect_arguments(method, arguments, 0)?;
+        let known = &self.members.bodies[body];
+        let Some(motion) = known.motion else {
+            return self.report(
+                method.span(),
+                "this is fixed: it cannot depend on how the system moves",
+            );
+        };
+        let frame = known.frame;
+        let (whole, part, dimension) = if word == "position" {
+            (motion.position, offset, Dimension::LENGTH)
+        } else {
+            let swept = self.work.graph.cross(motion.angular_velocity, offset);
+            (motion.velocity, swept, Dimension::VELOCITY)
+        };
+        let part = self.work.vector(frame, part);
+        Some(Value::Vector(self.work.add(whole, part), dimension))
+    }
+
+    /// The body that `.in_body(upper)` names.
+    pub fn named_body(&mut self, argument: &Expression) -> Option<Frame> {
+        let Kind::Name(name) = &argument.kind else {
+            return self.report(argument.extent, "expected the name of a body");
+        };
+        match self.members.body(&name.to_string()) {
+            Some(body) => Some(self.members.bodies[body].frame),
+            None => self.report(name.span(), format!("there is no body `{name}`")),
+        }
+    }
+}

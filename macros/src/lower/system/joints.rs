@@ -1,0 +1,305 @@
+//! The joints of a system, as they are written.
+
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, hint};
+use crate::lower::expressions::{JointNames, Value};
+use crate::model::{Dimension, Frame, JointKind};
+use crate::symbolic::{Components, Id};
+use crate::syntax::{Definition, Expression, Kind};
+
+use super::body::Draft;
+use super::{Reader, still};
+
+/// A joint that is read: where it is, and what turns or slides.
+pub struct Written {
+    pub name: Ident,
+    pub kind: &'static JointKind,
+    pub carrier: Option<usize>,
+    pub carried: usize,
+    pub place: Components,
+    pub pin: Components,
+    pub directions: Vec<Components>,
+    pub pitch: Option<Id>,
+    pub turned: Option<(Components, Id)>,
+    /// Where the carried body is named.
+    pub mention: proc_macro2::Span,
+}
+
+/// The kind of joint that an expression begins with, and what is written behind it.
+pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
+    let word = call(value)?.0.to_string();
+    JointKind::all(is_planar).iter().find(|kind| kind.word == word)
+}
+
+/// `kind(arguments)`, with the methods behind it.
+fn call(value: &Expression) -> Option<(&Ident, &[Expression], Vec<(&Ident, &[Expression])>)> {
+    let mut methods = Vec::new();
+    let mut inner = value;
+    loop {
+        match &inner.kind {
+            Kind::Method(receiver, method, arguments) => {
+                methods.push((method, arguments.as_slice()));
+                inner = receiver;
+            }
+            Kind::Call(word, arguments) => return Some((word, arguments, methods)),
+            _ => return None,
+        }
+    }
+}
+
+impl Reader<'_> {
+    /// Reads all joints; what is wrong with one hides no other.
+    pub fn joints(&mut self, errors: &mut Errors) -> Vec<Option<Written>> {
+        let written: Vec<&Definition> = self.system.joints.iter().collect();
+        written.into_iter().map(|joint| self.joint(joint, errors)).collect()
+    }
+
+    fn joint(&mut self, joint: &Definition, errors: &mut Errors) -> Option<Written> {
+        self.members.joints.push(JointNames {
+            name: joint.name.to_string(),
+            values: Vec::new(),
+            is_known: false,
+        });
+        let value = joint.value.as_ref()?;
+        let kinds = JointKind::all(self.system.is_planar);
+        let Some((word, arguments, methods)) = call(value) else {
+            let forms = kinds[0].form;
+            errors.push(value.extent, format!("a joint is a kind with its points, such as `{forms}`"));
+            return None;
+        };
+        let Some(kind) = kind_of(value, self.system.is_planar) else {
+            let all: Vec<&str> = kinds.iter().map(|kind| kind.word).collect();
+            let hint = hint(&word.to_string(), all.iter().copied());
+            let is_spatial = self.system.is_planar
+                && JointKind::all(false).iter().any(|kind| word == kind.word);
+            let plane = if is_spatial { " in the plane" } else { "" };
+            errors.push(
+                word.span(),
+                format!("there is no joint `{word}`{plane}: expected one of `{}`{hint}", all.join("`, `")),
+            );
+            return None;
+        };
+        let expected = if kind.is_free() {
+            1
+        } else {
+            2 + kind.directions + usize::from(kind.is_screw())
+        };
+        if arguments.len() != expected {
+            let place = arguments.get(expected).map_or(word.span().into(), |extra| extra.extent);
+            let count = arguments.len();
+            errors.push(place, format!("`{}` takes {expected} arguments, and this has {count}", kind.form));
+            return None;
+        }
+        if kind.is_free() {
+            return self.free_joint(joint, kind, &arguments[0], &methods, errors);
+        }
+        let carrier = self.anchor(&arguments[0], errors);
+        let carried = self.anchor(&arguments[1], errors);
+        let (carrier, carried) = (carrier?, carried?);
+        let (Some(body), pin) = carried else {
+            errors.push(
+                arguments[1].extent,
+                "the second point of a joint is on the body that it carries: the ground is carried by nothing",
+            );
+            return None;
+        };
+        if carrier.0 == Some(body) {
+            errors.push(
+                arguments[1].extent,
+                "a joint is between two bodies, or a body and the ground: both points are on one body",
+            );
+            return None;
+        }
+        let directions: Vec<Option<Components>> = arguments[2..2 + kind.directions]
+            .iter()
+            .map(|direction| self.direction(body, direction, errors))
+            .collect();
+        let mut pitch = None;
+        if kind.is_screw() {
+            let written = &arguments[3];
+            let read = self.at_top(errors, |lowering| {
+                let pitch = lowering.scalar(written, Dimension::LENGTH, "the pitch of a screw, metres per radian,")?;
+                lowering.check_early(written, &[pitch], "a pitch is fixed")?;
+                Some(pitch)
+            });
+            pitch = Some(read?);
+        }
+        let turned = self.turned(body, &methods, errors)?;
+        Some(Written {
+            name: joint.name.clone(),
+            kind,
+            carrier: carrier.0,
+            carried: body,
+            place: carrier.1,
+            pin,
+            directions: directions.into_iter().collect::<Option<_>>()?,
+            pitch,
+            turned,
+            mention: first_name(&arguments[1]).unwrap_or_else(|| joint.name.span()),
+        })
+    }
+
+    /// `free(hub)`
+    fn free_joint(
+        &mut self,
+        joint: &Definition,
+        kind: &'static JointKind,
+        body: &Expression,
+        methods: &[(&Ident, &[Expression])],
+        errors: &mut Errors,
+    ) -> Option<Written> {
+        if let Some((method, _)) = methods.first() {
+            errors.push(method.span(), "nothing follows `free(b)`");
+            return None;
+        }
+        let named = match &body.kind {
+            Kind::Name(name) => {
+                let found = self.members.bodies.iter().position(|body| *name == body.name.as_str());
+                found.map(|found| (found, name))
+            }
+            _ => None,
+        };
+        let Some((carried, name)) = named else {
+            let names = self.members.bodies.iter().map(|body| body.name.as_str());
+            let written = first_name_of(body).map(ToString::to_string).unwrap_or_default();
+            let hint = hint(&written, names);
+            errors.push(body.extent, format!("expected the name of a body, as in `free(hub)`{hint}"));
+            return None;
+        };
+        let zeros = self.work.graph.zeros();
+        Some(Written {
+            name: joint.name.clone(),
+            kind,
+            carrier: None,
+            carried,
+            place: zeros,
+            pin: zeros,
+            directions: Vec::new(),
+            pitch: None,
+            turned: None,
+            mention: name.span(),
+        })
+    }
+
+    /// A point of a body, by its number, or of the ground, and where it is there.
+    pub fn anchor(
+        &mut self,
+        written: &Expression,
+        errors: &mut Errors,
+    ) -> Option<(Option<usize>, Components)> {
+        self.at_top(errors, |lowering| {
+            let found = match lowering.value(written)? {
+                Value::Carried(body, offset) => return Some((Some(body), offset)),
+                Value::Vector(vector, dimension) if lowering.work.is_in(vector, Frame::WORLD) => {
+                    Some((lowering.work.part(vector, Frame::WORLD), dimension))
+                }
+                _ => None,
+            };
+            let Some((position, dimension)) = found else {
+                return lowering.report(
+                    written.extent,
+                    "expected a point of a body, such as `arm.tip`, or of the ground, `world(..)`",
+                );
+            };
+            if !dimension.fits(Dimension::LENGTH) {
+                let found = dimension.described();
+                return lowering.report(written.extent, format!("a point is in m, and this is {found}"));
+            }
+            lowering.check_early(written, &position, "a point of the ground is fixed")?;
+            Some((None, position))
+        })
+    }
+
+    /// A unit vector, the same in the axes of both bodies where the coordinates are zero.
+    fn direction(
+        &mut self,
+        body: usize,
+        written: &Expression,
+        errors: &mut Errors,
+    ) -> Option<Components> {
+        let frame = self.members.bodies[body].frame;
+        let defaults = self.defaults.clone();
+        let mut scope = self.scope.clone();
+        let mut state = still(frame, self.time);
+        let mut lowering = crate::lower::expressions::Lowering {
+            work: &mut self.work,
+            scope: &mut scope,
+            errors,
+            motion: self.motion,
+            state: &mut state,
+            reactions: Vec::new(),
+            is_constrained: false,
+            composed: None,
+            has_parts: false,
+            members: &self.members,
+            is_whole: false,
+        };
+        let found = lowering.direction(written, &defaults);
+        self.scope = scope;
+        found
+    }
+
+    /// `.turned(axis, angle)`, if it is there; the inner `None` is none.
+    #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
+    fn turned(
+        &mut self,
+        body: usize,
+        methods: &[(&Ident, &[Expression])],
+        errors: &mut Errors,
+    ) -> Option<Option<(Components, Id)>> {
+        let mut turned = Some(None);
+        for (method, arguments) in methods {
+            let later = ["driven", "at", "locked"];
+            match (method.to_string().as_str(), *arguments) {
+                ("turned", [axis, angle]) if !self.system.is_planar => {
+                    let axis = self.direction(body, axis, errors);
+                    let angle = self.fixed_angle(angle, errors);
+                    turned = turned.and_then(|_| Some(Some((axis?, angle?))));
+                }
+                ("turned", [angle]) if self.system.is_planar => {
+                    let axis = self.work.graph.unit_vectors()[2];
+                    let angle = self.fixed_angle(angle, errors);
+                    turned = turned.and_then(|_| Some(Some((axis, angle?))));
+                }
+                ("turned", _) => {
+                    errors.push(method.span(), "write `.turned(axis, angle)`, in the plane `.turned(angle)`");
+                    turned = None;
+                }
+                (word, _) if later.contains(&word) => {
+                    errors.push(
+                        method.span(),
+                        format!("`.{word}(..)` of a joint is part of the language, but this version does not have it yet"),
+                    );
+                    turned = None;
+                }
+                _ => {
+                    errors.push(method.span(), format!("a joint has no `{method}`: what may follow is `.turned(axis, angle)`"));
+                    turned = None;
+                }
+            }
+        }
+        turned
+    }
+
+    fn fixed_angle(&mut self, written: &Expression, errors: &mut Errors) -> Option<Id> {
+        self.at_top(errors, |lowering| {
+            let angle = lowering.scalar(written, Dimension::NONE, "an angle")?;
+            lowering.check_early(written, &[angle], "how a joint is turned is fixed")?;
+            Some(angle)
+        })
+    }
+}
+
+fn first_name_of(value: &Expression) -> Option<&Ident> {
+    value.names().into_iter().next()
+}
+
+fn first_name(value: &Expression) -> Option<proc_macro2::Span> {
+    first_name_of(value).map(Ident::span)
+}
+
+/// Whether the state of each draft is known; a body of which it is not, is reported.
+pub fn are_known(drafts: &[Draft<'_>]) -> bool {
+    drafts.iter().all(|draft| draft.state.is_some())
+}

@@ -1,0 +1,318 @@
+//! How the bodies of a tree move: their states, from the ground to the tips.
+
+use crate::lower::expressions::{BodyMotion, Value};
+use crate::model::{
+    Attitude, Coordinate, Dimension, Frame, Meaning, Part, Rates, State, TreeJoint, Variable,
+    Vector, Workspace,
+};
+use crate::symbolic::{Components, Graph, Id, Stage};
+
+use super::body::Draft;
+use super::joints::Written;
+use super::{Reader, still};
+
+/// The motion of a body in the making: where its joint is, and how that moves.
+struct Moving {
+    frame: Frame,
+    position: Vector,
+    velocity: Vector,
+    /// In the axes of the frame.
+    angular_velocity: Components,
+}
+
+impl Reader<'_> {
+    /// Gives each body of the tree its state, by its joint.
+    pub fn motions(
+        &mut self,
+        order: Vec<usize>,
+        joints: Vec<Option<Written>>,
+        drafts: &mut [Draft<'_>],
+    ) -> Vec<TreeJoint> {
+        let mut joints: Vec<Option<Written>> = joints;
+        let mut tree = Vec::new();
+        for index in order {
+            let Some(written) = joints[index].take() else {
+                continue;
+            };
+            let joint = self.motion(written, drafts);
+            let names = self.joint_values(&joint);
+            self.members.joints[index].values = names;
+            self.members.joints[index].is_known = true;
+            tree.push(joint);
+        }
+        tree
+    }
+
+    fn motion(&mut self, written: Written, drafts: &mut [Draft<'_>]) -> TreeJoint {
+        let (kind, body) = (written.kind, drafts[written.carried].frame);
+        let work = &mut self.work;
+        let coordinates = symbols(work, body, kind.shape.into_iter().flat_map(|shape| shape.components()));
+        let zeros = work.graph.zeros();
+        let carrier = written.carrier.and_then(|carrier| drafts[carrier].state.as_ref());
+        let mut moving = match carrier {
+            None => Moving {
+                frame: Frame::WORLD,
+                position: work.vector(Frame::WORLD, written.place),
+                velocity: Vector::ZERO,
+                angular_velocity: zeros,
+            },
+            Some(state) => {
+                let offset = work.vector(state.body, written.place);
+                let swept = work.graph.cross(state.angular_velocity, written.place);
+                let swept = work.vector(state.body, swept);
+                Moving {
+                    frame: state.body,
+                    position: work.add(state.position, offset),
+                    velocity: work.add(state.velocity, swept),
+                    angular_velocity: state.angular_velocity,
+                }
+            }
+        };
+        let mut frames = Vec::new();
+        if let Some((direction, angle)) = written.turned {
+            let frame = work.new_frame(moving.frame);
+            work.set_attitude(frame, Attitude::Axis { angle, direction });
+            moving.enter(work, frame, zeros);
+            frames.push(frame);
+        }
+        let parts = kind.parts;
+        for (number, part) in parts.iter().enumerate() {
+            let is_last = number + 1 == parts.len();
+            let frame = if is_last { body } else { work.new_frame(moving.frame) };
+            work.set_carrier(frame, moving.frame);
+            moving.pass(work, frame, *part, &written, &coordinates);
+            frames.push(frame);
+        }
+        if parts.is_empty() {
+            work.set_carrier(body, moving.frame);
+            moving.enter(work, body, zeros);
+            frames.push(body);
+        }
+        // from the joint to G
+        let back = work.graph.negate_vector(written.pin);
+        let swept = work.graph.cross(moving.angular_velocity, back);
+        let (back, swept) = (work.vector(body, back), work.vector(body, swept));
+        let state = State {
+            position: work.add(moving.position, back),
+            velocity: work.add(moving.velocity, swept),
+            angular_velocity: moving.angular_velocity,
+            ..still(body, self.time)
+        };
+        self.tell_of(written.carried, &state);
+        drafts[written.carried].state = Some(state);
+        self.define_attitude(&mut drafts[written.carried], kind.is_free());
+        let freedoms = freedoms(kind.parts, self.system.is_planar).len();
+        TreeJoint {
+            name: written.name,
+            kind,
+            carrier: written.carrier,
+            carried: written.carried,
+            place: written.place,
+            pin: written.pin,
+            directions: written.directions,
+            pitch: written.pitch,
+            turned: written.turned,
+            frames,
+            coordinates,
+            drives: vec![self.work.graph.zero(); freedoms],
+            open: vec![None; freedoms],
+        }
+    }
+
+    /// Others may ask how the body moves.
+    fn tell_of(&mut self, body: usize, state: &State) {
+        let turning = if self.system.is_planar {
+            Value::Scalar(state.angular_velocity[2], Dimension::FREQUENCY)
+        } else {
+            let vector = self.work.vector(state.body, state.angular_velocity);
+            Value::Vector(vector, Dimension::FREQUENCY)
+        };
+        let known = &mut self.members.bodies[body];
+        known.motion = Some(BodyMotion {
+            position: state.position,
+            velocity: state.velocity,
+            angular_velocity: state.angular_velocity,
+        });
+        known.values.extend([
+            ("position", Value::Vector(state.position, Dimension::LENGTH)),
+            ("velocity", Value::Vector(state.velocity, Dimension::VELOCITY)),
+            ("angular_velocity", turning),
+        ]);
+    }
+
+    /// `attitude`, of a body in the plane the sum of the angles that carry it.
+    fn define_attitude(&mut self, draft: &mut Draft<'_>, is_free: bool) {
+        let value = if self.system.is_planar {
+            let mut angles = Vec::new();
+            let mut frame = draft.frame;
+            while frame != Frame::WORLD {
+                angles.extend(self.work.angle(frame));
+                frame = self.work.carrier(frame);
+            }
+            Value::Scalar(self.work.graph.sum(&angles), Dimension::NONE)
+        } else if is_free {
+            Value::Attitude
+        } else {
+            return;
+        };
+        draft.scope.define("attitude", Some(value));
+        let name = draft.description.name.to_string();
+        for body in &mut self.members.bodies {
+            if body.name == name && self.system.is_planar {
+                body.values.push(("attitude", value));
+            }
+        }
+    }
+
+    /// The coordinates of a joint and their rates, by the names that its state has for them.
+    fn joint_values(&mut self, joint: &TreeJoint) -> Vec<(&'static str, Value)> {
+        let Some(shape) = joint.kind.shape else {
+            return Vec::new();
+        };
+        let mut values = Vec::new();
+        for field in shape.fields {
+            let dimension = match field.variable {
+                Variable::Position => Dimension::LENGTH,
+                Variable::Velocity => Dimension::VELOCITY,
+                Variable::AngularVelocity => Dimension::FREQUENCY,
+                _ => Dimension::NONE,
+            };
+            if field.variable == Variable::Quaternion {
+                continue;
+            }
+            let parts = (0..field.names.len()).map(|part| joint.coordinates.get(field.variable, field.first + part));
+            let parts: Vec<Id> = parts.flatten().collect();
+            let value = match *parts.as_slice() {
+                [scalar] => Value::Scalar(scalar, dimension),
+                _ => {
+                    let mut components = self.work.graph.zeros();
+                    components[..parts.len()].copy_from_slice(&parts);
+                    let turns = field.variable == Variable::AngularVelocity;
+                    let body = joint.frames.last().copied().unwrap_or(Frame::WORLD);
+                    let frame = if turns { body } else { Frame::WORLD };
+                    Value::Vector(self.work.vector(frame, components), dimension)
+                }
+            };
+            values.push((field.path, value));
+        }
+        values
+    }
+}
+
+/// Symbols for the components of a state and its acceleration.
+fn symbols(
+    work: &mut Workspace,
+    body: Frame,
+    components: impl Iterator<Item = (Variable, usize)>,
+) -> Rates {
+    let all = components.map(|(variable, part)| Coordinate {
+        variable,
+        part,
+        id: work.symbol(Stage::State, Meaning::Of(body, variable, part)),
+    });
+    Rates(all.collect())
+}
+
+/// The rates of the freedoms of a joint, in the order in which mechanics has them.
+pub fn freedoms(parts: &[Part], is_planar: bool) -> Vec<(Variable, usize)> {
+    let mut freedoms = Vec::new();
+    for part in parts {
+        let turns = freedoms.iter().filter(|(variable, _)| *variable == Variable::AngularVelocity).count();
+        match part {
+            Part::Turn(_) | Part::Screw => freedoms.push((Variable::AngularVelocity, turns)),
+            Part::Slide(_) => freedoms.push((Variable::Velocity, 0)),
+            Part::Ball => freedoms.extend((0..3).map(|axis| (Variable::AngularVelocity, axis))),
+            Part::Free if is_planar => {
+                freedoms.extend([(Variable::Velocity, 0), (Variable::Velocity, 1), (Variable::AngularVelocity, 0)]);
+            }
+            Part::Free => {
+                freedoms.extend((0..3).map(|axis| (Variable::Velocity, axis)));
+                freedoms.extend((0..3).map(|axis| (Variable::AngularVelocity, axis)));
+            }
+        }
+    }
+    freedoms
+}
+
+impl Moving {
+    /// Goes on in a frame that turns against the last one at a rate, in its axes.
+    fn enter(&mut self, work: &mut Workspace, frame: Frame, rate: Components) {
+        let carried = work.turn(self.angular_velocity, self.frame, frame);
+        let whole = work.graph.add_vectors(carried, rate);
+        self.angular_velocity = work.graph.quantities(whole);
+        self.frame = frame;
+    }
+
+    /// Passes a part of a joint.
+    fn pass(&mut self, work: &mut Workspace, frame: Frame, part: Part, joint: &Written, of: &Rates) {
+        let zero = work.graph.zero();
+        let get = |variable: Variable, part: usize| of.get(variable, part).unwrap_or(zero);
+        match part {
+            Part::Turn(number) => {
+                // of a joint about one axis, the only angle
+                let angle = get(Variable::Angle, number.min(1));
+                let rate = get(Variable::AngularVelocity, number.min(1));
+                let direction = match joint.directions.get(number) {
+                    Some(direction) => *direction,
+                    None => work.graph.unit_vectors()[2],
+                };
+                work.set_attitude(frame, Attitude::Axis { angle, direction });
+                let rate = work.graph.scale_vector(rate, direction);
+                self.enter(work, frame, rate);
+            }
+            Part::Slide(number) => {
+                self.slide(work, joint.directions[number], get(Variable::Position, 0), get(Variable::Velocity, 0));
+                let zeros = work.graph.zeros();
+                self.enter(work, frame, zeros);
+            }
+            Part::Screw => {
+                let (direction, pitch) = (joint.directions[0], joint.pitch.unwrap_or(zero));
+                let [angle, rate] = [get(Variable::Angle, 0), get(Variable::AngularVelocity, 0)];
+                let (distance, speed) = (work.graph.multiply(pitch, angle), work.graph.multiply(pitch, rate));
+                self.slide(work, direction, distance, speed);
+                work.set_attitude(frame, Attitude::Axis { angle, direction });
+                let rate = work.graph.scale_vector(rate, direction);
+                self.enter(work, frame, rate);
+            }
+            Part::Ball => {
+                set_quaternion(work, frame, get);
+                let rate = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
+                self.enter(work, frame, rate);
+            }
+            Part::Free => {
+                let vector = |variable: Variable| [0, 1, 2].map(|axis| get(variable, axis));
+                let (position, velocity) = (vector(Variable::Position), vector(Variable::Velocity));
+                self.position = work.vector(Frame::WORLD, position);
+                self.velocity = work.vector(Frame::WORLD, velocity);
+                let rate = if of.get(Variable::Quaternion, 0).is_some() {
+                    set_quaternion(work, frame, get);
+                    vector(Variable::AngularVelocity)
+                } else {
+                    let direction = work.graph.unit_vectors()[2];
+                    let angle = get(Variable::Angle, 0);
+                    work.set_attitude(frame, Attitude::Axis { angle, direction });
+                    [zero, zero, get(Variable::AngularVelocity, 0)]
+                };
+                self.enter(work, frame, rate);
+            }
+        }
+    }
+
+    /// Moves along a direction that turns with the frame.
+    fn slide(&mut self, work: &mut Workspace, direction: Components, distance: Id, speed: Id) {
+        let graph: &mut Graph = &mut work.graph;
+        let step = graph.scale_vector(distance, direction);
+        let swept = graph.cross(self.angular_velocity, step);
+        let slid = graph.scale_vector(speed, direction);
+        let change = graph.add_vectors(swept, slid);
+        let (step, change) = (work.vector(self.frame, step), work.vector(self.frame, change));
+        self.position = work.add(self.position, step);
+        self.velocity = work.add(self.velocity, change);
+    }
+}
+
+fn set_quaternion(work: &mut Workspace, frame: Frame, get: impl Fn(Variable, usize) -> Id) {
+    let scalar = get(Variable::Quaternion, 0);
+    let vector = [1, 2, 3].map(|part| get(Variable::Quaternion, part));
+    work.set_attitude(frame, Attitude::Quaternion { scalar, vector });
+}

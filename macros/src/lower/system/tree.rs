@@ -1,0 +1,72 @@
+//! Whether joints make a tree: each body is carried once, and all are carried by the ground.
+
+use crate::errors::Errors;
+
+use super::Reader;
+use super::joints::Written;
+
+impl Reader<'_> {
+    /// The joints in an order in which each carrier comes before what it carries.
+    pub fn tree(&self, joints: &[Option<Written>], errors: &mut Errors) -> Vec<usize> {
+        let bodies = &self.system.bodies;
+        let mut carried_by: Vec<Option<usize>> = vec![None; bodies.len()];
+        let mut is_sound = joints.iter().all(Option::is_some);
+        for (index, joint) in joints.iter().enumerate() {
+            let Some(joint) = joint else { continue };
+            let body = &bodies[joint.carried].name;
+            match carried_by[joint.carried].and_then(|other| joints[other].as_ref()) {
+                None => carried_by[joint.carried] = Some(index),
+                Some(other) => {
+                    is_sound = false;
+                    errors.push(
+                        joint.mention,
+                        format!("`{body}` is carried by `{}` already: another joint closes a loop, and this version has trees of bodies alone", other.name),
+                    );
+                }
+            }
+        }
+        if bodies.is_empty() && errors.is_empty() {
+            let name = &self.system.top.name;
+            errors.push(name.span(), format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`"));
+        }
+        // what is wrong with a joint may be that it names no body
+        if is_sound {
+            for (body, carried) in bodies.iter().zip(&carried_by) {
+                if carried.is_none() {
+                    let name = &body.name;
+                    errors.push(
+                        name.span(),
+                        format!("nothing carries `{name}`: write a joint of it, such as `orbit = free({name})`"),
+                    );
+                    is_sound = false;
+                }
+            }
+        }
+        let mut order: Vec<usize> = Vec::new();
+        let mut placed = vec![false; bodies.len()];
+        loop {
+            let before = order.len();
+            for (index, joint) in joints.iter().enumerate() {
+                let Some(joint) = joint else { continue };
+                let is_next = carried_by[joint.carried] == Some(index) && !placed[joint.carried];
+                if is_next && joint.carrier.is_none_or(|carrier| placed[carrier]) {
+                    placed[joint.carried] = true;
+                    order.push(index);
+                }
+            }
+            if order.len() == before {
+                break;
+            }
+        }
+        if let Some(body) = placed.iter().position(|placed| !placed).filter(|_| is_sound) {
+            let name = &bodies[body].name;
+            let joint = carried_by[body].and_then(|index| joints[index].as_ref());
+            let joint = joint.map_or(String::new(), |joint| joint.name.to_string());
+            errors.push(
+                name.span(),
+                format!("`{name}` is carried by `{joint}` in a circle: one of the bodies in it is joined to the ground, or `free`"),
+            );
+        }
+        order
+    }
+}

@@ -101,7 +101,7 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
     let axes = Literal::usize_unsuffixed(shapes.motion.axes());
     match rotation {
         None => quote!(#private::Parabola<#axes>),
-        Some(rotation) if shapes.motion.translates => {
+        Some(rotation) if shapes.motion.translates() => {
             quote!(#private::Flight<#rotation, #axes>)
         }
         Some(rotation) => rotation,
@@ -112,14 +112,10 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
 /// that there is.
 fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
     let shapes = &writer.shapes;
-    let linear = if shapes.motion.translates {
-        shapes.vector_part(&flow.linear)
-    } else {
-        &[]
-    };
+    let linear = &flow.linear[shapes.motion.linear_axes()];
     let outputs = [linear, &path_roots(writer.outline, &flow.turning)].concat();
     Method::write(writer, &outputs, |values| {
-        let center = shapes.motion.translates.then(|| center(shapes, values));
+        let center = shapes.motion.translates().then(|| center(shapes, values));
         let rotation = rotation(shapes, &flow.turning, values);
         match (center, rotation) {
             (Some(center), Some(rotation)) => {
@@ -182,7 +178,7 @@ fn rotation(shapes: &Shapes, turning: &Turning, values: &mut Values<'_>) -> Opti
 fn turning_state(shapes: &Shapes, kind: &str, coordinate: &str) -> TokenStream {
     let (private, state) = (&shapes.private, local("state"));
     let (kind, coordinate) = (format_ident!("{kind}"), format_ident!("{coordinate}"));
-    if shapes.motion.translates {
+    if shapes.motion.translates() {
         quote!(&#private::#kind { #coordinate: #state.#coordinate, angular_velocity: #state.angular_velocity })
     } else {
         quote!(#state)

@@ -48,7 +48,7 @@ impl Output for Momentum {
             moment(|momentum| &momentum.about_pole),
         );
         // the momentum of a body whose motion of G is not modelled is not known
-        let is_known = shapes.motion.knows_position;
+        let is_known = shapes.motion.knows_position();
         let linear = site.method(self.0.as_ref(), |writer, momentum| {
             if !is_known {
                 return Method::default();

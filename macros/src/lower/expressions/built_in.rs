@@ -92,7 +92,7 @@ impl Lowering<'_> {
     }
 
     fn motion_of_center(&mut self, name: &Ident) -> Option<Value> {
-        if !self.motion.knows_position {
+        if !self.motion.knows_position() {
             return self.report(
                 name.span(),
                 format!(

@@ -136,7 +136,7 @@ impl Lowering<'_> {
         } else {
             Dimension::VELOCITY
         };
-        if !self.motion.knows_position && !matches!(point, Point::World(_)) {
+        if !self.motion.knows_position() && !matches!(point, Point::World(_)) {
             return self.report(
                 method.span(),
                 format!(

@@ -41,7 +41,7 @@ impl Lowering<'_> {
         match &written.point {
             Some(None) => None,
             Some(Some(point)) => self.point(point).and_then(|found| match found {
-                Point::World(_) if !self.motion.knows_position => self.report(
+                Point::World(_) if !self.motion.knows_position() => self.report(
                     point.extent,
                     "where this point is relative to the body is not known under `motion: \
                      rotation`: the motion of G is not modelled",
@@ -60,7 +60,7 @@ impl Lowering<'_> {
         let point = self.point(value)?;
         let graph = &self.work.graph;
         let is_center = matches!(point, Point::Body(offset) if graph.is_zero_vector(&offset));
-        if !self.motion.knows_position && !is_center {
+        if !self.motion.knows_position() && !is_center {
             return self.report(
                 value.extent,
                 "under `motion: rotation` the moment balance is written about G: the motion of G \

@@ -85,7 +85,7 @@ impl Lowering<'_> {
     /// The position of G, where it is a coordinate; else a virtual displacement, which is added to
     /// it.
     fn displacement(&mut self) -> Components {
-        if self.motion.translates {
+        if self.motion.translates() {
             return self.work.part(self.state.position, Frame::WORLD);
         }
         let axes = self.motion.axes();

@@ -99,7 +99,7 @@ impl Lowering<'_> {
     /// The point at which a reaction acts, which turns with the body if a support is solved for.
     fn point_of_reaction(&mut self, written: &syntax::Load) -> Option<Point> {
         let value = written.vector.as_ref()?;
-        if written.kind == LoadKind::Force && !self.motion.knows_position {
+        if written.kind == LoadKind::Force && !self.motion.knows_position() {
             let place = placeholders(value).next()?.1;
             return self.report(
                 place,

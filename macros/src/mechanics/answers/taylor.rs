@@ -94,10 +94,8 @@ fn coordinates(
             rate: *rate,
         }));
     };
-    let hinged = motion.is_hinged() || motion.is_planar;
-    let one_angle = motion.has_attitude() && hinged;
     let rate = one(work, state.body, Variable::AngularVelocity, 2);
-    if motion.translates {
+    if motion.translates() {
         push(&position[..axes], &velocity[..axes]);
     }
     if let Some(axis) = model.state.axis {
@@ -106,15 +104,15 @@ fn coordinates(
         let [x, y, z] = vector;
         let rates = quaternion_rate(work, scalar, vector, turning);
         push(&[x, y, z, scalar], &rates);
-    } else if one_angle {
+    } else if motion.has_angle() {
         push(&one(work, state.body, Variable::Angle, 0), &rate);
     }
-    if motion.translates {
+    if motion.translates() {
         push(&velocity[..axes], &linear[..axes]);
     }
     if let Some(axis) = model.state.axis {
         push(&axis.rate, &angular);
-    } else if one_angle {
+    } else if motion.has_angle() {
         push(&rate, &angular[2..]);
     } else if motion.has_attitude() {
         push(&angular_velocity, &angular);

@@ -9,7 +9,7 @@ use super::moments::inertia_about_center;
 /// `m v^2 + w . J w`
 pub fn twice_kinetic(model: &Model, work: &mut Workspace) -> Id {
     let translation = match model.mass {
-        Some(mass) if model.motion.translates => {
+        Some(mass) if model.motion.translates() => {
             let square = work.norm_squared(model.state.velocity);
             work.graph.multiply(mass, square)
         }

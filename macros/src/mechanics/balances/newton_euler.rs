@@ -40,7 +40,7 @@ pub fn derive_accelerations(
         Vec::new()
     };
     let labels = &mut work.labels;
-    if model.motion.is_planar || model.motion.is_hinged() {
+    if model.motion.has_angle() {
         labels.describe("angular", "(1.4): w' = M / J");
     }
     labels.describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
@@ -81,7 +81,7 @@ fn linear_acceleration(
     loads: &[Load],
     name: &str,
 ) -> Components {
-    let (true, Some(mass)) = (model.motion.translates, model.mass) else {
+    let (true, Some(mass)) = (model.motion.translates(), model.mass) else {
         return work.graph.zeros();
     };
     let resultant = resultant(work, loads);
@@ -138,7 +138,7 @@ fn angular_acceleration(
     };
     let angular = work.graph.results(angular);
     let labels = &mut work.labels;
-    if model.motion.is_planar || model.motion.is_hinged() {
+    if model.motion.has_angle() {
         labels.name(angular[2], name);
     }
     labels.vector(name, angular);

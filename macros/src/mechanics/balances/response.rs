@@ -27,7 +27,7 @@ pub fn response(model: &Model, work: &mut Workspace, load: Pair) -> Pair {
     let graph = &mut work.graph;
     let (zeros, one) = (graph.zeros(), graph.one());
     let linear = match model.mass {
-        Some(mass) if model.motion.translates => {
+        Some(mass) if model.motion.translates() => {
             let inverse_mass = graph.divide(one, mass);
             work.labels.name(inverse_mass, "inverse_mass");
             work.graph.scale_vector(inverse_mass, force)

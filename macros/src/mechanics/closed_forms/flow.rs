@@ -117,7 +117,7 @@ pub fn turning(
     if !model.motion.has_attitude() {
         return Some(Turning::None);
     }
-    if model.motion.is_planar || model.motion.is_hinged() {
+    if model.motion.has_angle() {
         return about_axis(model, work, angular[2], contributions, obstacles);
     }
     let moments: Vec<Components> = contributions.iter().map(|load| load.moment).collect();

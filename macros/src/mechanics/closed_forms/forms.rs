@@ -32,7 +32,7 @@ impl Flow {
 
     /// Which motion it is, line by line.
     pub fn describe(&self, motion: Motion) -> Vec<String> {
-        let center = motion.translates.then_some("G moves on a parabola");
+        let center = motion.translates().then_some("G moves on a parabola");
         let turning = match &self.turning {
             Turning::None => None,
             Turning::Free(Free::Steady) => Some("the body turns at a constant rate"),

@@ -23,7 +23,7 @@ pub fn skip_loads(
 /// Forces that add up to nothing leave a couple.
 fn skip_resultant(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     let acts = |load: &Load| !load.force.is_zero();
-    if !model.motion.translates || !model.loads.iter().any(acts) {
+    if !model.motion.translates() || !model.loads.iter().any(acts) {
         return;
     }
     let sum = resultant(work, &model.loads);
@@ -75,7 +75,12 @@ fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
     let derived = model.loads.iter().filter(|load| load.potential.is_some());
     for load in derived {
         let parts = [
-            (model.motion.knows_position, load.force, "force", "position"),
+            (
+                model.motion.knows_position(),
+                load.force,
+                "force",
+                "position",
+            ),
             (
                 model.motion.has_attitude(),
                 load.moment,

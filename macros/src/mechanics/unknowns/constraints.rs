@@ -224,7 +224,7 @@ fn name_accelerations(
     linear: Components,
     angular: Components,
 ) {
-    let scalar = model.motion.is_planar || model.motion.is_hinged();
+    let scalar = model.motion.has_angle();
     let labels = &mut work.labels;
     labels.describe("linear", "(1.3) with the reactions, world axes");
     labels.vector("linear", linear);

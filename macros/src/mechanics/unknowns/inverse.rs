@@ -68,14 +68,13 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
     let units = work.graph.unit_vectors();
     let along = |kind: LoadKind, direction: Components| Row::new("the balances", kind, direction);
     let mut rows = Vec::new();
-    if model.motion.translates {
-        rows.extend((0..model.motion.axes()).map(|axis| along(LoadKind::Force, units[axis])));
-    }
+    let linear = model.motion.linear_axes();
+    rows.extend(linear.map(|axis| along(LoadKind::Force, units[axis])));
     if let Some(d) = model.hinge(&mut work.graph) {
         rows.push(along(LoadKind::Moment, d));
-    } else if model.motion.has_attitude() {
-        let axes = if model.motion.is_planar { 2..3 } else { 0..3 };
-        rows.extend(axes.map(|axis| along(LoadKind::Moment, units[axis])));
+    } else {
+        let angular = model.motion.angular_axes();
+        rows.extend(angular.map(|axis| along(LoadKind::Moment, units[axis])));
     }
     rows
 }

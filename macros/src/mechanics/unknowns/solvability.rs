@@ -42,7 +42,7 @@ fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
             None => model.motion.has_attitude(),
         };
     }
-    if model.motion.translates {
+    if model.motion.translates() {
         return true;
     }
     let center = model.state.center(work);

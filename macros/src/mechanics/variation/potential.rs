@@ -83,7 +83,7 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
 /// Late operations of what enters the accelerations.
 fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
     let mut roots = Vec::new();
-    if model.motion.translates {
+    if model.motion.translates() {
         let force = work.sum(derived.iter().map(|one| one.force));
         for (frame, part) in work.parts(force).to_vec() {
             roots.extend(work.turn(part, frame, Frame::WORLD));
@@ -194,7 +194,7 @@ fn of_attitude(work: &mut Workspace, slopes: &Slopes) -> (Components, Components
 fn expand(model: &Model, work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = HashMap::new();
     let zero = work.graph.zero();
-    if !model.motion.translates {
+    if !model.motion.translates() {
         values.extend(form.displacement.map(|symbol| (symbol, zero)));
     }
     for turn in &form.turns {

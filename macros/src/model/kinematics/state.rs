@@ -125,11 +125,7 @@ pub struct Support {
 /// The symbols of a motion's state and the attitude that they make. What a support adds comes with
 /// [`State::hold`]: until then the axis of a hinge is z. That of a rod comes with its direction.
 pub fn state_symbols(body: Frame, motion: Motion, work: &mut Workspace) -> State {
-    let linear = if motion.translates {
-        0..motion.axes()
-    } else {
-        0..0
-    };
+    let linear = motion.linear_axes();
     let angular = match motion.orientation {
         Orientation::Angle => 2..3,
         Orientation::Quaternion => 0..3,

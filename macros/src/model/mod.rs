@@ -65,6 +65,11 @@ impl Model {
         Some(work.graph.symbol_id(symbol))
     }
 
+    /// The mass, if G has coordinates of its own.
+    pub fn moved_mass(&self) -> Option<Id> {
+        self.mass.filter(|_| self.motion.translates())
+    }
+
     /// The direction of the axis of a hinge, body axes; in the plane, z.
     pub fn hinge(&self, graph: &mut Graph) -> Option<Components> {
         let support = self.state.support.filter(|_| self.motion.is_hinged())?;

@@ -8,12 +8,12 @@ use super::moments::inertia_about_center;
 
 /// `m v^2 + w . J w`
 pub fn twice_kinetic(model: &Model, work: &mut Workspace) -> Id {
-    let translation = match model.mass {
-        Some(mass) if model.motion.translates() => {
+    let translation = match model.moved_mass() {
+        Some(mass) => {
             let square = work.norm_squared(model.state.velocity);
             work.graph.multiply(mass, square)
         }
-        _ => work.graph.zero(),
+        None => work.graph.zero(),
     };
     let inertia = inertia_about_center(model, work);
     let w = model.state.angular_velocity;

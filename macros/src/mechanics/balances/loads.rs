@@ -76,7 +76,7 @@ pub fn given_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vec
     let written: Vec<_> = model
         .reactions
         .iter()
-        .map(|load| (load.kind, load.point, load.frame, load.given))
+        .map(|load| (load.kind, load.point, load.frame, load.known))
         .collect();
     let parts = written.into_iter().map(|(kind, point, frame, given)| {
         let given = work.vector(frame, given);

@@ -81,7 +81,7 @@ fn linear_acceleration(
     loads: &[Load],
     name: &str,
 ) -> Components {
-    let (true, Some(mass)) = (model.motion.translates(), model.mass) else {
+    let Some(mass) = model.moved_mass() else {
         return work.graph.zeros();
     };
     let resultant = resultant(work, loads);

@@ -127,7 +127,7 @@ fn spread(model: &Model, work: &mut Workspace) -> Id {
         Inertia::Scalar(moment) => *moment,
         Inertia::Spatial(rows) => graph.sum(&[rows[0][0], rows[1][1], rows[2][2]]),
     };
-    let Some(mass) = model.mass.filter(|_| model.motion.translates()) else {
+    let Some(mass) = model.moved_mass() else {
         return turning;
     };
     let square = work.norm_squared(model.state.position);

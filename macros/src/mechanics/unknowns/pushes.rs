@@ -30,7 +30,7 @@ pub fn given_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
     let mut values = Vec::new();
     let mut loads = Vec::new();
     for reaction in &model.reactions {
-        let given = work.vector(reaction.frame, reaction.given);
+        let given = work.vector(reaction.frame, reaction.known);
         let in_world = work.components(given, Frame::WORLD);
         values.extend(symbols(work, reaction).into_iter().zip(in_world));
         let zero = Vector::ZERO;

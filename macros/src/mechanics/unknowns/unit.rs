@@ -111,7 +111,7 @@ pub fn assemble<'u>(
     load: &Reaction,
     solved: impl IntoIterator<Item = (&'u Unit<'u>, Id)>,
 ) -> Vector {
-    let mut parts = vec![work.vector(load.frame, load.given)];
+    let mut parts = vec![work.vector(load.frame, load.known)];
     for (unit, value) in solved {
         if core::ptr::eq(unit.load, load) {
             parts.push(work.scale(value, unit.direction));

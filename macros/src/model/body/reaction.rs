@@ -16,8 +16,8 @@ pub struct Reaction {
     pub point: Point,
     /// The axes in which its components are written.
     pub frame: Frame,
-    /// What is given; zero where it is unknown.
-    pub given: Components,
+    /// What is known; zero where it is not.
+    pub known: Components,
     /// The unknown components: their axes, and their places.
     pub unknown: Vec<(usize, Extent)>,
     /// The direction of `_ * direction`: one unknown, whatever the axes.

@@ -6,7 +6,7 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Lowering, Scope, is_drive, is_unknown};
 use crate::model::{
-    Declared, ENTRIES, Frame, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
+    Declared, ENTRIES, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
 };
 use crate::syntax::{self, Description};
 
@@ -18,7 +18,7 @@ pub fn lower_description(
 ) -> Option<(Model, Workspace)> {
     let repeated = check_names(description, errors);
     let mut work = Workspace::new();
-    let mut state = state_symbols(Frame::BODY, outline.motion, &mut work);
+    let mut state = state_symbols(outline.motion, &mut work);
     let mut scope = Scope::new(description, repeated);
     let named = outline.reactions.iter();
     let mut lowering = Lowering {

@@ -16,7 +16,9 @@ pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};
 pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use words::{AXES, Dimension, Doubtful, Frame, Labels, Meaning, Variable, shown, why_not};
+pub use words::{
+    AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
+};
 
 use body::entries;
 

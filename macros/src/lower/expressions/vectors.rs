@@ -96,7 +96,7 @@ impl Lowering<'_> {
             ),
             frame => {
                 let frame = if frame == "in_body" {
-                    Frame::BODY
+                    self.state.body
                 } else {
                     Frame::WORLD
                 };
@@ -136,7 +136,7 @@ impl Lowering<'_> {
         } else {
             Dimension::VELOCITY
         };
-        if !self.motion.knows_position() && !matches!(point, Point::World(_)) {
+        if !self.motion.knows_position() && !matches!(point, Point::Fixed(Frame::WORLD, _)) {
             return self.report(
                 method.span(),
                 format!(
@@ -148,7 +148,8 @@ impl Lowering<'_> {
         self.check_support_is_read(method)?;
         let vector = match (point, word.as_str()) {
             (point, "position") => self.state.place(self.work, point),
-            (Point::Body(offset), _) => {
+            (Point::Fixed(Frame::WORLD, _), _) => Vector::ZERO,
+            (Point::Fixed(_, offset), _) => {
                 let swept = self.state.swept(self.work, offset);
                 self.work.add(self.state.velocity, swept)
             }
@@ -156,7 +157,6 @@ impl Lowering<'_> {
                 let swept = self.swept(offset);
                 self.work.add(self.state.velocity, swept)
             }
-            (Point::World(_), _) => Vector::ZERO,
         };
         Some(Value::Vector(vector, dimension))
     }

@@ -6,7 +6,7 @@
 
 use crate::errors::Extent;
 use crate::lower::expressions::{Lowering, base, is_of_solid};
-use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, Point, shown};
+use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, shown};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Composition, Expression, Kind, Part};
 
@@ -204,15 +204,8 @@ impl Lowering<'_> {
 
     /// Where a part is.
     fn place(&mut self, written: &Expression) -> Option<Components> {
-        match self.point(written)? {
-            Point::Body(offset) => Some(offset),
-            other => self.report(
-                written.extent,
-                format!(
-                    "a part is fixed in the body, and this point is {}",
-                    other.where_else()
-                ),
-            ),
-        }
+        self.body_point(written, |place| {
+            format!("a part is fixed in the body, and this point is {place}")
+        })
     }
 }

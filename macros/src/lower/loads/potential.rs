@@ -38,7 +38,7 @@ impl Lowering<'_> {
             .collect();
         let mut forms = Vec::new();
         if !list.is_empty() {
-            let (form, has_choice) = self.potential_form(description, Frame::BODY)?;
+            let (form, has_choice) = self.potential_form(description, self.state.body)?;
             for (potential, charges) in list.iter_mut().zip(&form.charges) {
                 potential.charges = Some(*charges);
             }

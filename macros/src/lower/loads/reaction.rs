@@ -93,7 +93,7 @@ impl Lowering<'_> {
             );
         }
         match (self.point_of_load(written)?, &written.point) {
-            (Point::World(_), Some(Some(point))) if !self.is_constrained => self.report(
+            (Point::Fixed(Frame::WORLD, _), Some(Some(point))) if !self.is_constrained => self.report(
                 point.extent,
                 "an unknown reaction acts at a point of the body, and this one is fixed in space",
             ),

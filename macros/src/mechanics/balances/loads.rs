@@ -31,9 +31,9 @@ pub fn moments_about(
 /// `P - O`, from the pole O to the point P.
 pub fn arm(model: &Model, work: &mut Workspace, point: Point, pole: Point) -> Vector {
     let from_center = |work: &mut Workspace, point: Point| match point {
-        Point::Body(offset) => Some(work.fixed_in(model.state.body, offset)),
+        Point::Fixed(Frame::WORLD, _) => None,
+        Point::Fixed(body, offset) => Some(work.fixed_in(body, offset)),
         Point::Moving(offset) => Some(offset),
-        Point::World(_) => None,
     };
     if let (Some(end), Some(start)) = (from_center(work, point), from_center(work, pole)) {
         let backwards = work.negate(start);
@@ -102,9 +102,7 @@ pub fn uniform_field(model: &Model, work: &Workspace, load: &Load) -> Option<Com
         ),
         _ => false,
     };
-    let Point::Body(offset) = load.point else {
-        return None;
-    };
+    let offset = load.point.offset(model.state.body)?;
     let force = load.force;
     let is_uniform = load.family == Family::Field
         && load.potential.is_none()

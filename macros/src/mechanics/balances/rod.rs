@@ -15,7 +15,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::proofs::{all_vanish, samples};
-use crate::model::{Attitude, Axis, Frame, Inertia, Load, Model, Point, Vector, Workspace};
+use crate::model::{Attitude, Axis, Frame, Inertia, Load, Model, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::loads::{arm, moments_about};
@@ -59,11 +59,12 @@ struct Pulls {
 }
 
 fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
-    let center = Point::Body(work.graph.zeros());
+    let center = model.state.mass_center(work);
     let mut list = Vec::new();
     for load in &model.loads {
         let attitude = work.attitude(model.state.body);
-        if let (Point::Body(offset), Attitude::Line { direction, .. }) = (load.point, attitude) {
+        let offset = load.point.offset(model.state.body);
+        if let (Some(offset), Attitude::Line { direction, .. }) = (offset, attitude) {
             let along = work.graph.dot(direction, offset);
             let force = work.part(load.force, Frame::WORLD);
             list.push(work.graph.scale_vector(along, force));
@@ -165,7 +166,7 @@ pub fn check_loads(
     axis: Axis,
     errors: &mut Errors,
 ) -> Option<()> {
-    let center = Point::Body(work.graph.zeros());
+    let center = model.state.mass_center(work);
     let moments: Vec<(Extent, Id)> = moments_about(model, work, loads, center)
         .into_iter()
         .enumerate()

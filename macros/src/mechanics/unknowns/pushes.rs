@@ -166,7 +166,7 @@ fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Opt
         let name = load.name.to_string();
         let roots = work.entries(&[load.force, load.moment]);
         let place_of_load = match load.point {
-            Point::Body(offset) | Point::World(offset) => offset.to_vec(),
+            Point::Fixed(_, offset) => offset.to_vec(),
             Point::Moving(offset) => work.entries(&[offset]),
         };
         if !reactions_in(work, &place_of_load).is_empty() {

@@ -14,9 +14,11 @@ use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 /// A direction in the space of states.
 pub struct Direction {
+    /// The body that changes.
+    pub body: Frame,
     /// What each symbol changes by; others stay as they are.
     pub changes: BTreeMap<Id, Id>,
-    /// The turn of the body.
+    /// Its turn.
     pub turning: Vector,
 }
 
@@ -25,7 +27,7 @@ impl Direction {
     pub fn motion(model: &Model, work: &mut Workspace) -> Self {
         let state = &model.state;
         let turning = work.vector(state.axes, state.angular_velocity);
-        let mut motion = Self::turn(work, turning);
+        let mut motion = Self::turn(work, model.state.body, turning);
         let [place, velocity] = world_parts(work, [state.position, state.velocity]);
         let (graph, changes) = (&work.graph, &mut motion.changes);
         changes.insert(state.time, graph.one());
@@ -53,7 +55,7 @@ impl Direction {
     pub fn turn_of_world(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let state = &model.state;
         let turning = work.vector(Frame::WORLD, e);
-        let mut turn = Self::turn(work, turning);
+        let mut turn = Self::turn(work, model.state.body, turning);
         let linear = world_parts(work, [state.position, state.velocity]).into_iter();
         let graph = &mut work.graph;
         for vector in linear.chain(state.axis.map(|axis| axis.rate)) {
@@ -68,22 +70,22 @@ impl Direction {
         let w = model.state.angular_velocity;
         let back = work.graph.negate_vector(e);
         let turning = work.vector(model.state.axes, back);
-        let mut turn = Self::turn(work, turning);
+        let mut turn = Self::turn(work, model.state.body, turning);
         let by = work.graph.cross(e, w);
         change(&work.graph, &mut turn.changes, w, by);
         turn
     }
 
     /// The body is turned, and nothing else changes.
-    pub fn turn(work: &mut Workspace, turning: Vector) -> Self {
-        let [body, world] = [Frame::BODY, Frame::WORLD].map(|frame| work.part(turning, frame));
-        let attitude = work.attitude(Frame::BODY);
+    pub fn turn(work: &mut Workspace, body: Frame, turning: Vector) -> Self {
+        let [own, world] = [body, Frame::WORLD].map(|frame| work.part(turning, frame));
+        let attitude = work.attitude(body);
         let graph = &mut work.graph;
         let mut changes = BTreeMap::new();
         match attitude {
             Attitude::Fixed => {}
             Attitude::Axis { angle, direction } => {
-                let both = graph.add_vectors(body, world);
+                let both = graph.add_vectors(own, world);
                 changes.insert(angle, graph.dot(direction, both));
             }
             Attitude::Line { axis, .. } => {
@@ -92,11 +94,11 @@ impl Direction {
             }
             Attitude::Quaternion { scalar, vector } => {
                 let half = graph.number(Number::ratio(1, 2));
-                let both = graph.add_vectors(body, world);
+                let both = graph.add_vectors(own, world);
                 let along = graph.dot(vector, both);
                 let along = graph.multiply(half, along);
                 changes.insert(scalar, graph.negate(along));
-                let apart = graph.subtract_vectors(body, world);
+                let apart = graph.subtract_vectors(own, world);
                 let swept = graph.cross(vector, apart);
                 let kept = graph.scale_vector(scalar, both);
                 let twice = graph.add_vectors(kept, swept);
@@ -104,7 +106,11 @@ impl Direction {
                 change(graph, &mut changes, vector, by);
             }
         }
-        Self { changes, turning }
+        Self {
+            body,
+            changes,
+            turning,
+        }
     }
 }
 

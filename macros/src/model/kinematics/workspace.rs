@@ -30,12 +30,18 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// With frames for the ground and for one body, which are parallel until an attitude is known.
+    /// With a frame for the ground.
     pub fn new() -> Self {
         Self {
-            attitudes: vec![Attitude::Fixed; 2],
+            attitudes: vec![Attitude::Fixed],
             ..Self::default()
         }
+    }
+
+    /// A frame for one more body, which is parallel to the ground until its attitude is known.
+    pub fn new_frame(&mut self) -> Frame {
+        self.attitudes.push(Attitude::Fixed);
+        Frame::with_index(self.attitudes.len() - 1)
     }
 
     /// A new symbol that stands for this, known from `stage` on.

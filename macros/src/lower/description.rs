@@ -37,7 +37,7 @@ pub fn lower_description(
     let mass = lowering.definitions(description, &defaults);
     let inertia = lowering.inertia(description, mass, &defaults);
     let potentials = lowering.potentials(description);
-    let [unknown, driving, given] = loads_by_kind(description);
+    let [unknown, driving, known] = loads_by_kind(description);
     let is_asked_for = outline.rank(INVERSE).is_some();
     let drives: Vec<Option<Reaction>> = driving
         .into_iter()
@@ -52,7 +52,7 @@ pub fn lower_description(
     if outline.is_constrained {
         lowering.name_reactions(description, &reactions);
     }
-    let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
+    let loads: Vec<Option<Load>> = known.into_iter().map(|load| lowering.load(load)).collect();
     let pole = lowering.pole(description.pole.as_ref());
 
     outline.unused = unused(description, &scope);
@@ -76,7 +76,7 @@ pub fn lower_description(
     Some((model, work))
 }
 
-/// The loads that are no fields: unknown reactions, unknown drives, and what is given.
+/// The loads that are no fields: unknown reactions, unknown drives, and those that are known.
 fn loads_by_kind(description: &Description) -> [Vec<&syntax::Load>; 3] {
     let mut kinds = [Vec::new(), Vec::new(), Vec::new()];
     let loads = description.loads.iter();

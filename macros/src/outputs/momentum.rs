@@ -8,7 +8,7 @@ use crate::lower::Offer;
 use crate::mechanics::{self, derive_momentum};
 use crate::symbolic::{Components, Id};
 
-use super::output::{Given, Output};
+use super::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,
@@ -23,8 +23,8 @@ impl Output for Momentum {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
-        self.0 = Some(derive_momentum(given.model, given.work));
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+        self.0 = Some(derive_momentum(basis.model, basis.work));
         Some(())
     }
 

@@ -157,10 +157,10 @@ impl Shapes {
         match self.motion.acceleration {
             Some(_) => {
                 let is_rod = self.motion.is_line();
-                let turning = format_ident!("{}", if is_rod { "axis" } else { "angular" });
+                let part = format_ident!("{}", if is_rod { "axis" } else { "angular" });
                 let kind = self.acceleration_type();
                 let (linear, change) = (self.vector(values), self.moment(values));
-                quote!(#kind { linear: #linear, #turning: #change })
+                quote!(#kind { linear: #linear, #part: #change })
             }
             None if self.motion.is_hinged() => {
                 let value = values.next();

@@ -167,8 +167,8 @@ impl Lowering<'_> {
         for (frame, part) in self.work.parts(offset).to_vec() {
             let mut w = self.state.angular_velocity;
             if frame != self.state.axes && !self.motion.is_planar {
-                let turning = self.work.vector(self.state.axes, w);
-                w = self.work.components(turning, frame);
+                let own = self.work.vector(self.state.axes, w);
+                w = self.work.components(own, frame);
             }
             let product = self.work.graph.cross(w, part);
             let product = self.work.vector(frame, product);

@@ -10,7 +10,7 @@ use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, shown};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Composition, Expression, Kind, Part};
 
-use super::draft::Given;
+use super::draft::Context;
 
 const NO_MASS: &str = "this part has no mass: write `.mass(1[kg])` behind it";
 const HOLE: &str = "a part of negative mass is a hole, and a hole is a solid or a point: write \
@@ -175,11 +175,11 @@ impl Lowering<'_> {
         mass: Option<(Id, bool)>,
         defaults: &Defaults,
     ) -> Option<Inertia> {
-        let given = Given {
+        let context = Context {
             mass: mass.map_or(Mass::Reported, |(mass, _)| Mass::Known(mass)),
             defaults,
         };
-        let draft = self.form(&part.form, given)?;
+        let draft = self.form(&part.form, context)?;
         if !is_of_solid(&part.form) {
             if let (Some((_, true)), Some(Some(written))) = (mass, &part.mass) {
                 return self.report(written.extent, HOLE);

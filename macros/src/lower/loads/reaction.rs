@@ -38,8 +38,8 @@ impl Lowering<'_> {
             );
         }
         let point = self.point_of_load(written);
-        self.open_load(written, point, |lowering, given| {
-            if lowering.work.graph.is_zero_vector(&given) {
+        self.open_load(written, point, |lowering, known| {
+            if lowering.work.graph.is_zero_vector(&known) {
                 return Some(());
             }
             lowering.report(

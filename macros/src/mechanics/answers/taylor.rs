@@ -47,7 +47,7 @@ pub fn derive_taylor(
     errors: &mut Errors,
 ) -> Option<Taylor> {
     let axes = axes::derive_axes(model, work, structure);
-    let (turning, angular) = match &axes {
+    let (axes_rate, angular) = match &axes {
         Some(axes) => (
             axes.rate,
             axes.acceleration(model, work, accelerations.angular),
@@ -58,7 +58,7 @@ pub fn derive_taylor(
         angular,
         ..accelerations
     };
-    let coordinates = coordinates(model, work, accelerations, turning);
+    let coordinates = coordinates(model, work, accelerations, axes_rate);
     let symbols: Vec<Id> = coordinates
         .iter()
         .map(|coordinate| coordinate.symbol)
@@ -73,13 +73,13 @@ pub fn derive_taylor(
     })
 }
 
-/// The coordinates of the state, and time; those of a kind of motion are together. `turning` is the
+/// The coordinates of the state, and time; those of a kind of motion are together. `axes_rate` is the
 /// angular velocity of the axes.
 fn coordinates(
     model: &Model,
     work: &mut Workspace,
     Pair { linear, angular }: Pair,
-    turning: Components,
+    axes_rate: Components,
 ) -> Vec<Coordinate> {
     let motion = model.motion;
     let (axes, state) = (motion.axes(), &model.state);
@@ -102,7 +102,7 @@ fn coordinates(
         push(&axis.unit, &axis.rate);
     } else if let Attitude::Quaternion { scalar, vector } = work.attitude(model.state.body) {
         let [x, y, z] = vector;
-        let rates = quaternion_rate(work, scalar, vector, turning);
+        let rates = quaternion_rate(work, scalar, vector, axes_rate);
         push(&[x, y, z, scalar], &rates);
     } else if motion.has_angle() {
         push(&one(work, state.body, Variable::Angle, 0), &rate);

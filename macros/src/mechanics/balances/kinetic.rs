@@ -21,7 +21,7 @@ pub fn twice_kinetic(model: &Model, work: &mut Workspace) -> Id {
         (Inertia::Absent, _) => work.graph.zero(),
         (Inertia::Scalar(moment), _) => {
             let graph = &mut work.graph;
-            let square = graph.norm_squared(model.state.turning());
+            let square = graph.norm_squared(model.state.turn_rate());
             graph.multiply(*moment, square)
         }
         (Inertia::Spatial(rows), _) => quadratic(&mut work.graph, rows, w),

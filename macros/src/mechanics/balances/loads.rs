@@ -22,8 +22,8 @@ pub fn moments_about(
             return load.moment;
         }
         let arm = arm(model, work, load.point, pole);
-        let turning = work.cross(arm, load.force);
-        work.add(turning, load.moment)
+        let moment = work.cross(arm, load.force);
+        work.add(moment, load.moment)
     };
     loads.iter().map(moment).collect()
 }
@@ -71,20 +71,20 @@ pub fn check_moment_free(
     None
 }
 
-/// What is given of each reaction: its force, and its moment about `pole`.
-pub fn given_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vector, Vector)> {
+/// What is known of each reaction: its force, and its moment about `pole`.
+pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vector, Vector)> {
     let written: Vec<_> = model
         .reactions
         .iter()
         .map(|load| (load.kind, load.point, load.frame, load.known))
         .collect();
-    let parts = written.into_iter().map(|(kind, point, frame, given)| {
-        let given = work.vector(frame, given);
+    let parts = written.into_iter().map(|(kind, point, frame, known)| {
+        let known = work.vector(frame, known);
         match kind {
-            LoadKind::Moment => (Vector::ZERO, given),
+            LoadKind::Moment => (Vector::ZERO, known),
             LoadKind::Force => {
                 let arm = arm(model, work, point, pole);
-                (given, work.cross(arm, given))
+                (known, work.cross(arm, known))
             }
         }
     });

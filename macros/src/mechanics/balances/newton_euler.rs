@@ -10,7 +10,7 @@ use crate::model::{Frame, Inertia, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::Components;
 
 use super::euler_equations::{EulerForm, solve_euler};
-use super::loads::{check_moment_free, given_parts, moments_about, resultant};
+use super::loads::{check_moment_free, known_parts, moments_about, resultant};
 use super::moments::{inertia_about_center, moment_of_inertia};
 use super::rod;
 
@@ -30,8 +30,8 @@ pub fn derive_accelerations(
         return Some((Pair { linear, angular }, None));
     }
     let center = model.state.center(work);
-    let given = if model.motion.has_attitude() {
-        given_parts(model, work, center)
+    let known = if model.motion.has_attitude() {
+        known_parts(model, work, center)
     } else {
         // where moments are unknown, whether they can balance these is found with them
         if model.reactions.is_empty() {
@@ -44,12 +44,12 @@ pub fn derive_accelerations(
         labels.describe("angular", "(1.4): w' = M / J");
     }
     labels.describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
-    let given = given.into_iter().map(|(_, moment)| moment);
+    let known = known.into_iter().map(|(_, moment)| moment);
     Some(solve_balances(
         model,
         work,
         &model.loads,
-        given.collect(),
+        known.collect(),
         ["linear", "angular"],
     ))
 }

@@ -13,7 +13,7 @@
 //! u'' = B / J - (u . B / J + u'^2) u
 //! ```
 
-use crate::errors::{Errors, Extent};
+use crate::errors::Errors;
 use crate::mechanics::proofs::{all_vanish, samples};
 use crate::model::{Attitude, Axis, Frame, Inertia, Load, Model, Vector, Workspace};
 use crate::symbolic::{Components, Id};
@@ -167,24 +167,16 @@ pub fn check_loads(
     errors: &mut Errors,
 ) -> Option<()> {
     let center = model.state.mass_center(work);
-    let moments: Vec<(Extent, Id)> = moments_about(model, work, loads, center)
-        .into_iter()
-        .enumerate()
-        .map(|(index, moment)| {
-            let moment = work.part(moment, Frame::WORLD);
-            let along = work.graph.dot(axis.unit, moment);
-            (loads[index].extent, along)
-        })
-        .collect();
-    let parts: Vec<Id> = moments.iter().map(|(_, along)| *along).collect();
+    let moments = moments_about(model, work, loads, center);
+    let parts = parts_along(work, axis, moments);
     let together = work.graph.sum(&parts);
     if all_vanish(work, &[together]) {
         return Some(());
     }
-    for index in turning(work, &parts) {
-        let name = &loads[index].name;
+    for index in not_vanishing(work, &parts) {
+        let Load { name, extent, .. } = &loads[index];
         errors.push(
-            moments[index].0,
+            *extent,
             format!(
                 "`{name}` has a moment about the axis, about which a rod has no inertia: let it act on \
                  the axis, or take what is across it, as in `axis.cross(k).cross(axis)`"
@@ -194,8 +186,21 @@ pub fn check_loads(
     None
 }
 
-/// Which of the moments along the axis do not vanish.
-pub fn turning(work: &mut Workspace, parts: &[Id]) -> Vec<usize> {
+/// What moments are along the axis.
+pub fn parts_along(
+    work: &mut Workspace,
+    axis: Axis,
+    moments: impl IntoIterator<Item = Vector>,
+) -> Vec<Id> {
+    let parts = moments.into_iter().map(|moment| {
+        let moment = work.part(moment, Frame::WORLD);
+        work.graph.dot(axis.unit, moment)
+    });
+    parts.collect()
+}
+
+/// Which of them do not vanish.
+pub fn not_vanishing(work: &mut Workspace, parts: &[Id]) -> Vec<usize> {
     let samples = samples(work, parts);
     (0..parts.len())
         .filter(|index| !samples[*index].is_zero())

@@ -55,10 +55,10 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
         );
         let graph = &mut work.graph;
         let arm = graph.subtract_vectors(offset, held);
-        let turning = graph.cross(arm, in_body);
+        let moment = graph.cross(arm, in_body);
         let reason = if graph.is_zero_vector(&arm) {
             format!("it acts at {center}")
-        } else if graph.is_zero_vector(&in_world) && graph.is_zero_vector(&turning) {
+        } else if graph.is_zero_vector(&in_world) && graph.is_zero_vector(&moment) {
             format!("it acts along a line through {center}")
         } else if is_along_axis(model, work, in_world) {
             "it acts along the axis".to_owned()
@@ -143,14 +143,14 @@ fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
         Inertia::Scalar(_) => true,
         Inertia::Spatial(rows) => model.motion.is_hinged() || is_diagonal(&work.graph, &rows),
     };
-    let turning = |load: &Load| {
+    let has_moment = |load: &Load| {
         let (Some(offset), graph) = (load.point.offset(body), &work.graph) else {
             return false;
         };
         is_constant(model, work, load, body)
             && !(graph.is_zero_vector(&offset) && load.moment.is_zero())
     };
-    if turns && is_folded && model.state.support.is_none() && model.loads.iter().any(turning) {
+    if turns && is_folded && model.state.support.is_none() && model.loads.iter().any(has_moment) {
         skipped.push(
             "constant moments in the balance: over the inertia they are constants".to_owned(),
         );

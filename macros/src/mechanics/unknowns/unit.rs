@@ -105,7 +105,7 @@ pub fn name_values(work: &mut Workspace, names: &[(String, Extent)], elimination
     }
 }
 
-/// A load: what is given of it, and the values of its units.
+/// A load: what is known of it, and the values of its units.
 pub fn assemble<'u>(
     work: &mut Workspace,
     load: &Reaction,

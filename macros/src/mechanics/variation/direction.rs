@@ -19,15 +19,15 @@ pub struct Direction {
     /// What each symbol changes by; others stay as they are.
     pub changes: BTreeMap<Id, Id>,
     /// Its turn.
-    pub turning: Vector,
+    pub phi: Vector,
 }
 
 impl Direction {
     /// As the body moves, its velocities held; inputs are held, unless they move.
     pub fn motion(model: &Model, work: &mut Workspace) -> Self {
         let state = &model.state;
-        let turning = work.vector(state.axes, state.angular_velocity);
-        let mut motion = Self::turn(work, model.state.body, turning);
+        let phi = work.vector(state.axes, state.angular_velocity);
+        let mut motion = Self::turn(work, model.state.body, phi);
         let [place, velocity] = world_parts(work, [state.position, state.velocity]);
         let (graph, changes) = (&work.graph, &mut motion.changes);
         changes.insert(state.time, graph.one());
@@ -54,8 +54,8 @@ impl Direction {
     /// The world is turned about `e`: what is written in its axes turns with it.
     pub fn turn_of_world(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let state = &model.state;
-        let turning = work.vector(Frame::WORLD, e);
-        let mut turn = Self::turn(work, model.state.body, turning);
+        let phi = work.vector(Frame::WORLD, e);
+        let mut turn = Self::turn(work, model.state.body, phi);
         let linear = world_parts(work, [state.position, state.velocity]).into_iter();
         let graph = &mut work.graph;
         for vector in linear.chain(state.axis.map(|axis| axis.rate)) {
@@ -69,16 +69,16 @@ impl Direction {
     pub fn turn_of_axes(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let w = model.state.angular_velocity;
         let back = work.graph.negate_vector(e);
-        let turning = work.vector(model.state.axes, back);
-        let mut turn = Self::turn(work, model.state.body, turning);
+        let phi = work.vector(model.state.axes, back);
+        let mut turn = Self::turn(work, model.state.body, phi);
         let by = work.graph.cross(e, w);
         change(&work.graph, &mut turn.changes, w, by);
         turn
     }
 
     /// The body is turned, and nothing else changes.
-    pub fn turn(work: &mut Workspace, body: Frame, turning: Vector) -> Self {
-        let [own, world] = [body, Frame::WORLD].map(|frame| work.part(turning, frame));
+    pub fn turn(work: &mut Workspace, body: Frame, phi: Vector) -> Self {
+        let [own, world] = [body, Frame::WORLD].map(|frame| work.part(phi, frame));
         let attitude = work.attitude(body);
         let graph = &mut work.graph;
         let mut changes = BTreeMap::new();
@@ -106,11 +106,7 @@ impl Direction {
                 change(graph, &mut changes, vector, by);
             }
         }
-        Self {
-            body,
-            changes,
-            turning,
-        }
+        Self { body, changes, phi }
     }
 }
 

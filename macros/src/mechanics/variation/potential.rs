@@ -108,8 +108,8 @@ fn derive(work: &mut Workspace, body: Frame, form: &Form, energy: Id) -> Derived
         if work.graph.is_zero_vector(&slope) {
             continue;
         }
-        let turning = turning(work, turn, slope);
-        moment = work.graph.add_vectors(moment, turning);
+        let of_turned = moment_along(work, turn, slope);
+        moment = work.graph.add_vectors(moment, of_turned);
         if let Some(slope) = carried(work, form, turn, &place, slope) {
             let slope = work.vector(turn.to, slope);
             carrying = work.add(carrying, slope);
@@ -147,7 +147,7 @@ fn carried(
 }
 
 /// The moment that a slope along a turned vector amounts to.
-fn turning(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
+fn moment_along(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
     if turn.to == Frame::WORLD {
         let back = work.turn(slope, turn.to, turn.from);
         work.graph.cross(back, turn.vector)

@@ -93,7 +93,7 @@ impl Slopes {
     /// The change in one direction.
     pub fn along(&self, work: &mut Workspace, direction: &Direction) -> Id {
         let body = direction.body;
-        let [own, world] = [body, Frame::WORLD].map(|frame| work.part(direction.turning, frame));
+        let [own, world] = [body, Frame::WORLD].map(|frame| work.part(direction.phi, frame));
         let world = work.turn(world, Frame::WORLD, body);
         let phi = work.graph.add_vectors(own, world);
         let mut terms = Vec::new();

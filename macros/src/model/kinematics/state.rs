@@ -59,7 +59,7 @@ impl State {
     }
 
     /// The angular velocity; of a rod u', which is as long.
-    pub fn turning(&self) -> Components {
+    pub fn turn_rate(&self) -> Components {
         self.axis.map_or(self.angular_velocity, |axis| axis.rate)
     }
 

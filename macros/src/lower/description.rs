@@ -6,7 +6,7 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
 use crate::model::{
-    Declared, ENTRIES, Frame, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
+    Declared, ENTRIES, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
 };
 use crate::syntax::{self, Description};
 
@@ -18,7 +18,7 @@ pub fn lower_description(
 ) -> Option<(Model, Workspace)> {
     let repeated = check_names(description, errors);
     let mut work = Workspace::new();
-    let mut state = state_symbols(Frame::BODY, outline.motion, &mut work);
+    let mut state = state_symbols(outline.motion, &mut work);
     let mut scope = Scope::new(description, repeated);
     let named = outline.reactions.iter();
     let mut lowering = Lowering {
@@ -39,7 +39,7 @@ pub fn lower_description(
     let mass = lowering.definitions(description, &defaults);
     let inertia = lowering.inertia(description, mass, &defaults);
     let potentials = lowering.potentials(description);
-    let [unknown, driving, given] = loads_by_kind(description);
+    let [unknown, driving, known] = loads_by_kind(description);
     let is_asked_for = outline.rank(INVERSE).is_some();
     let drives: Vec<Option<Reaction>> = driving
         .into_iter()
@@ -54,7 +54,7 @@ pub fn lower_description(
     if outline.is_constrained {
         lowering.name_reactions(description, &reactions);
     }
-    let loads: Vec<Option<Load>> = given.into_iter().map(|load| lowering.load(load)).collect();
+    let loads: Vec<Option<Load>> = known.into_iter().map(|load| lowering.load(load)).collect();
     let pole = lowering.pole(description.pole.as_ref());
 
     outline.unused = unused(description, &scope);
@@ -78,7 +78,7 @@ pub fn lower_description(
     Some((model, work))
 }
 
-/// The loads that are no fields: unknown reactions, unknown drives, and what is given.
+/// The loads that are no fields: unknown reactions, unknown drives, and those that are known.
 fn loads_by_kind(description: &Description) -> [Vec<&syntax::Load>; 3] {
     let mut kinds = [Vec::new(), Vec::new(), Vec::new()];
     let loads = description.loads.iter();

@@ -18,7 +18,7 @@ pub use answers::{
     derive_balance, derive_energy, derive_momentum, derive_taylor,
 };
 pub use balances::uniform_field;
-pub use closed_forms::{Flow, Free, Turning, derive_flow};
+pub use closed_forms::{Flow, Free, Rotation, derive_flow};
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
 pub use unknowns::{Consistency, Reach, derive_inverse, derive_reach};
 pub use variation::with_potentials;

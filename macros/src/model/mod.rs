@@ -18,7 +18,9 @@ pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
 pub use system::{Coordinate, Field, JointKind, Member, Part, Rates, Shape, System, TreeJoint};
-pub use words::{AXES, Dimension, Doubtful, Frame, Labels, Meaning, Variable, shown, why_not};
+pub use words::{
+    AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
+};
 
 use body::entries;
 
@@ -65,6 +67,11 @@ impl Model {
         let known = work.meanings.symbol_of(rate);
         let symbol = known.filter(|_| self.moves(input))?;
         Some(work.graph.symbol_id(symbol))
+    }
+
+    /// The mass, if G has coordinates of its own.
+    pub fn moved_mass(&self) -> Option<Id> {
+        self.mass.filter(|_| self.motion.translates())
     }
 
     /// The direction of the axis of a hinge, body axes; in the plane, z.

@@ -3,14 +3,14 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::emit::code::{GIVEN, Method, Site, Source, Writer};
+use crate::emit::code::{COMMON, Method, Site, Source, Writer};
 use crate::emit::items::Addition;
 use crate::families::Family;
 use crate::lower::Offer;
 use crate::mechanics::{self, LoadExpressions, Resultant, derive_balance};
 use crate::symbolic::Id;
 
-use super::output::{Given, Output};
+use super::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,
@@ -25,11 +25,11 @@ impl Output for Balance {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
         self.0 = Some(derive_balance(
-            given.model,
-            given.work,
-            &given.equations.reactions,
+            basis.model,
+            basis.work,
+            &basis.equations.reactions,
         ));
         Some(())
     }
@@ -65,9 +65,9 @@ impl Output for Balance {
             Source::Input,
         ];
         let methods = [
-            ("applied", &applied, &GIVEN[..], &wrench),
+            ("applied", &applied, &COMMON[..], &wrench),
             ("residual", &residual, &written, &wrench),
-            ("loads", &loads, &GIVEN, &list),
+            ("loads", &loads, &COMMON, &list),
         ];
         let types = quote!(type Wrench = #wrench; type Reactions = #reactions; type Loads = #list;);
         Addition::implement(site, "Balance", [types, quote!()], &methods)

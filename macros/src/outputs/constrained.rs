@@ -4,13 +4,13 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::emit::code::{GIVEN, Method, Site, Source, Values, Writer, local};
+use crate::emit::code::{COMMON, Method, Site, Source, Values, Writer, local};
 use crate::emit::items::Addition;
 use crate::mechanics::{Consistency, Reach, derive_reach};
 use crate::model::Outline;
 use crate::symbolic::Id;
 
-use super::output::{Given, Output, Place};
+use super::output::{Basis, Output, Place};
 
 #[derive(Default)]
 pub struct Constrained(Option<Kept>);
@@ -26,9 +26,9 @@ impl Output for Constrained {
         outline.is_constrained.then_some(Place::First)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
-        let constraints = given.equations.constraints.clone();
-        let reach = derive_reach(given.model, given.work, &constraints);
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+        let constraints = basis.equations.constraints.clone();
+        let reach = derive_reach(basis.model, basis.work, &constraints);
         self.0 = Some(Kept { constraints, reach });
         Some(())
     }
@@ -62,8 +62,8 @@ impl Output for Constrained {
             quote!(fn project(&self, #time, #state: &mut #state_type, #input) -> #outcome { #body }),
         ];
         let methods = [
-            ("violations", &violations, &GIVEN[..], &list),
-            ("check", &check, &GIVEN, &outcome),
+            ("violations", &violations, &COMMON[..], &list),
+            ("check", &check, &COMMON, &outcome),
         ];
         let mut addition = Addition::implement(&site, "Constrained", parts, &methods);
         addition.costs.push(("project", project.facts.cost));

@@ -2,7 +2,7 @@
 
 use quote::quote;
 
-use crate::emit::code::{GIVEN, Method, Site, Source};
+use crate::emit::code::{COMMON, Method, Site, Source};
 use crate::emit::items::Addition;
 use crate::families::Family;
 use crate::lower::Offer;
@@ -10,7 +10,7 @@ use crate::mechanics::{self, Report, derive_energy, uniform_field};
 use crate::model::{Load, Model, Workspace};
 use crate::symbolic::Id;
 
-use super::output::{Given, Output};
+use super::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,
@@ -25,8 +25,8 @@ impl Output for Energy {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
-        self.0 = Some(derive_energy(given.model, given.work));
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+        self.0 = Some(derive_energy(basis.model, basis.work));
         Some(())
     }
 
@@ -66,7 +66,7 @@ impl Output for Energy {
         let scalar = site.shapes.scalar.kind();
         let methods = [
             ("kinetic_energy", &kinetic, &[Source::State][..], &scalar),
-            ("potential_energy", &potential, &GIVEN, &scalar),
+            ("potential_energy", &potential, &COMMON, &scalar),
         ];
         Addition::implement(site, "Energy", [quote!(), quote!()], &methods)
     }

@@ -7,11 +7,11 @@ use quote::{format_ident, quote};
 use crate::emit::code::{Method, PRINCIPAL_AXES, Shapes, Site, Values, Writer, local};
 use crate::emit::items::{Addition, Best};
 use crate::lower::Offer;
-use crate::mechanics::{self, Free, Report, Turning, derive_flow};
+use crate::mechanics::{self, Free, Report, Rotation, derive_flow};
 use crate::model::{Model, Orientation, Outline, Workspace};
 use crate::symbolic::Id;
 
-use super::output::{Given, Output};
+use super::output::{Basis, Output};
 
 const OFFER: Offer = Offer::new("flow");
 
@@ -23,14 +23,14 @@ impl Output for Flow {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
-        let (place, model) = (given.outline.place(OFFER.word)?, given.model);
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+        let (place, model) = (basis.outline.place(OFFER.word)?, basis.model);
         self.0 = Some(derive_flow(
             model,
-            given.work,
+            basis.work,
             place,
-            given.equations.accelerations,
-            given.errors,
+            basis.equations.accelerations,
+            basis.errors,
         )?);
         Some(())
     }
@@ -54,7 +54,7 @@ impl Output for Flow {
         let (site, flow) = (site.double(), self.0.as_ref());
         let shapes = &site.shapes;
         let kind = match flow {
-            Some(flow) => path_type(shapes, &flow.turning),
+            Some(flow) => path_type(shapes, &flow.rotation),
             None => any_path(shapes),
         };
         let path = site.method(flow, write_path);
@@ -68,18 +68,18 @@ impl Output for Flow {
 }
 
 /// `Flight<FreeRotation, 3>`, `Pendulum`, ...
-fn path_type(shapes: &Shapes, turning: &Turning) -> TokenStream {
+fn path_type(shapes: &Shapes, rotation: &Rotation) -> TokenStream {
     let private = &shapes.private;
     with_center(
         shapes,
-        match turning {
-            Turning::None => None,
-            Turning::Free(_) => Some(quote!(#private::FreeRotation)),
-            Turning::Top(_) => Some(quote!(#private::LagrangeTop)),
-            Turning::Axial(_) => Some(quote!(#private::AxialTorque)),
-            Turning::GreatCircle => Some(quote!(#private::GreatCircle)),
-            Turning::Uniform(_) => Some(quote!(#private::Parabola<1>)),
-            Turning::Pendulum { .. } => Some(quote!(#private::Pendulum)),
+        match rotation {
+            Rotation::None => None,
+            Rotation::Free(_) => Some(quote!(#private::FreeRotation)),
+            Rotation::Top(_) => Some(quote!(#private::LagrangeTop)),
+            Rotation::Axial(_) => Some(quote!(#private::AxialTorque)),
+            Rotation::GreatCircle => Some(quote!(#private::GreatCircle)),
+            Rotation::Uniform(_) => Some(quote!(#private::Parabola<1>)),
+            Rotation::Pendulum { .. } => Some(quote!(#private::Pendulum)),
         },
     )
 }
@@ -101,7 +101,7 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
     let axes = Literal::usize_unsuffixed(shapes.motion.axes());
     match rotation {
         None => quote!(#private::Parabola<#axes>),
-        Some(rotation) if shapes.motion.translates => {
+        Some(rotation) if shapes.motion.translates() => {
             quote!(#private::Flight<#rotation, #axes>)
         }
         Some(rotation) => rotation,
@@ -112,15 +112,11 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
 /// that there is.
 fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
     let shapes = &writer.shapes;
-    let linear = if shapes.motion.translates {
-        shapes.vector_part(&flow.linear)
-    } else {
-        &[]
-    };
-    let outputs = [linear, &path_roots(writer.outline, &flow.turning)].concat();
+    let linear = &flow.linear[shapes.motion.linear_axes()];
+    let outputs = [linear, &path_roots(writer.outline, &flow.rotation)].concat();
     Method::write(writer, &outputs, |values| {
-        let center = shapes.motion.translates.then(|| center(shapes, values));
-        let rotation = rotation(shapes, &flow.turning, values);
+        let center = shapes.motion.translates().then(|| center(shapes, values));
+        let rotation = rotation(shapes, &flow.rotation, values);
         match (center, rotation) {
             (Some(center), Some(rotation)) => {
                 let private = &shapes.private;
@@ -132,10 +128,10 @@ fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
 }
 
 /// What the path reads of a body: entries of a tensor only where it has no principal axes.
-fn path_roots(outline: &Outline, turning: &Turning) -> Vec<Id> {
-    match turning {
-        Turning::Free(Free::Tensor(entries)) if outline.scalar.is_some() => entries.to_vec(),
-        _ => turning.roots(),
+fn path_roots(outline: &Outline, rotation: &Rotation) -> Vec<Id> {
+    match rotation {
+        Rotation::Free(Free::Tensor(entries)) if outline.scalar.is_some() => entries.to_vec(),
+        _ => rotation.roots(),
     }
 }
 
@@ -145,12 +141,12 @@ fn center(shapes: &Shapes, values: &mut Values<'_>) -> TokenStream {
     quote!(#private::Parabola { position: #state.position, velocity: #state.velocity, acceleration: #acceleration })
 }
 
-fn rotation(shapes: &Shapes, turning: &Turning, values: &mut Values<'_>) -> Option<TokenStream> {
+fn rotation(shapes: &Shapes, rotation: &Rotation, values: &mut Values<'_>) -> Option<TokenStream> {
     let (private, state) = (&shapes.private, local("state"));
-    Some(match turning {
-        Turning::None => return None,
-        Turning::GreatCircle => quote!(#private::GreatCircle::new(#state.axis, #state.axis_rate)),
-        Turning::Uniform(_) => {
+    Some(match rotation {
+        Rotation::None => return None,
+        Rotation::GreatCircle => quote!(#private::GreatCircle::new(#state.axis, #state.axis_rate)),
+        Rotation::Uniform(_) => {
             let acceleration = values.next();
             quote!(#private::Parabola {
                 position: [#state.angle].into(),
@@ -158,18 +154,18 @@ fn rotation(shapes: &Shapes, turning: &Turning, values: &mut Values<'_>) -> Opti
                 acceleration: [#acceleration].into(),
             })
         }
-        Turning::Pendulum { .. } => {
+        Rotation::Pendulum { .. } => {
             let (rate, hanging) = (values.next(), values.next());
             let state = turning_state(shapes, "Hinge", "angle");
             quote!(#private::Pendulum::new(#rate, #hanging, #state))
         }
-        Turning::Free(free) => free_rotation(shapes, free, values),
-        Turning::Top(_) => {
+        Rotation::Free(free) => free_rotation(shapes, free, values),
+        Rotation::Top(_) => {
             let (moments, axis, couple) = (list(values, 2), list(values, 3), list(values, 3));
             let state = turning_state(shapes, "Rotation", "attitude");
             quote!(#private::lagrange_top(#moments, #axis, #couple, #state))
         }
-        Turning::Axial(_) => {
+        Rotation::Axial(_) => {
             let (moments, axis, torque) = (list(values, 2), list(values, 3), values.next());
             let state = turning_state(shapes, "Rotation", "attitude");
             quote!(#private::axial_torque(#moments, #axis, #torque, #state))
@@ -182,7 +178,7 @@ fn rotation(shapes: &Shapes, turning: &Turning, values: &mut Values<'_>) -> Opti
 fn turning_state(shapes: &Shapes, kind: &str, coordinate: &str) -> TokenStream {
     let (private, state) = (&shapes.private, local("state"));
     let (kind, coordinate) = (format_ident!("{kind}"), format_ident!("{coordinate}"));
-    if shapes.motion.translates {
+    if shapes.motion.translates() {
         quote!(&#private::#kind { #coordinate: #state.#coordinate, angular_velocity: #state.angular_velocity })
     } else {
         quote!(#state)

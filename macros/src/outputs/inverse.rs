@@ -8,7 +8,7 @@ use crate::lower::{INVERSE, Offer, is_drive};
 use crate::mechanics::derive_inverse;
 use crate::symbolic::{Components, Id, Node};
 
-use super::output::{Given, Output};
+use super::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
     obstacle: |description| {
@@ -29,8 +29,8 @@ impl Output for Inverse {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
-        self.0 = Some(derive_inverse(given.model, given.work, given.errors)?);
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+        self.0 = Some(derive_inverse(basis.model, basis.work, basis.errors)?);
         Some(())
     }
 
@@ -62,13 +62,13 @@ impl Output for Inverse {
         }
         let has_pivots = method.facts.has_pivots;
         let kind = site.fallible(site.own_type("Drives"), has_pivots);
-        let given = [
+        let arguments = [
             Source::Time,
             Source::State,
             Source::Acceleration,
             Source::Input,
         ];
-        let methods = [("inverse", &method, &given[..], &kind)];
+        let methods = [("inverse", &method, &arguments[..], &kind)];
         let remark =
             " Where the configuration does not determine the drives, `inverse` returns an error.";
         Addition {

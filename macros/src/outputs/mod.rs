@@ -20,7 +20,7 @@ use crate::lower::Offer;
 use crate::mechanics::{Equations, Report, Switch};
 use crate::model::{Model, Outline, Workspace};
 
-use output::{Given, Output, Place};
+use output::{Basis, Output, Place};
 
 /// What is solved for, or looked for.
 fn solved() -> [Box<dyn Output>; 4] {
@@ -68,7 +68,7 @@ pub fn derive_outputs(
     errors: &mut Errors,
 ) -> Option<Outputs> {
     let mut outputs = wanted(outline);
-    let mut given = Given {
+    let mut basis = Basis {
         outline,
         model,
         equations,
@@ -76,7 +76,7 @@ pub fn derive_outputs(
         errors,
     };
     for output in &mut outputs.0 {
-        output.derive(&mut given)?;
+        output.derive(&mut basis)?;
     }
     Some(outputs)
 }

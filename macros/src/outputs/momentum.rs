@@ -8,7 +8,7 @@ use crate::lower::Offer;
 use crate::mechanics::{self, derive_momentum};
 use crate::symbolic::{Components, Id};
 
-use super::output::{Given, Output};
+use super::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,
@@ -23,8 +23,8 @@ impl Output for Momentum {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
-        self.0 = Some(derive_momentum(given.model, given.work));
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+        self.0 = Some(derive_momentum(basis.model, basis.work));
         Some(())
     }
 
@@ -48,7 +48,7 @@ impl Output for Momentum {
             moment(|momentum| &momentum.about_pole),
         );
         // the momentum of a body whose motion of G is not modelled is not known
-        let is_known = shapes.motion.knows_position;
+        let is_known = shapes.motion.knows_position();
         let linear = site.method(self.0.as_ref(), |writer, momentum| {
             if !is_known {
                 return Method::default();

@@ -22,7 +22,7 @@ pub trait Output {
     }
 
     /// Derives its expressions. `None` if there is no body, as the errors say.
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()>;
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()>;
 
     /// The expressions that code is generated for.
     fn roots(&self) -> Vec<Id> {
@@ -51,7 +51,7 @@ pub enum Place {
 }
 
 /// What an output is derived from.
-pub struct Given<'a> {
+pub struct Basis<'a> {
     pub outline: &'a Outline,
     pub model: &'a Model,
     pub equations: &'a Equations,

@@ -2,12 +2,12 @@
 
 use quote::quote;
 
-use crate::emit::code::{GIVEN, Site, Writer};
+use crate::emit::code::{COMMON, Site, Writer};
 use crate::emit::items::{Addition, write_open};
 use crate::lower::{Offer, is_unknown};
 use crate::symbolic::{Components, Id};
 
-use super::output::{Given, Output};
+use super::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
     word: "reactions",
@@ -29,8 +29,8 @@ impl Output for Reactions {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
-        self.0 = Some(given.equations.reactions.clone());
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+        self.0 = Some(basis.equations.reactions.clone());
         Some(())
     }
 
@@ -51,7 +51,7 @@ impl Output for Reactions {
             write_open(&writer, "Reactions", &outline.reactions, solved)
         });
         let kind = site.fallible(site.reactions_type(), is_fallible);
-        let methods = [("reactions", &method, &GIVEN[..], &kind)];
+        let methods = [("reactions", &method, &COMMON[..], &kind)];
         Addition::implement(
             site,
             "Reactions",

@@ -8,7 +8,7 @@ use crate::emit::items::Addition;
 use crate::mechanics::{Dependence, QUANTITIES, Structure, Symmetry};
 use crate::model::Outline;
 
-use super::output::{Given, Output, Place};
+use super::output::{Basis, Output, Place};
 
 #[derive(Default)]
 pub struct Structured(Option<Structure>);
@@ -18,8 +18,8 @@ impl Output for Structured {
         Some(Place::Last)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
-        self.0 = Some(given.equations.structure(given.model, given.work).clone());
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+        self.0 = Some(basis.equations.structure(basis.model, basis.work).clone());
         Some(())
     }
 

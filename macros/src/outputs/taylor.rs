@@ -11,7 +11,7 @@ use crate::lower::Offer;
 use crate::mechanics::{self, derive_taylor};
 use crate::symbolic::Id;
 
-use super::output::{Given, Output};
+use super::output::{Basis, Output};
 
 const OFFER: Offer = Offer::new("taylor");
 
@@ -23,11 +23,11 @@ impl Output for Taylor {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, given: &mut Given<'_>) -> Option<()> {
-        let (place, model) = (given.outline.place(OFFER.word)?, given.model);
-        let structure = given.equations.structure(model, given.work);
-        let motion = given.equations.accelerations;
-        self.0 = derive_taylor(model, given.work, place, motion, structure, given.errors);
+    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+        let (place, model) = (basis.outline.place(OFFER.word)?, basis.model);
+        let structure = basis.equations.structure(model, basis.work);
+        let motion = basis.equations.accelerations;
+        self.0 = derive_taylor(model, basis.work, place, motion, structure, basis.errors);
         Some(())
     }
 

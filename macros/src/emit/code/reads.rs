@@ -6,7 +6,6 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use crate::families::LoadKind;
 use crate::model::AXES;
 use crate::model::Declared;
 use crate::model::Motion;
@@ -25,16 +24,15 @@ fn places(motion: Motion) -> Vec<Place> {
     let (state, acceleration) = (local("state"), local("acceleration"));
     let axes = &AXES[..motion.axes()];
     let vector = |prefix: &str| axes.iter().map(|axis| format!("{prefix}{axis}")).collect();
-    let has_angle = motion.is_planar || motion.is_hinged();
     let angular = |name: &str, prefix: &str| {
-        let one = has_angle.then(|| vec![name.to_owned()]);
+        let one = motion.has_angle().then(|| vec![name.to_owned()]);
         one.unwrap_or_else(|| vector(prefix))
     };
     let of_state = |path: TokenStream, names: Vec<String>, variable: Variable| {
         (Source::State, quote!(#state.#path), names, variable)
     };
     // the acceleration of a motion with one kind of coordinates is not a struct
-    let is_struct = motion.translates && motion.has_attitude();
+    let is_struct = motion.translates() && motion.has_attitude();
     let of_acceleration = |name: &str, names: Vec<String>, variable: Variable| {
         let name = format_ident!("{name}");
         let part = is_struct.then(|| quote!(#acceleration.#name));
@@ -123,9 +121,9 @@ impl Block<'_> {
             return component_at_hand(&local("input"), outline.inputs.first());
         }
         self.reads.push(Source::State);
-        if motion.translates {
+        if motion.translates() {
             quote!(#state.velocity.x)
-        } else if motion.is_planar || motion.is_hinged() {
+        } else if motion.has_angle() {
             quote!(#state.angular_velocity)
         } else {
             quote!(#state.angular_velocity.x)
@@ -147,11 +145,9 @@ impl Block<'_> {
             self.reads.push(Source::Reactions);
             let (reactions, field) = (local("reactions"), local(&word.to_string()));
             let motion = self.writer.model.motion;
-            let names: Vec<String> = if motion.is_planar && *kind == LoadKind::Moment {
-                vec![word.to_string()]
-            } else {
-                let axes = AXES[..motion.axes()].iter();
-                axes.map(|axis| format!("{word}_{axis}")).collect()
+            let names: Vec<String> = match &AXES[motion.axes_of(*kind)] {
+                [_] => vec![word.to_string()],
+                axes => axes.iter().map(|axis| format!("{word}_{axis}")).collect(),
             };
             tokens.extend(self.read_components(&found, &quote!(#reactions.#field), &names));
         }

@@ -5,7 +5,8 @@ use core::ops::Range;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::model::{AXES, Motion, Outline, Pair};
+use crate::families::LoadKind;
+use crate::model::{AXES, Motion, Orientation, Outline, Pair};
 use crate::symbolic::{Components, Id};
 
 use super::naming::local;
@@ -71,7 +72,7 @@ impl Shapes {
 
     pub fn wrench_type(&self) -> TokenStream {
         match self.motion {
-            _ if !self.motion.knows_position => self.moment_type(),
+            _ if !self.motion.knows_position() => self.moment_type(),
             _ if self.motion.is_planar => self.scalar.holder("PlanarWrench"),
             _ => self.scalar.holder("Wrench"),
         }
@@ -91,60 +92,38 @@ impl Shapes {
         &components[..self.motion.axes()]
     }
 
-    /// The components that a moment has: in the plane, the one along z.
+    /// The components that a moment has.
     pub fn moment_part<'c>(&self, components: &'c Components) -> &'c [Id] {
-        &components[if self.motion.is_planar { 2..3 } else { 0..3 }]
-    }
-
-    /// The components of an angular acceleration: one in the plane and about an axis.
-    fn angular_axes(&self) -> Range<usize> {
-        if self.motion.is_planar || self.motion.is_hinged() {
-            2..3
-        } else {
-            0..3
-        }
+        &components[self.motion.axes_of(LoadKind::Moment)]
     }
 
     /// The components of a pair of a linear and an angular vector, as far as the motion has them.
     pub fn pair_part(&self, Pair { linear, angular }: &Pair) -> Vec<Id> {
-        let linear = if self.motion.translates {
-            self.vector_part(linear)
-        } else {
-            &[]
-        };
-        let angular = if self.motion.has_attitude() {
-            &angular[self.angular_axes()]
-        } else {
-            &[]
-        };
-        [linear, angular].concat()
+        let (linear_axes, angular_axes) = (self.motion.linear_axes(), self.motion.angular_axes());
+        [&linear[linear_axes], &angular[angular_axes]].concat()
     }
 
     /// The names of these components.
     pub fn pair_names(&self) -> Vec<String> {
-        let axes = &AXES[..self.motion.axes()];
-        let named = |name: &str| {
-            axes.iter()
-                .map(|axis| format!("{name}_{axis}"))
+        let named = |name: &str, axes: Range<usize>| {
+            let axes = AXES[axes].iter();
+            axes.map(|axis| format!("{name}_{axis}"))
                 .collect::<Vec<_>>()
         };
-        let linear = if self.motion.translates {
-            named("linear")
-        } else {
-            Vec::new()
-        };
-        let angular = match (self.motion.has_attitude(), self.angular_axes().len()) {
-            (true, 1) => vec!["angular".to_owned()],
-            (true, _) if self.motion.is_line() => named("axis"),
-            (true, _) => named("angular"),
-            (false, _) => Vec::new(),
+        let linear = named("linear", self.motion.linear_axes());
+        let axes = self.motion.angular_axes();
+        let angular = match self.motion.orientation {
+            Orientation::Fixed => Vec::new(),
+            Orientation::Angle => vec!["angular".to_owned()],
+            Orientation::Quaternion => named("angular", axes),
+            Orientation::Line => named("axis", axes),
         };
         [linear, angular].concat()
     }
 
     /// The components of a wrench; of a body that only turns, those of the moment.
     pub fn wrench_part(&self, force: &Components, moment: &Components) -> Vec<Id> {
-        let force = if self.motion.knows_position {
+        let force = if self.motion.knows_position() {
             self.vector_part(force)
         } else {
             &[]
@@ -166,14 +145,22 @@ impl Shapes {
         }
     }
 
+    /// What a load of this kind is made of.
+    pub fn load(&self, kind: LoadKind, values: &mut Values<'_>) -> TokenStream {
+        match kind {
+            LoadKind::Force => self.vector(values),
+            LoadKind::Moment => self.moment(values),
+        }
+    }
+
     pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
         match self.motion.acceleration {
             Some(_) => {
                 let is_rod = self.motion.is_line();
-                let turning = format_ident!("{}", if is_rod { "axis" } else { "angular" });
+                let part = format_ident!("{}", if is_rod { "axis" } else { "angular" });
                 let kind = self.acceleration_type();
                 let (linear, change) = (self.vector(values), self.moment(values));
-                quote!(#kind { linear: #linear, #turning: #change })
+                quote!(#kind { linear: #linear, #part: #change })
             }
             None if self.motion.is_hinged() => {
                 let value = values.next();
@@ -197,28 +184,25 @@ impl Shapes {
             quote!(#name: #value,)
         };
         let mut fields = TokenStream::new();
-        if self.motion.translates {
+        if self.motion.translates() {
             fields.extend(field("velocity", self.vector(values)));
         }
-        if self.motion.has_attitude() {
-            let name = if self.motion.is_line() {
-                "axis_rate"
-            } else {
-                "angular_velocity"
-            };
-            let value = if self.motion.is_hinged() {
+        match self.motion.orientation {
+            Orientation::Fixed => {}
+            Orientation::Angle => {
                 let value = values.next();
-                quote!(#value)
-            } else {
-                self.moment(values)
-            };
-            fields.extend(field(name, value));
+                fields.extend(field("angular_velocity", quote!(#value)));
+            }
+            Orientation::Quaternion => {
+                fields.extend(field("angular_velocity", self.vector(values)));
+            }
+            Orientation::Line => fields.extend(field("axis_rate", self.vector(values))),
         }
         quote!(#kind { #fields ..*#state })
     }
 
     pub fn wrench(&self, values: &mut Values<'_>) -> TokenStream {
-        if !self.motion.knows_position {
+        if !self.motion.knows_position() {
             return self.moment(values);
         }
         let kind = self.wrench_type();

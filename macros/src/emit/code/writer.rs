@@ -24,7 +24,7 @@ pub enum Source {
 }
 
 /// What most methods are given.
-pub const GIVEN: [Source; 3] = [Source::Time, Source::State, Source::Input];
+pub const COMMON: [Source; 3] = [Source::Time, Source::State, Source::Input];
 
 /// Expressions that the constructor stores, by their fields.
 #[derive(Default)]

@@ -179,7 +179,7 @@ fn constants(
 /// `arm`: unit, axes and default of a field.
 pub fn declared_doc(declared: &Declared) -> String {
     let axes = match declared.frame {
-        Some(frame) => format!(", {} axes", frame.word()),
+        Some(frame) => format!(", {} axes", frame.text()),
         None => String::new(),
     };
     let moving = if declared.moves {

@@ -15,19 +15,13 @@ pub fn write_open(
     solved: &[Components],
 ) -> Method {
     let shapes = &writer.shapes;
-    let part = |(kind, solved): (LoadKind, &Components)| match kind {
-        LoadKind::Force => shapes.vector_part(solved).to_vec(),
-        LoadKind::Moment => shapes.moment_part(solved).to_vec(),
-    };
-    let kinds = open.iter().map(|(_, kind)| *kind);
-    let outputs: Vec<Id> = kinds.zip(solved).flat_map(part).collect();
+    let parts = open.iter().zip(solved);
+    let parts = parts.flat_map(|((_, kind), solved)| &solved[shapes.motion.axes_of(*kind)]);
+    let outputs: Vec<Id> = parts.copied().collect();
     let name = format_ident!("{}{suffix}", writer.outline.name);
     Method::write(writer, &outputs, |values| {
         let fields = open.iter().map(|(field, kind)| {
-            let value = match kind {
-                LoadKind::Force => shapes.vector(values),
-                LoadKind::Moment => shapes.moment(values),
-            };
+            let value = shapes.load(*kind, values);
             quote!(#field: #value)
         });
         let solved = quote!(#name { #(#fields),* });

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::emit::code::{GIVEN, Method, Site, Source, Writer, local, number_literal};
+use crate::emit::code::{COMMON, Method, Site, Source, Writer, local, number_literal};
 use crate::mechanics::{Equations, Partial, Switch};
 use crate::symbolic::{Id, Number};
 
@@ -46,7 +46,7 @@ pub fn emit_rigid_body(
     let (state, input, scalar) = (shapes.state_type(), site.input_type(), shapes.scalar.kind());
     let acceleration = acceleration.declared(
         "acceleration",
-        &site.arguments(acceleration, &GIVEN),
+        &site.arguments(acceleration, &COMMON),
         &shapes.acceleration_type(),
     );
     let switches = equations.map(|equations| emit_switches(site, &equations.switches));
@@ -94,7 +94,7 @@ fn emit_lost_load(site: &Site<'_>, partial: &[Partial]) -> Option<TokenStream> {
         })
     });
     let name = quote!(::core::option::Option<&'static str>);
-    let method = method.declared("lost_load", &site.arguments(&method, &GIVEN), &name);
+    let method = method.declared("lost_load", &site.arguments(&method, &COMMON), &name);
     Some(quote!(#[cold] #method))
 }
 

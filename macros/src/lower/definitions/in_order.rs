@@ -37,7 +37,7 @@ impl Lowering<'_> {
         let mut mass = match description.mass {
             Some(_) => Mass::Reported,
             // that it is missing is reported
-            None if self.motion.knows_position => Mass::Reported,
+            None if self.motion.knows_position() => Mass::Reported,
             None => Mass::Absent,
         };
         self.check_mass_key(
@@ -207,7 +207,7 @@ impl Lowering<'_> {
             }
             return;
         }
-        if description.mass.is_some() || !self.motion.knows_position {
+        if description.mass.is_some() || !self.motion.knows_position() {
             return;
         }
         self.scope.define("mass", None);

@@ -3,7 +3,7 @@
 use crate::lower::expressions::{
     Lowering, UNTURNED, Value, dimension, has_placeholder, lower_unit, strip_unit,
 };
-use crate::model::{Declared, Defaults, Dimension, Frame, Meaning, Point};
+use crate::model::{Declared, Defaults, Dimension, FrameWord, Meaning, Point};
 use crate::symbolic::{Id, Number, Stage};
 use crate::syntax::{Declaration, Expression, Kind};
 
@@ -47,7 +47,7 @@ impl Lowering<'_> {
             defaults.insert(symbol, id);
             return Some(Value::Scalar(symbol, declared.dimension));
         }
-        let Some(frame) = declared.frame else {
+        let Some(frame) = declared.frame.map(|word| self.state.frame(word)) else {
             return self.report(
                 value.extent,
                 "write a vector parameter with its components: `body(..)` or `world(..)`",
@@ -71,8 +71,8 @@ impl Lowering<'_> {
         ))
     }
 
-    /// What is written of a default, in `frame` if it is a vector.
-    fn default_value(&mut self, value: &Expression, frame: Option<Frame>) -> Option<Value> {
+    /// What is written of a default, of a vector in these axes.
+    fn default_value(&mut self, value: &Expression, frame: Option<FrameWord>) -> Option<Value> {
         let mut names = value.names().into_iter();
         if let Some(open) = names.find(|name| self.scope.is_open(&name.to_string())) {
             return self.report(
@@ -86,10 +86,8 @@ impl Lowering<'_> {
         if frame.is_none() || !matches!(strip_unit(value).kind, Kind::Tuple(_)) {
             return self.value(value);
         }
-        let (frame, components) = match self.point(value)? {
-            Point::Body(components) => (Frame::BODY, components),
-            Point::World(components) => (Frame::WORLD, components),
-            Point::Moving(_) => return None,
+        let Point::Fixed(frame, components) = self.point(value)? else {
+            return None;
         };
         Some(Value::Components(frame, components, Dimension::LENGTH))
     }
@@ -146,8 +144,8 @@ impl Lowering<'_> {
 
     /// A vector in body axes that is given from outside may have any direction, and one of a rod
     /// not.
-    fn check_not_in_rod(&mut self, frame: Option<Frame>, value: &Expression) -> Option<()> {
-        if frame == Some(Frame::BODY) && self.motion.is_line() {
+    fn check_not_in_rod(&mut self, frame: Option<FrameWord>, value: &Expression) -> Option<()> {
+        if frame == Some(FrameWord::Body) && self.motion.is_line() {
             return self.report(
                 value.extent,
                 format!(
@@ -199,7 +197,8 @@ impl Lowering<'_> {
             }
             declared.dimension = dimension;
         }
-        let (Some(frame), Kind::Call(_, parts)) = (declared.frame, &strip_unit(value).kind) else {
+        let frame = declared.frame.map(|word| self.state.frame(word));
+        let (Some(frame), Kind::Call(_, parts)) = (frame, &strip_unit(value).kind) else {
             let name = &declared.name;
             return self.report(
                 value.extent,

@@ -2,7 +2,7 @@
 //! `.at(world(..))`.
 
 use crate::lower::expressions::Lowering;
-use crate::model::{Defaults, Dimension, Frame, Point, Support};
+use crate::model::{Defaults, Dimension, Frame, Support};
 use crate::syntax::{self, Description, Expression};
 
 impl Lowering<'_> {
@@ -63,27 +63,22 @@ impl Lowering<'_> {
     }
 
     fn held_point(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
-        match self.point(written)? {
-            Point::Body(offset) => Some(offset),
-            other => self.report(
-                written.extent,
-                format!(
-                    "a support holds a point of the body, and this one is {}: name the point of \
-                     the body, and where it is held as `.at(world(..))`",
-                    other.where_else()
-                ),
-            ),
-        }
+        self.body_point(written, |place| {
+            format!(
+                "a support holds a point of the body, and this one is {place}: name the point of \
+                 the body, and where it is held as `.at(world(..))`"
+            )
+        })
     }
 
     fn anchor(&mut self, written: &Expression) -> Option<crate::symbolic::Components> {
-        match self.point(written)? {
-            Point::World(position) => Some(position),
-            Point::Body(_) | Point::Moving(_) => self.report(
+        let position = self.point(written)?.offset(Frame::WORLD);
+        position.or_else(|| {
+            self.report(
                 written.extent,
                 "a support is held at a point in space: write `.at(world(..))`",
-            ),
-        }
+            )
+        })
     }
 
     /// A unit vector along `written`; at the angle zero both axes are the same. That of a rod is

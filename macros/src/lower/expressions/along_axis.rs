@@ -71,8 +71,8 @@ impl Lowering<'_> {
     pub fn on_axis(&mut self, point: Point, place: Extent) -> Option<Point> {
         // no offset from G is known before the parts are
         let is_known = self.composed.is_some() || !self.has_parts;
-        match point {
-            Point::Body(offset) if is_known && !self.is_along_axis(offset) => self.report(
+        match point.offset(self.state.body) {
+            Some(offset) if is_known && !self.is_along_axis(offset) => self.report(
                 place,
                 format!("{UNTURNED}, and this point is not on it: write a point of the axis, or `world(..)`"),
             ),

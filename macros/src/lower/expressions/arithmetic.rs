@@ -1,7 +1,7 @@
 //! Signs, sums, products, comparisons and choices.
 
 use crate::errors::Extent;
-use crate::model::{Dimension, Point, Vector};
+use crate::model::{Dimension, Frame, Point, Vector};
 use crate::symbolic::{Comparison, Id};
 use crate::syntax::{Expression, Kind, Operator, Prefix, Step};
 
@@ -110,8 +110,8 @@ impl Lowering<'_> {
 
     fn sum(&mut self, left: Value, right: Value, sides: Sides<'_>) -> Option<Value> {
         let is_sum = sides.step.operator == Operator::Add;
-        if let (Value::Point(point @ (Point::Body(_) | Point::Moving(_))), Some(vector)) =
-            (left, self.as_vector(right))
+        if let (Value::Point(point), Some(vector)) = (left, self.as_vector(right))
+            && !matches!(point, Point::Fixed(Frame::WORLD, _))
         {
             return self.point_beside(point, vector, dimension(right)?, sides);
         }
@@ -225,16 +225,14 @@ impl Lowering<'_> {
         };
         let from_center = match point {
             Point::Moving(offset) => offset,
-            Point::Body(offset) | Point::World(offset) => {
-                self.work.fixed_in(self.state.body, offset)
-            }
+            Point::Fixed(body, offset) => self.work.fixed_in(body, offset),
         };
         let offset = self.work.add(from_center, vector);
         let body = self.state.body;
         let part = self.work.part(offset, body);
         let is_fixed = self.work.is_in(offset, body) && self.work.graph.are_early(&part);
         Some(Value::Point(if is_fixed {
-            Point::Body(part)
+            Point::Fixed(body, part)
         } else {
             Point::Moving(offset)
         }))

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::model::{Attitude, Dimension, Frame, Point};
+use crate::model::{Attitude, Dimension, Frame};
 use crate::symbolic::Number;
 
 use super::along_axis::UNTURNED;
@@ -25,7 +25,7 @@ impl Lowering<'_> {
                 graph.number(Number::pi() * Number::integer(2)),
                 Dimension::ANY,
             )),
-            "G" => Some(Value::Point(Point::Body(graph.zeros()))),
+            "G" => Some(Value::Point(self.state.mass_center(self.work))),
             "position" | "velocity" => self.motion_of_center(name),
             "axis" | "axis_rate" if self.motion.is_line() => {
                 let axis = self.state.axis?;
@@ -109,7 +109,7 @@ impl Lowering<'_> {
     }
 
     fn motion_of_center(&mut self, name: &Ident) -> Option<Value> {
-        if !self.motion.knows_position {
+        if !self.motion.knows_position() {
             return self.report(
                 name.span(),
                 format!(

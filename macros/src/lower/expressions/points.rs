@@ -1,7 +1,7 @@
 //! Points, and the components of points and vectors.
 
 use crate::errors::Extent;
-use crate::model::{Dimension, Frame, Point};
+use crate::model::{Dimension, Frame, FrameWord, Point};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Expression, Kind};
 
@@ -15,16 +15,20 @@ impl Lowering<'_> {
     /// drawing origin, or a vector that is fixed in its frame.
     pub fn point(&mut self, expression: &Expression) -> Option<Point> {
         if let Some((components, found)) = self.tuple(expression)? {
-            return self.fixed_point(Point::Body(components), found, expression);
+            return self.fixed_point(self.state.body, components, found, expression);
         }
         match self.value(expression)? {
             Value::Point(point) => Some(point),
             Value::Components(frame, components, found) => {
-                self.fixed_point(Point::in_frame(frame, components), found, expression)
+                self.fixed_point(frame, components, found, expression)
             }
             Value::Vector(vector, found) => {
                 let (frame, part) = match *self.work.parts(vector) {
-                    [] => (written_frame(expression), self.work.graph.zeros()),
+                    [] => {
+                        let word = written_frame(expression);
+                        let frame = word.map(|word| self.state.frame(word));
+                        (frame, self.work.graph.zeros())
+                    }
                     [(frame, part)] => (Some(frame), part),
                     _ => {
                         return self.report(
@@ -47,9 +51,7 @@ impl Lowering<'_> {
                             "a point of a rod is written with its coordinates in the body, `(x, y, \
                              z)`, or from another point, as `G + s * axis`",
                         ),
-                    Some(frame) => {
-                        self.fixed_point(Point::in_frame(frame, part), found, expression)
-                    }
+                    Some(frame) => self.fixed_point(frame, part, found, expression),
                 }
             }
             other => self.report(
@@ -61,7 +63,8 @@ impl Lowering<'_> {
 
     fn fixed_point(
         &mut self,
-        point: Point,
+        frame: Frame,
+        components: Components,
         found: Dimension,
         written: &Expression,
     ) -> Option<Point> {
@@ -69,16 +72,25 @@ impl Lowering<'_> {
             let (place, found) = (self.culprit(written, Dimension::LENGTH), found.described());
             return self.report(place, format!("a point is in m, and this is {found}"));
         }
-        let components = match point {
-            Point::Body(components) | Point::World(components) => components,
-            Point::Moving(_) => return Some(point),
-        };
         self.check_early(written, &components, "a point is fixed")?;
-        let (Point::Body(from_origin), Some(composed)) = (point, self.composed) else {
-            return self.on_axis(point, written.extent);
+        let offset = match self.composed {
+            Some(composed) if frame == self.state.body => {
+                composed.offset(&mut self.work.graph, components)
+            }
+            _ => components,
         };
-        let offset = composed.offset(&mut self.work.graph, from_origin);
-        self.on_axis(Point::Body(offset), written.extent)
+        self.on_axis(Point::Fixed(frame, offset), written.extent)
+    }
+
+    /// The offset of a point of the body from G; of another one, `what` is wrong with it.
+    pub fn body_point(
+        &mut self,
+        written: &Expression,
+        what: impl Fn(&str) -> String,
+    ) -> Option<Components> {
+        let point = self.point(written)?;
+        let offset = point.offset(self.state.body);
+        offset.or_else(|| self.report(written.extent, what(point.where_else())))
     }
 
     /// `(x, y, z)`, `body(x, y, z)` and both with a unit; the inner `None` is anything else.
@@ -89,7 +101,7 @@ impl Lowering<'_> {
             Kind::Call(word, parts) if word == "body" => {
                 self.component_list(parts, expression.extent).map(Some)
             }
-            Kind::Unit(inner, unit) if written_frame(inner) == Some(Frame::BODY) => {
+            Kind::Unit(inner, unit) if written_frame(inner) == Some(FrameWord::Body) => {
                 let Some((components, found)) = self.tuple(inner)? else {
                     return Some(None);
                 };

@@ -147,7 +147,7 @@ impl Lowering<'_> {
         } else {
             Dimension::VELOCITY
         };
-        if !self.motion.knows_position && !matches!(point, Point::World(_)) {
+        if !self.motion.knows_position() && !matches!(point, Point::Fixed(Frame::WORLD, _)) {
             return self.report(
                 method.span(),
                 format!(
@@ -159,7 +159,8 @@ impl Lowering<'_> {
         self.check_support_is_read(method)?;
         let vector = match (point, word.as_str()) {
             (point, "position") => self.state.place(self.work, point),
-            (Point::Body(offset), _) => {
+            (Point::Fixed(Frame::WORLD, _), _) => Vector::ZERO,
+            (Point::Fixed(_, offset), _) => {
                 let swept = self.state.swept(self.work, offset);
                 self.work.add(self.state.velocity, swept)
             }
@@ -167,7 +168,6 @@ impl Lowering<'_> {
                 let swept = self.swept(offset);
                 self.work.add(self.state.velocity, swept)
             }
-            (Point::World(_), _) => Vector::ZERO,
         };
         Some(Value::Vector(vector, dimension))
     }
@@ -178,8 +178,8 @@ impl Lowering<'_> {
         for (frame, part) in self.work.parts(offset).to_vec() {
             let mut w = self.state.angular_velocity;
             if frame != self.state.axes && !self.motion.is_planar {
-                let turning = self.work.vector(self.state.axes, w);
-                w = self.work.components(turning, frame);
+                let own = self.work.vector(self.state.axes, w);
+                w = self.work.components(own, frame);
             }
             let product = self.work.graph.cross(w, part);
             let product = self.work.vector(frame, product);

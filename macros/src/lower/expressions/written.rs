@@ -2,7 +2,7 @@
 
 use crate::errors::Extent;
 use crate::families::Family;
-use crate::model::{Frame, MOTIONS, Motion, is_solid};
+use crate::model::{FrameWord, MOTIONS, Motion, is_solid};
 use crate::syntax::{self, Description, Expression, Kind, Operator};
 
 /// Whether a load has unknown components.
@@ -79,12 +79,12 @@ pub fn has_placeholder(value: &Expression) -> bool {
 }
 
 /// The axes in which a vector is written, as far as its form tells.
-pub fn written_frame(value: &Expression) -> Option<Frame> {
+pub fn written_frame(value: &Expression) -> Option<FrameWord> {
     match &value.kind {
         Kind::Unit(operand, _) | Kind::Prefix(_, operand) => written_frame(operand),
-        Kind::Tuple(_) => Some(Frame::BODY),
-        Kind::Call(name, _) if name == "body" => Some(Frame::BODY),
-        Kind::Call(name, _) if name == "world" => Some(Frame::WORLD),
+        Kind::Tuple(_) => Some(FrameWord::Body),
+        Kind::Call(name, _) if name == "body" => Some(FrameWord::Body),
+        Kind::Call(name, _) if name == "world" => Some(FrameWord::World),
         _ => None,
     }
 }

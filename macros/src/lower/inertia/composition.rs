@@ -6,11 +6,11 @@
 
 use crate::errors::Extent;
 use crate::lower::expressions::{Lowering, base, is_of_solid};
-use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, Point, shown};
+use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, shown};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Composition, Expression, Kind, Part};
 
-use super::draft::Given;
+use super::draft::Context;
 
 const NO_MASS: &str = "this part has no mass: write `.mass(1[kg])` behind it";
 const HOLE: &str = "a part of negative mass is a hole, and a hole is a solid or a point: write \
@@ -175,11 +175,11 @@ impl Lowering<'_> {
         mass: Option<(Id, bool)>,
         defaults: &Defaults,
     ) -> Option<Inertia> {
-        let given = Given {
+        let context = Context {
             mass: mass.map_or(Mass::Reported, |(mass, _)| Mass::Known(mass)),
             defaults,
         };
-        let draft = self.form(&part.form, given)?;
+        let draft = self.form(&part.form, context)?;
         if !is_of_solid(&part.form) {
             if let (Some((_, true)), Some(Some(written))) = (mass, &part.mass) {
                 return self.report(written.extent, HOLE);
@@ -204,15 +204,8 @@ impl Lowering<'_> {
 
     /// Where a part is.
     fn place(&mut self, written: &Expression) -> Option<Components> {
-        match self.point(written)? {
-            Point::Body(offset) => Some(offset),
-            other => self.report(
-                written.extent,
-                format!(
-                    "a part is fixed in the body, and this point is {}",
-                    other.where_else()
-                ),
-            ),
-        }
+        self.body_point(written, |place| {
+            format!("a part is fixed in the body, and this point is {place}")
+        })
     }
 }

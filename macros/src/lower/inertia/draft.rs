@@ -7,7 +7,7 @@ use crate::syntax::{Expression, Kind, Prefix};
 
 /// What an inertia is read with.
 #[derive(Clone, Copy)]
-pub struct Given<'d> {
+pub struct Context<'d> {
     pub mass: Mass,
     pub defaults: &'d Defaults,
 }

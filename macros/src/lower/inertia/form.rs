@@ -9,7 +9,7 @@ use crate::symbolic::Id;
 use crate::syntax::{Description, Expression, Kind, UnitExpression};
 
 use super::across_axis::FORMS_OF_ROD;
-use super::draft::{Draft, Entry, Given};
+use super::draft::{Context, Draft, Entry};
 
 impl Lowering<'_> {
     /// Lowers the value of `inertia:` and checks it as far as it is known; `defaults` are the
@@ -47,7 +47,7 @@ impl Lowering<'_> {
         };
         let value = written.value.as_ref()?;
         // what is not needed is read all the same, so that its mistakes are found
-        let draft = self.form(value, Given { mass, defaults })?;
+        let draft = self.form(value, Context { mass, defaults })?;
         let turns = self.motion.has_attitude();
         match &base(value).kind {
             Kind::Call(word, _) if word == "rod" && !self.motion.has_one_moment() => {
@@ -76,8 +76,8 @@ impl Lowering<'_> {
     }
 
     /// An inertia, constant, as the kind of motion has it.
-    pub fn form(&mut self, written: &Expression, given: Given<'_>) -> Option<Draft> {
-        let mut draft = self.draft(written, given)?;
+    pub fn form(&mut self, written: &Expression, context: Context<'_>) -> Option<Draft> {
+        let mut draft = self.draft(written, context)?;
         if let (true, Inertia::Spatial(rows)) = (self.motion.is_planar, draft.inertia) {
             draft.inertia = Inertia::Scalar(rows[2][2]);
         }
@@ -89,24 +89,24 @@ impl Lowering<'_> {
         Some(draft)
     }
 
-    fn draft(&mut self, written: &Expression, given: Given<'_>) -> Option<Draft> {
+    fn draft(&mut self, written: &Expression, context: Context<'_>) -> Option<Draft> {
         match &written.kind {
-            Kind::Unit(inner, unit) if !is_scalar(inner) => self.in_unit(inner, unit, given),
+            Kind::Unit(inner, unit) if !is_scalar(inner) => self.in_unit(inner, unit, context),
             Kind::Method(inner, method, arguments) if method == "about" => {
-                let draft = self.draft(inner, given);
+                let draft = self.draft(inner, context);
                 let [point] = arguments.as_slice() else {
                     return self
                         .report(method.span(), "`.about` takes one point: write `.about(P)`");
                 };
                 let point = self.point(point)?;
-                self.moved_to_center(draft?, point, given.mass, method)
+                self.moved_to_center(draft?, point, context.mass, method)
             }
             Kind::Method(inner, method, arguments) if method == "along" => {
-                let draft = self.draft(inner, given)?;
+                let draft = self.draft(inner, context)?;
                 self.along(draft, method, arguments)
             }
             Kind::Method(inner, method, arguments) if method == "turned" => {
-                let draft = self.draft(inner, given)?;
+                let draft = self.draft(inner, context)?;
                 self.turned(draft, method, arguments)
             }
             Kind::Method(inner, method, _)
@@ -125,7 +125,7 @@ impl Lowering<'_> {
             }
             Kind::Record(word, fields) => self.record(word, fields, written.extent),
             Kind::Call(word, lengths) if is_solid(word) => {
-                self.solid(word, lengths, written.extent, given)
+                self.solid(word, lengths, written.extent, context)
             }
             Kind::Call(word, _) if word == "point" => self.report(
                 word.span(),
@@ -150,9 +150,9 @@ impl Lowering<'_> {
         &mut self,
         inner: &Expression,
         unit: &UnitExpression,
-        given: Given<'_>,
+        context: Context<'_>,
     ) -> Option<Draft> {
-        let draft = self.draft(inner, given);
+        let draft = self.draft(inner, context);
         if is_of_solid(inner) {
             return self.report(
                 unit.extent,

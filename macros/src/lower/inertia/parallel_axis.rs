@@ -16,7 +16,7 @@ impl Lowering<'_> {
         mass: Mass,
         place: &Ident,
     ) -> Option<Draft> {
-        let Point::Body(r) = point else {
+        let Some(r) = point.offset(self.state.body) else {
             return self.report(
                 place.span(),
                 format!(

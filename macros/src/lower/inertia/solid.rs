@@ -8,7 +8,7 @@ use crate::model::{Dimension, Inertia, Mass, SOLIDS, Solid, shown};
 use crate::symbolic::{Id, Number};
 use crate::syntax::Expression;
 
-use super::draft::{Draft, Given};
+use super::draft::{Context, Draft};
 
 impl Lowering<'_> {
     /// `cylinder(r, h)` and the others: exactly, as everything that is built from numbers.
@@ -17,11 +17,11 @@ impl Lowering<'_> {
         word: &Ident,
         written: &[Expression],
         extent: Extent,
-        given: Given<'_>,
+        context: Context<'_>,
     ) -> Option<Draft> {
         let solid = SOLIDS.iter().find(|solid| word == solid.word)?;
-        let squares = self.squared_lengths(solid, word, written, given);
-        let mass = match given.mass {
+        let squares = self.squared_lengths(solid, word, written, context);
+        let mass = match context.mass {
             Mass::Known(mass) => Some(mass),
             Mass::Reported => None,
             Mass::Absent => self.report(
@@ -72,7 +72,7 @@ impl Lowering<'_> {
         solid: &Solid,
         word: &Ident,
         written: &[Expression],
-        given: Given<'_>,
+        context: Context<'_>,
     ) -> Option<Vec<Id>> {
         let (expected, found) = (solid.lengths.len(), written.len());
         if expected != found {
@@ -88,13 +88,13 @@ impl Lowering<'_> {
         }
         let lengths: Vec<Option<Id>> = written
             .iter()
-            .map(|length| self.length(length, given))
+            .map(|length| self.length(length, context))
             .collect();
         let lengths: Vec<Id> = lengths.into_iter().collect::<Option<_>>()?;
         if let Some((small, large, reason)) = solid.smaller
             && let (Some(a), Some(b)) = (
-                self.known(lengths[small], given.defaults),
-                self.known(lengths[large], given.defaults),
+                self.known(lengths[small], context.defaults),
+                self.known(lengths[large], context.defaults),
             )
             && a >= b
         {
@@ -116,10 +116,10 @@ impl Lowering<'_> {
         )
     }
 
-    fn length(&mut self, written: &Expression, given: Given<'_>) -> Option<Id> {
+    fn length(&mut self, written: &Expression, context: Context<'_>) -> Option<Id> {
         let length = self.scalar(written, Dimension::LENGTH, "a length")?;
         self.check_early(written, &[length], "a length of a rigid body is constant")?;
-        match self.known(length, given.defaults) {
+        match self.known(length, context.defaults) {
             Some(number) if !number.is_positive() => {
                 let number = shown(&number);
                 self.report(

@@ -142,7 +142,7 @@ impl Lowering<'_> {
                     None => format!("{name}{unit}"),
                     Some(frame) => {
                         let open = vec!["_"; self.motion.axes()].join(", ");
-                        format!("{name} = {}({open}){unit}", frame.word())
+                        format!("{name} = {}({open}){unit}", frame.text())
                     }
                 };
                 format!(

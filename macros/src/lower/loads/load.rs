@@ -2,7 +2,7 @@
 
 use crate::families::LoadKind;
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Load, Point, Vector};
+use crate::model::{Dimension, Frame, Load, Point, Vector};
 use crate::syntax::{self, Written};
 
 impl Lowering<'_> {
@@ -41,26 +41,26 @@ impl Lowering<'_> {
         match &written.point {
             Some(None) => None,
             Some(Some(point)) => self.point(point).and_then(|found| match found {
-                Point::World(_) if !self.motion.knows_position => self.report(
+                Point::Fixed(Frame::WORLD, _) if !self.motion.knows_position() => self.report(
                     point.extent,
                     "where this point is relative to the body is not known under `motion: \
                      rotation`: the motion of G is not modelled",
                 ),
                 found => Some(found),
             }),
-            None => Some(Point::Body(self.work.graph.zeros())),
+            None => Some(self.state.mass_center(self.work)),
         }
     }
 
     pub fn pole(&mut self, written: Option<&Written>) -> Option<Point> {
         let Some(written) = written else {
-            return Some(Point::Body(self.work.graph.zeros()));
+            return Some(self.state.mass_center(self.work));
         };
         let value = written.value.as_ref()?;
         let point = self.point(value)?;
-        let graph = &self.work.graph;
-        let is_center = matches!(point, Point::Body(offset) if graph.is_zero_vector(&offset));
-        if !self.motion.knows_position && !is_center {
+        let offset = point.offset(self.state.body);
+        let is_center = offset.is_some_and(|offset| self.work.graph.is_zero_vector(&offset));
+        if !self.motion.knows_position() && !is_center {
             return self.report(
                 value.extent,
                 "under `motion: rotation` the moment balance is written about G: the motion of G \

@@ -18,16 +18,16 @@ impl Lowering<'_> {
     /// Reads all potentials, and the uniform fields on charges.
     pub fn potentials(&mut self, description: &Description) -> Option<Potentials> {
         let loads = description.loads.iter();
-        let given: Vec<&Load> = loads
+        let known: Vec<&Load> = loads
             .filter(|load| !is_unknown(load) && !is_drive(load))
             .collect();
-        let on_charges = given
+        let on_charges = known
             .iter()
             .enumerate()
             .filter(|(_, load)| load.charges.is_some())
             .map(|(place, load)| (place, &load.name));
         let scalars = description.potentials.iter().enumerate();
-        let scalars = scalars.map(|(index, scalar)| (given.len() + index, &scalar.name));
+        let scalars = scalars.map(|(index, scalar)| (known.len() + index, &scalar.name));
         let mut list: Vec<Potential> = on_charges
             .chain(scalars)
             .map(|(place, name)| Potential {
@@ -38,7 +38,7 @@ impl Lowering<'_> {
             .collect();
         let mut forms = Vec::new();
         if !list.is_empty() {
-            let (form, has_choice) = self.potential_form(description, Frame::BODY)?;
+            let (form, has_choice) = self.potential_form(description, self.state.body)?;
             for (potential, charges) in list.iter_mut().zip(&form.charges) {
                 potential.charges = Some(*charges);
             }
@@ -85,7 +85,7 @@ impl Lowering<'_> {
     /// The position of G, where it is a coordinate; else a virtual displacement, which is added to
     /// it.
     fn displacement(&mut self) -> Components {
-        if self.motion.translates {
+        if self.motion.translates() {
             return self.work.part(self.state.position, Frame::WORLD);
         }
         let axes = self.motion.axes();
@@ -145,7 +145,7 @@ impl Lowering<'_> {
     /// The symbols of velocity and angular velocity, or of the rate of an axis.
     fn rates(&self) -> Vec<Id> {
         let mut all = self.work.entries(&[self.state.velocity]);
-        all.extend(self.state.turning());
+        all.extend(self.state.turn_rate());
         self.late_symbols(&all)
     }
 

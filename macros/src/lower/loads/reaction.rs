@@ -15,32 +15,14 @@ use crate::syntax::{self, Description, Expression, Kind, UnitExpression};
 impl Lowering<'_> {
     /// A reaction with unknown components; `index` is its place among them.
     pub fn reaction(&mut self, index: usize, written: &syntax::Load) -> Option<Reaction> {
-        let value = written.vector.as_ref()?;
         let point = self.point_of_reaction(written);
-        let along = match direction(value) {
-            Some(direction) => Some(self.vector(direction, Dimension::NONE, "a direction")?),
-            None => None,
-        };
-        let (frame, given) = match along {
-            Some(_) => (Frame::WORLD, self.work.graph.zeros()),
-            None => self.known_part(value, written.kind)?,
-        };
-        let axes = if self.is_planar_moment(written) {
-            2..3
-        } else {
-            0..self.motion.axes()
-        };
+        let reaction = self.open_load(written, point, |_, _| Some(()))?;
+        let axes = self.motion.axes_of(written.kind);
         let meaning = |axis| Meaning::Reaction(index, axis);
         let symbols = self.work.symbols(Stage::State, axes, meaning);
         Some(Reaction {
-            name: written.name.clone(),
-            kind: written.kind,
-            point: point?,
-            frame,
-            given,
-            unknown: self.unknown_components(written),
-            along,
             symbols: self.work.vector(Frame::WORLD, symbols),
+            ..reaction
         })
     }
 
@@ -56,50 +38,53 @@ impl Lowering<'_> {
             );
         }
         let point = self.point_of_load(written);
+        self.open_load(written, point, |lowering, known| {
+            if lowering.work.graph.is_zero_vector(&known) {
+                return Some(());
+            }
+            lowering.report(
+                value.extent,
+                "what is known of a drive is a load of its own: write 0 here",
+            )
+        })
+    }
+
+    /// A load with unknown components, if what is known of it may be so.
+    fn open_load(
+        &mut self,
+        written: &syntax::Load,
+        point: Option<Point>,
+        check: impl Fn(&mut Self, Components) -> Option<()>,
+    ) -> Option<Reaction> {
+        let value = written.vector.as_ref()?;
         let along = match direction(value) {
             Some(direction) => Some(self.vector(direction, Dimension::NONE, "a direction")?),
             None => None,
         };
-        let (frame, given) = match along {
+        let (frame, known) = match along {
             Some(_) => (Frame::WORLD, self.work.graph.zeros()),
             None => self.known_part(value, written.kind)?,
         };
-        if !self.work.graph.is_zero_vector(&given) {
-            return self.report(
-                value.extent,
-                "what is known of a drive is a load of its own: write 0 here",
-            );
-        }
+        check(self, known)?;
+        // in the plane the one component of a moment is about the normal
+        let first = self.motion.axes_of(written.kind).start;
+        let unknown = placeholders(value);
         Some(Reaction {
             name: written.name.clone(),
             kind: written.kind,
             point: point?,
             frame,
-            given,
-            unknown: self.unknown_components(written),
+            known,
+            unknown: unknown.map(|(axis, place)| (first + axis, place)).collect(),
             along,
             symbols: Vector::ZERO,
         })
     }
 
-    /// A moment in the plane has one component, about its normal.
-    fn is_planar_moment(&self, written: &syntax::Load) -> bool {
-        written.kind == LoadKind::Moment && self.motion.is_planar
-    }
-
-    /// The axes of the components written `_`, and where they are.
-    fn unknown_components(&self, written: &syntax::Load) -> Vec<(usize, Extent)> {
-        let about_normal = self.is_planar_moment(written);
-        let written = written.vector.iter().flat_map(placeholders);
-        written
-            .map(|(axis, place)| (if about_normal { 2 } else { axis }, place))
-            .collect()
-    }
-
     /// The point at which a reaction acts, which turns with the body if a support is solved for.
     fn point_of_reaction(&mut self, written: &syntax::Load) -> Option<Point> {
         let value = written.vector.as_ref()?;
-        if written.kind == LoadKind::Force && !self.motion.knows_position {
+        if written.kind == LoadKind::Force && !self.motion.knows_position() {
             let place = placeholders(value).next()?.1;
             return self.report(
                 place,
@@ -108,7 +93,7 @@ impl Lowering<'_> {
             );
         }
         match (self.point_of_load(written)?, &written.point) {
-            (Point::World(_), Some(Some(point))) if !self.is_constrained => self.report(
+            (Point::Fixed(Frame::WORLD, _), Some(Some(point))) if !self.is_constrained => self.report(
                 point.extent,
                 "an unknown reaction acts at a point of the body, and this one is fixed in space",
             ),
@@ -116,7 +101,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The components that are given, and their axes.
+    /// The components that are known, and their axes.
     fn known_part(&mut self, value: &Expression, kind: LoadKind) -> Option<(Frame, Components)> {
         let expected = if kind == LoadKind::Force {
             Dimension::FORCE
@@ -132,11 +117,10 @@ impl Lowering<'_> {
             Some(unit) => self.unit_of_reaction(unit, expected)?,
         };
         let zeros = self.work.graph.zeros();
+        let components = self.motion.axes_of(kind).len();
         let Kind::Call(word, parts) = &inner.kind else {
-            // the moment of a planar body
-            let is_moment = kind == LoadKind::Moment && self.motion.is_planar;
-            return if is_moment {
-                Some((Frame::BODY, zeros))
+            return if components == 1 {
+                Some((self.state.body, zeros))
             } else {
                 self.report(
                     inner.extent,
@@ -145,13 +129,11 @@ impl Lowering<'_> {
             };
         };
         let frame = self.frame_of_reaction(word)?;
-        let axes = self.motion.axes();
-        let is_moment = kind == LoadKind::Moment;
-        if parts.len() != axes || (is_moment && self.motion.is_planar) {
-            let form = match (self.motion.is_planar, is_moment) {
-                (true, true) => "a moment is one scalar",
-                (true, false) => "a vector has two components",
-                (false, _) => "a vector has three components",
+        if parts.len() != components || components == 1 {
+            let form = match components {
+                1 => "a moment is one scalar",
+                2 => "a vector has two components",
+                _ => "a vector has three components",
             };
             return self.report(
                 inner.extent,
@@ -166,11 +148,11 @@ impl Lowering<'_> {
                 _ => self.scalar(part, of_component, "a component"),
             })
             .collect();
-        let mut given = zeros;
-        for (component, known) in given.iter_mut().zip(known) {
+        let mut components = zeros;
+        for (component, known) in components.iter_mut().zip(known) {
             *component = self.work.graph.multiply(factor, known?);
         }
-        Some((frame, given))
+        Some((frame, components))
     }
 
     fn unit_of_reaction(&mut self, unit: &UnitExpression, expected: Dimension) -> Option<Id> {
@@ -195,7 +177,7 @@ impl Lowering<'_> {
                 format!("{UNTURNED}: write `world(_, _, _)`, or `_ * axis` along it"),
             );
         }
-        Some(Frame::BODY)
+        Some(self.state.body)
     }
 
     /// Under constraints, loads may depend on the unknown reactions, by their names: friction does.

@@ -5,7 +5,7 @@
 
 use crate::errors::Extent;
 use crate::lower::expressions::{Lowering, Value, dimension};
-use crate::model::{Attitude, Charges, Dimension, Frame, Point, Vector};
+use crate::model::{Attitude, Charges, Dimension, Frame, Vector};
 use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Charge, Expression, Load};
 
@@ -111,16 +111,9 @@ impl Lowering<'_> {
     }
 
     fn charged_point(&mut self, written: &Expression) -> Option<Components> {
-        match self.point(written)? {
-            Point::Body(offset) => Some(offset),
-            other => self.report(
-                written.extent,
-                format!(
-                    "the charges of a body are on points of it, and this one is {}",
-                    other.where_else()
-                ),
-            ),
-        }
+        self.body_point(written, |place| {
+            format!("the charges of a body are on points of it, and this one is {place}")
+        })
     }
 
     /// It may depend on the time, on parameters and on inputs.

@@ -5,7 +5,7 @@ use crate::families::Family;
 use crate::lower::definitions::{check_names, definition_order, split_at_points};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
 use crate::model::{
-    Composed, Dimension, Frame, Load, Mass, Meaning, Member, Point, State, Workspace,
+    Composed, Dimension, Frame, Load, Mass, Meaning, Member, State, Workspace,
 };
 use crate::symbolic::{Components, Stage};
 use crate::syntax::Description;
@@ -53,7 +53,7 @@ impl<'a> Reader<'a> {
         self.members.bodies.push(BodyNames {
             name: body.name.to_string(),
             frame,
-            points: points(&draft.scope, body),
+            points: points(&draft.scope, body, frame),
             motion: None,
             values: values.into_iter().collect(),
         });
@@ -194,7 +194,8 @@ pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member]) -> Components
 
 /// The acceleration that a field gives a body, if it acts at its G and is the same in all states.
 fn fall(work: &mut Workspace, body: &Member, load: &Load) -> Option<Components> {
-    let at_center = matches!(load.point, Point::Body(offset) if work.graph.is_zero_vector(&offset));
+    let offset = load.point.offset(body.state.body);
+    let at_center = offset.is_some_and(|offset| work.graph.is_zero_vector(&offset));
     let is_uniform = work.is_in(load.force, Frame::WORLD) && load.moment.is_zero() && at_center;
     let force = work.part(load.force, Frame::WORLD);
     if !is_uniform || !work.graph.are_early(&force) {

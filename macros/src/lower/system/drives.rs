@@ -196,7 +196,7 @@ impl Reader<'_> {
         let opposite = self.work.graph.negate_vector(pull);
         let ends = [(start, pull), (end, opposite)].into_iter().filter_map(|((body, offset), force)| {
             let force = self.work.vector(Frame::WORLD, force);
-            let point = Point::Body(offset);
+            let point = Point::Fixed(self.members.bodies[body?].frame, offset);
             Some((body?, given(load, force, point, Vector::ZERO)))
         });
         Some(ends.collect())
@@ -227,14 +227,15 @@ impl Reader<'_> {
         let vector = self.at_top(errors, |lowering| read_moment(lowering, moment, is_planar));
         let numbers: Vec<usize> = numbers.into_iter().collect::<Option<_>>()?;
         let vector = vector?;
-        let center = Point::Body(self.work.graph.zeros());
+        let zeros = self.work.graph.zeros();
+        let center = |body: usize| Point::Fixed(self.members.bodies[body].frame, zeros);
         let opposite = self.work.negate(vector);
         Some(match *numbers.as_slice() {
             [first, second] => vec![
-                (first, given(load, Vector::ZERO, center, opposite)),
-                (second, given(load, Vector::ZERO, center, vector)),
+                (first, given(load, Vector::ZERO, center(first), opposite)),
+                (second, given(load, Vector::ZERO, center(second), vector)),
             ],
-            _ => vec![(numbers[0], given(load, Vector::ZERO, center, vector))],
+            _ => vec![(numbers[0], given(load, Vector::ZERO, center(numbers[0]), vector))],
         })
     }
 

@@ -245,13 +245,13 @@ fn still(body: Frame, time: Id) -> State {
 }
 
 /// The points that names stand for, as others see them.
-fn points(scope: &Scope, body: &syntax::Description) -> Vec<(String, Option<crate::symbolic::Components>)> {
+fn points(scope: &Scope, body: &syntax::Description, frame: Frame) -> Vec<(String, Option<crate::symbolic::Components>)> {
     let names = body.points.iter().map(|point| point.name.to_string());
     names
         .filter_map(|name| match scope.peek(&name) {
-            Some(Value::Point(crate::model::Point::Body(offset))) => Some((name, Some(offset))),
+            Some(Value::Point(point)) => point.offset(frame).map(|offset| (name, Some(offset))),
             None => Some((name, None)),
-            _ => None,
+            Some(_) => None,
         })
         .collect()
 }

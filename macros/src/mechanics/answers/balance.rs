@@ -43,7 +43,7 @@ pub struct LoadExpressions {
 /// Under constraints, loads may depend on reactions: these are what was `solved` for.
 pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]) -> Balance {
     let force = resultant(work, &model.loads);
-    let center = Point::Body(work.graph.zeros());
+    let center = model.state.mass_center(work);
     let moments = moments_about(model, work, &model.loads, center);
     let moment = work.sum(moments);
     let applied = in_world(work, force, moment);
@@ -111,7 +111,7 @@ fn with_reactions(
     force: Vector,
     moment: Vector,
 ) -> (Vector, Vector) {
-    let center = Point::Body(work.graph.zeros());
+    let center = model.state.mass_center(work);
     let reactions: Vec<(LoadKind, Point, Vector)> = model
         .reactions
         .iter()
@@ -132,7 +132,7 @@ fn with_reactions(
 
 /// `G - O`, of the pole O.
 pub fn from_pole(model: &Model, work: &mut Workspace) -> Vector {
-    let (center, pole) = (Point::Body(work.graph.zeros()), model.pole);
+    let (center, pole) = (model.state.mass_center(work), model.pole);
     arm(model, work, center, pole)
 }
 
@@ -172,7 +172,7 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
 
 /// What is spread over the body is listed at G.
 fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
-    let center = Point::Body(work.graph.zeros());
+    let center = model.state.mass_center(work);
     let about_center = moments_about(model, work, &model.loads, center);
     let mut list = Vec::new();
     for (index, about_center) in about_center.into_iter().enumerate() {

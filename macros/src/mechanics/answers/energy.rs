@@ -42,7 +42,9 @@ pub fn potential(model: &Model, work: &mut Workspace) -> Id {
         .collect();
     for (force, offset) in fields {
         // where the motion of G is not modelled, positions count from G
-        let position = model.state.place(work, Point::Body(offset));
+        let position = model
+            .state
+            .place(work, Point::Fixed(model.state.body, offset));
         let done = work.dot(force, position);
         potential = work.graph.subtract(potential, done);
     }

@@ -47,7 +47,7 @@ pub fn derive_taylor(
     errors: &mut Errors,
 ) -> Option<Taylor> {
     let axes = axes::derive_axes(model, work, structure);
-    let (turning, angular) = match &axes {
+    let (axes_rate, angular) = match &axes {
         Some(axes) => (
             axes.rate,
             axes.acceleration(model, work, accelerations.angular),
@@ -58,7 +58,7 @@ pub fn derive_taylor(
         angular,
         ..accelerations
     };
-    let coordinates = coordinates(model, work, accelerations, turning);
+    let coordinates = coordinates(model, work, accelerations, axes_rate);
     let symbols: Vec<Id> = coordinates
         .iter()
         .map(|coordinate| coordinate.symbol)
@@ -73,13 +73,13 @@ pub fn derive_taylor(
     })
 }
 
-/// The coordinates of the state, and time; those of a kind of motion are together. `turning` is the
+/// The coordinates of the state, and time; those of a kind of motion are together. `axes_rate` is the
 /// angular velocity of the axes.
 fn coordinates(
     model: &Model,
     work: &mut Workspace,
     Pair { linear, angular }: Pair,
-    turning: Components,
+    axes_rate: Components,
 ) -> Vec<Coordinate> {
     let motion = model.motion;
     let (axes, state) = (motion.axes(), &model.state);
@@ -94,27 +94,25 @@ fn coordinates(
             rate: *rate,
         }));
     };
-    let hinged = motion.is_hinged() || motion.is_planar;
-    let one_angle = motion.has_attitude() && hinged;
     let rate = one(work, state.body, Variable::AngularVelocity, 2);
-    if motion.translates {
+    if motion.translates() {
         push(&position[..axes], &velocity[..axes]);
     }
     if let Some(axis) = model.state.axis {
         push(&axis.unit, &axis.rate);
     } else if let Attitude::Quaternion { scalar, vector } = work.attitude(model.state.body) {
         let [x, y, z] = vector;
-        let rates = quaternion_rate(work, scalar, vector, turning);
+        let rates = quaternion_rate(work, scalar, vector, axes_rate);
         push(&[x, y, z, scalar], &rates);
-    } else if one_angle {
+    } else if motion.has_angle() {
         push(&one(work, state.body, Variable::Angle, 0), &rate);
     }
-    if motion.translates {
+    if motion.translates() {
         push(&velocity[..axes], &linear[..axes]);
     }
     if let Some(axis) = model.state.axis {
         push(&axis.rate, &angular);
-    } else if one_angle {
+    } else if motion.has_angle() {
         push(&rate, &angular[2..]);
     } else if motion.has_attitude() {
         push(&angular_velocity, &angular);

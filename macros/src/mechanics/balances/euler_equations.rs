@@ -27,7 +27,7 @@ struct Written {
 }
 
 /// What the equations are about: angular velocity and moment in body axes, and the tensor by rows.
-struct Turning<'a> {
+struct Balance<'a> {
     graph: &'a mut Graph,
     w: Components,
     rows: &'a [Components; 3],
@@ -41,24 +41,24 @@ pub fn solve_euler(
     rows: &[Components; 3],
     moment: Components,
 ) -> (Components, EulerForm) {
-    let mut turning = Turning {
+    let mut balance = Balance {
         w: model.state.angular_velocity,
         graph: &mut work.graph,
         rows,
         moment,
     };
     let written =
-        if is_diagonal(turning.graph, rows) {
-            turning.in_user_axes()
+        if is_diagonal(balance.graph, rows) {
+            balance.in_user_axes()
         } else {
-            let first = turning.gauged(2);
+            let first = balance.gauged(2);
             let further = [
-                Some(turning.gauged(1)),
-                Some(turning.gauged(0)),
-                turning.about_symmetry(),
-                turning.in_principal_axes(),
+                Some(balance.gauged(1)),
+                Some(balance.gauged(0)),
+                balance.about_symmetry(),
+                balance.in_principal_axes(),
             ];
-            let cost = |one: &Written| turning.graph.late_cost(&one.angular).total();
+            let cost = |one: &Written| balance.graph.late_cost(&one.angular).total();
             further.into_iter().flatten().fold(first, |best, one| {
                 if cost(&one) < cost(&best) { one } else { best }
             })
@@ -73,7 +73,7 @@ pub fn is_diagonal(graph: &Graph, rows: &[Components; 3]) -> bool {
         .all(|(i, j)| graph.is_zero(rows[*i][*j]))
 }
 
-impl Turning<'_> {
+impl Balance<'_> {
     /// Principal axes that are the user's: `w_1' = M_1 / J_1 + (J_2 - J_3) / J_1 w_2 w_3`, and so
     /// on.
     ///

@@ -8,12 +8,12 @@ use super::moments::inertia_about_center;
 
 /// `m v^2 + w . J w`
 pub fn twice_kinetic(model: &Model, work: &mut Workspace) -> Id {
-    let translation = match model.mass {
-        Some(mass) if model.motion.translates => {
+    let translation = match model.moved_mass() {
+        Some(mass) => {
             let square = work.norm_squared(model.state.velocity);
             work.graph.multiply(mass, square)
         }
-        _ => work.graph.zero(),
+        None => work.graph.zero(),
     };
     let inertia = inertia_about_center(model, work);
     let w = model.state.angular_velocity;
@@ -21,7 +21,7 @@ pub fn twice_kinetic(model: &Model, work: &mut Workspace) -> Id {
         (Inertia::Absent, _) => work.graph.zero(),
         (Inertia::Scalar(moment), _) => {
             let graph = &mut work.graph;
-            let square = graph.norm_squared(model.state.turning());
+            let square = graph.norm_squared(model.state.turn_rate());
             graph.multiply(*moment, square)
         }
         (Inertia::Spatial(rows), _) => quadratic(&mut work.graph, rows, w),

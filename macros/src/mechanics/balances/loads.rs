@@ -22,8 +22,8 @@ pub fn moments_about(
             return load.moment;
         }
         let arm = arm(model, work, load.point, pole);
-        let turning = work.cross(arm, load.force);
-        work.add(turning, load.moment)
+        let moment = work.cross(arm, load.force);
+        work.add(moment, load.moment)
     };
     loads.iter().map(moment).collect()
 }
@@ -31,9 +31,9 @@ pub fn moments_about(
 /// `P - O`, from the pole O to the point P.
 pub fn arm(model: &Model, work: &mut Workspace, point: Point, pole: Point) -> Vector {
     let from_center = |work: &mut Workspace, point: Point| match point {
-        Point::Body(offset) => Some(work.fixed_in(model.state.body, offset)),
+        Point::Fixed(Frame::WORLD, _) => None,
+        Point::Fixed(body, offset) => Some(work.fixed_in(body, offset)),
         Point::Moving(offset) => Some(offset),
-        Point::World(_) => None,
     };
     if let (Some(end), Some(start)) = (from_center(work, point), from_center(work, pole)) {
         let backwards = work.negate(start);
@@ -71,20 +71,20 @@ pub fn check_moment_free(
     None
 }
 
-/// What is given of each reaction: its force, and its moment about `pole`.
-pub fn given_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vector, Vector)> {
+/// What is known of each reaction: its force, and its moment about `pole`.
+pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vector, Vector)> {
     let written: Vec<_> = model
         .reactions
         .iter()
-        .map(|load| (load.kind, load.point, load.frame, load.given))
+        .map(|load| (load.kind, load.point, load.frame, load.known))
         .collect();
-    let parts = written.into_iter().map(|(kind, point, frame, given)| {
-        let given = work.vector(frame, given);
+    let parts = written.into_iter().map(|(kind, point, frame, known)| {
+        let known = work.vector(frame, known);
         match kind {
-            LoadKind::Moment => (Vector::ZERO, given),
+            LoadKind::Moment => (Vector::ZERO, known),
             LoadKind::Force => {
                 let arm = arm(model, work, point, pole);
-                (given, work.cross(arm, given))
+                (known, work.cross(arm, known))
             }
         }
     });
@@ -102,9 +102,7 @@ pub fn uniform_field(model: &Model, work: &Workspace, load: &Load) -> Option<Com
         ),
         _ => false,
     };
-    let Point::Body(offset) = load.point else {
-        return None;
-    };
+    let offset = load.point.offset(model.state.body)?;
     let force = load.force;
     let is_uniform = load.family == Family::Field
         && load.potential.is_none()

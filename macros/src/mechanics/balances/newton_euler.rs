@@ -10,7 +10,7 @@ use crate::model::{Frame, Inertia, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::Components;
 
 use super::euler_equations::{EulerForm, solve_euler};
-use super::loads::{check_moment_free, given_parts, moments_about, resultant};
+use super::loads::{check_moment_free, known_parts, moments_about, resultant};
 use super::moments::{inertia_about_center, moment_of_inertia};
 use super::rod;
 
@@ -30,8 +30,8 @@ pub fn derive_accelerations(
         return Some((Pair { linear, angular }, None));
     }
     let center = model.state.center(work);
-    let given = if model.motion.has_attitude() {
-        given_parts(model, work, center)
+    let known = if model.motion.has_attitude() {
+        known_parts(model, work, center)
     } else {
         // where moments are unknown, whether they can balance these is found with them
         if model.reactions.is_empty() {
@@ -40,16 +40,16 @@ pub fn derive_accelerations(
         Vec::new()
     };
     let labels = &mut work.labels;
-    if model.motion.is_planar || model.motion.is_hinged() {
+    if model.motion.has_angle() {
         labels.describe("angular", "(1.4): w' = M / J");
     }
     labels.describe("angular", "(1.4), body axes: w' = J^-1 (M - w x J w)");
-    let given = given.into_iter().map(|(_, moment)| moment);
+    let known = known.into_iter().map(|(_, moment)| moment);
     Some(solve_balances(
         model,
         work,
         &model.loads,
-        given.collect(),
+        known.collect(),
         ["linear", "angular"],
     ))
 }
@@ -81,7 +81,7 @@ fn linear_acceleration(
     loads: &[Load],
     name: &str,
 ) -> Components {
-    let (true, Some(mass)) = (model.motion.translates, model.mass) else {
+    let Some(mass) = model.moved_mass() else {
         return work.graph.zeros();
     };
     let resultant = resultant(work, loads);
@@ -138,7 +138,7 @@ fn angular_acceleration(
     };
     let angular = work.graph.results(angular);
     let labels = &mut work.labels;
-    if model.motion.is_planar || model.motion.is_hinged() {
+    if model.motion.has_angle() {
         labels.name(angular[2], name);
     }
     labels.vector(name, angular);

@@ -26,13 +26,13 @@ pub fn response(model: &Model, work: &mut Workspace, load: Pair) -> Pair {
     let (force, moment) = (load.linear, load.angular);
     let graph = &mut work.graph;
     let (zeros, one) = (graph.zeros(), graph.one());
-    let linear = match model.mass {
-        Some(mass) if model.motion.translates => {
+    let linear = match model.moved_mass() {
+        Some(mass) => {
             let inverse_mass = graph.divide(one, mass);
             work.labels.name(inverse_mass, "inverse_mass");
             work.graph.scale_vector(inverse_mass, force)
         }
-        _ => zeros,
+        None => zeros,
     };
     if !model.motion.has_attitude() || work.graph.is_zero_vector(&moment) {
         return Pair {

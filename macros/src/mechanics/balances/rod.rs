@@ -13,9 +13,9 @@
 //! u'' = B / J - (u . B / J + u'^2) u
 //! ```
 
-use crate::errors::{Errors, Extent};
+use crate::errors::Errors;
 use crate::mechanics::proofs::{all_vanish, samples};
-use crate::model::{Attitude, Axis, Frame, Inertia, Load, Model, Point, Vector, Workspace};
+use crate::model::{Attitude, Axis, Frame, Inertia, Load, Model, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::loads::{arm, moments_about};
@@ -59,11 +59,12 @@ struct Pulls {
 }
 
 fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
-    let center = Point::Body(work.graph.zeros());
+    let center = model.state.mass_center(work);
     let mut list = Vec::new();
     for load in &model.loads {
         let attitude = work.attitude(model.state.body);
-        if let (Point::Body(offset), Attitude::Line { direction, .. }) = (load.point, attitude) {
+        let offset = load.point.offset(model.state.body);
+        if let (Some(offset), Attitude::Line { direction, .. }) = (offset, attitude) {
             let along = work.graph.dot(direction, offset);
             let force = work.part(load.force, Frame::WORLD);
             list.push(work.graph.scale_vector(along, force));
@@ -165,25 +166,17 @@ pub fn check_loads(
     axis: Axis,
     errors: &mut Errors,
 ) -> Option<()> {
-    let center = Point::Body(work.graph.zeros());
-    let moments: Vec<(Extent, Id)> = moments_about(model, work, loads, center)
-        .into_iter()
-        .enumerate()
-        .map(|(index, moment)| {
-            let moment = work.part(moment, Frame::WORLD);
-            let along = work.graph.dot(axis.unit, moment);
-            (loads[index].extent, along)
-        })
-        .collect();
-    let parts: Vec<Id> = moments.iter().map(|(_, along)| *along).collect();
+    let center = model.state.mass_center(work);
+    let moments = moments_about(model, work, loads, center);
+    let parts = parts_along(work, axis, moments);
     let together = work.graph.sum(&parts);
     if all_vanish(work, &[together]) {
         return Some(());
     }
-    for index in turning(work, &parts) {
-        let name = &loads[index].name;
+    for index in not_vanishing(work, &parts) {
+        let Load { name, extent, .. } = &loads[index];
         errors.push(
-            moments[index].0,
+            *extent,
             format!(
                 "`{name}` has a moment about the axis, about which a rod has no inertia: let it act on \
                  the axis, or take what is across it, as in `axis.cross(k).cross(axis)`"
@@ -193,8 +186,21 @@ pub fn check_loads(
     None
 }
 
-/// Which of the moments along the axis do not vanish.
-pub fn turning(work: &mut Workspace, parts: &[Id]) -> Vec<usize> {
+/// What moments are along the axis.
+pub fn parts_along(
+    work: &mut Workspace,
+    axis: Axis,
+    moments: impl IntoIterator<Item = Vector>,
+) -> Vec<Id> {
+    let parts = moments.into_iter().map(|moment| {
+        let moment = work.part(moment, Frame::WORLD);
+        work.graph.dot(axis.unit, moment)
+    });
+    parts.collect()
+}
+
+/// Which of them do not vanish.
+pub fn not_vanishing(work: &mut Workspace, parts: &[Id]) -> Vec<usize> {
     let samples = samples(work, parts);
     (0..parts.len())
         .filter(|index| !samples[*index].is_zero())

@@ -5,7 +5,7 @@ use crate::mechanics::proofs::all_vanish;
 use crate::model::{Model, Workspace};
 use crate::symbolic::{Function, Id};
 
-use super::forms::{Contribution, Turning, dependence};
+use super::forms::{Contribution, Rotation, dependence};
 
 /// What a load makes of the motion about an axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -23,9 +23,9 @@ pub fn about_axis(
     acceleration: Id,
     contributions: &[Contribution],
     obstacles: &mut Vec<String>,
-) -> Option<Turning> {
+) -> Option<Rotation> {
     if work.graph.is_early(acceleration) {
-        return Some(Turning::Uniform(acceleration));
+        return Some(Rotation::Uniform(acceleration));
     }
     if let Some((sine, cosine)) = swinging(model, work, acceleration) {
         let graph = &mut work.graph;
@@ -36,7 +36,7 @@ pub fn about_axis(
         let labels = &mut work.labels;
         labels.name(rate, "swing_rate");
         labels.name(hanging, "hanging");
-        return Some(Turning::Pendulum { rate, hanging });
+        return Some(Rotation::Pendulum { rate, hanging });
     }
     let axis = match model.hinge(&mut work.graph) {
         Some(axis) => axis,

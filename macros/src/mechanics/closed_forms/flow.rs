@@ -12,7 +12,7 @@
 //! ```
 
 use crate::errors::{Errors, Extent};
-use crate::mechanics::balances::{given_parts, moments_about};
+use crate::mechanics::balances::{known_parts, moments_about};
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Frame, Inertia, Model, Pair, Vector, Workspace};
 use crate::symbolic::Components;
@@ -20,7 +20,7 @@ use crate::symbolic::Components;
 use super::about_axis::about_axis;
 use super::axial_torque::axial_torque;
 use super::axis_of_symmetry::axes_of_symmetry;
-use super::forms::{Contribution, Flow, Turning, dependence};
+use super::forms::{Contribution, Flow, Rotation, dependence};
 use super::free_rotation::free;
 use super::lagrange_top::lagrange_top;
 
@@ -45,7 +45,7 @@ pub fn derive_flow(
     if !work.graph.are_early(&accelerations.linear) {
         obstacles.extend(unsteady_forces(work, &contributions));
     }
-    let turning = turning(
+    let rotation = rotation(
         model,
         work,
         &accelerations.angular,
@@ -59,10 +59,10 @@ pub fn derive_flow(
             format!("no closed form: {obstacle}; leave out `flow`, and the motion is integrated"),
         );
     }
-    let turning = turning.filter(|_| obstacles.is_empty())?;
+    let rotation = rotation.filter(|_| obstacles.is_empty())?;
     Some(Flow {
         linear: accelerations.linear,
-        turning,
+        rotation,
     })
 }
 
@@ -73,12 +73,12 @@ fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
     let loads: Vec<(String, Vector, Vector)> = loads
         .map(|(load, moment)| (load.name.to_string(), load.force, moment))
         .collect();
-    let given = if model.motion.has_attitude() {
-        given_parts(model, work, center)
+    let known = if model.motion.has_attitude() {
+        known_parts(model, work, center)
     } else {
         Vec::new()
     };
-    let reactions = model.reactions.iter().zip(given);
+    let reactions = model.reactions.iter().zip(known);
     let reactions: Vec<(String, Vector, Vector)> = reactions
         .map(|(reaction, (force, moment))| (reaction.name.to_string(), force, moment))
         .collect();
@@ -107,17 +107,17 @@ fn unsteady_forces(work: &Workspace, contributions: &[Contribution]) -> Vec<Stri
         .collect()
 }
 
-pub fn turning(
+pub fn rotation(
     model: &Model,
     work: &mut Workspace,
     angular: &Components,
     contributions: &[Contribution],
     obstacles: &mut Vec<String>,
-) -> Option<Turning> {
+) -> Option<Rotation> {
     if !model.motion.has_attitude() {
-        return Some(Turning::None);
+        return Some(Rotation::None);
     }
-    if model.motion.is_planar || model.motion.is_hinged() {
+    if model.motion.has_angle() {
         return about_axis(model, work, angular[2], contributions, obstacles);
     }
     let moments: Vec<Components> = contributions.iter().map(|load| load.moment).collect();
@@ -128,23 +128,23 @@ pub fn turning(
     let is_free = all_vanish(work, &total);
     if model.motion.is_line() {
         if is_free {
-            return Some(Turning::GreatCircle);
+            return Some(Rotation::GreatCircle);
         }
     } else if is_free {
-        return free(model, work).map(Turning::Free);
-    } else if let Some(turning) = symmetric(model, work, total) {
-        return Some(turning);
+        return free(model, work).map(Rotation::Free);
+    } else if let Some(rotation) = symmetric(model, work, total) {
+        return Some(rotation);
     }
     report_moments(model, work, contributions, obstacles);
     None
 }
 
 /// How a symmetric body turns under a moment.
-fn symmetric(model: &Model, work: &mut Workspace, moment: Components) -> Option<Turning> {
+fn symmetric(model: &Model, work: &mut Workspace, moment: Components) -> Option<Rotation> {
     if let Some(top) = lagrange_top(model, work, moment) {
-        return Some(Turning::Top(top));
+        return Some(Rotation::Top(top));
     }
-    axial_torque(model, work, moment).map(Turning::Axial)
+    axial_torque(model, work, moment).map(Rotation::Axial)
 }
 
 /// What is in the way of free rotation, and does not make a top or a spin that is linear in time

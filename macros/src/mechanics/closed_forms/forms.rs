@@ -11,53 +11,53 @@ use super::lagrange_top::Top;
 pub struct Flow {
     /// Acceleration of G, constant, world axes; zero where G has no coordinates.
     pub linear: Components,
-    pub turning: Turning,
+    pub rotation: Rotation,
 }
 
 impl Flow {
     /// What the start of a path reads: all but the entries of a tensor.
     pub fn roots(&self) -> Vec<Id> {
         let mut roots = self.linear.to_vec();
-        roots.extend(self.turning.roots());
+        roots.extend(self.rotation.roots());
         roots
     }
 
     /// The entries of a tensor of which the principal axes are found when the body is built.
     pub fn tensor(&self) -> Option<[Id; 6]> {
-        match self.turning {
-            Turning::Free(Free::Tensor(entries)) => Some(entries),
+        match self.rotation {
+            Rotation::Free(Free::Tensor(entries)) => Some(entries),
             _ => None,
         }
     }
 
     /// Which motion it is, line by line.
     pub fn describe(&self, motion: Motion) -> Vec<String> {
-        let center = motion.translates.then_some("G moves on a parabola");
-        let turning = match &self.turning {
-            Turning::None => None,
-            Turning::Free(Free::Steady) => Some("the body turns at a constant rate"),
-            Turning::Free(Free::Symmetric(..)) => Some("the body precesses steadily"),
-            Turning::Free(Free::Principal(..)) => Some("the body turns by elliptic functions"),
-            Turning::Free(Free::Along(_) | Free::Tensor(_)) => {
+        let center = motion.translates().then_some("G moves on a parabola");
+        let rotation = match &self.rotation {
+            Rotation::None => None,
+            Rotation::Free(Free::Steady) => Some("the body turns at a constant rate"),
+            Rotation::Free(Free::Symmetric(..)) => Some("the body precesses steadily"),
+            Rotation::Free(Free::Principal(..)) => Some("the body turns by elliptic functions"),
+            Rotation::Free(Free::Along(_) | Free::Tensor(_)) => {
                 Some("the body turns freely, in a way that its moments of inertia decide")
             }
-            Turning::Top(_) => Some("the body turns as Lagrange's top, by elliptic functions"),
-            Turning::Axial(_) => Some(
+            Rotation::Top(_) => Some("the body turns as Lagrange's top, by elliptic functions"),
+            Rotation::Axial(_) => Some(
                 "the spin about the axis of symmetry is linear in time, the attitude goes by parabolic cylinder functions",
             ),
-            Turning::GreatCircle => Some("the axis turns along a great circle"),
-            Turning::Uniform(_) => Some("the angle is quadratic in time"),
-            Turning::Pendulum { .. } => {
+            Rotation::GreatCircle => Some("the axis turns along a great circle"),
+            Rotation::Uniform(_) => Some("the angle is quadratic in time"),
+            Rotation::Pendulum { .. } => {
                 Some("the angle is that of a pendulum, by elliptic functions")
             }
         };
-        let lines = center.into_iter().chain(turning);
+        let lines = center.into_iter().chain(rotation);
         lines.map(str::to_owned).collect()
     }
 }
 
 /// How a body turns.
-pub enum Turning {
+pub enum Rotation {
     /// Not at all.
     None,
     /// In space, without a moment.
@@ -74,7 +74,7 @@ pub enum Turning {
     Pendulum { rate: Id, hanging: Id },
 }
 
-impl Turning {
+impl Rotation {
     pub fn roots(&self) -> Vec<Id> {
         match self {
             Self::None | Self::GreatCircle => Vec::new(),

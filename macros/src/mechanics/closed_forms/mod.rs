@@ -9,5 +9,5 @@ mod free_rotation;
 mod lagrange_top;
 
 pub use flow::derive_flow;
-pub use forms::{Flow, Turning};
+pub use forms::{Flow, Rotation};
 pub use free_rotation::Free;

@@ -98,7 +98,7 @@ fn skip_gyroscopic(
 /// Parts of the state that the accelerations do not depend on.
 fn skip_state(model: &Model, work: &Workspace, accelerations: Pair, skipped: &mut Vec<String>) {
     let roots = accelerations.entries();
-    let (moves, turns) = (model.motion.translates, model.motion.has_attitude());
+    let (moves, turns) = (model.motion.translates(), model.motion.has_attitude());
     let is_rod = model.motion.is_line();
     // whether the motion has it, its name, and its variables
     let parts: [(bool, &str, &[Variable]); 6] = [

@@ -2,7 +2,7 @@
 //! before the state is known, parts of the rotation that nothing needs.
 
 use crate::mechanics::balances::{is_along_axis, is_diagonal, resultant};
-use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Pair, Point, Workspace};
+use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Pair, Workspace};
 use crate::symbolic::{Id, Node};
 
 pub fn skip_loads(
@@ -23,7 +23,7 @@ pub fn skip_loads(
 /// Forces that add up to nothing leave a couple.
 fn skip_resultant(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     let acts = |load: &Load| !load.force.is_zero();
-    if !model.motion.translates || !model.loads.iter().any(acts) {
+    if !model.motion.translates() || !model.loads.iter().any(acts) {
         return;
     }
     let sum = resultant(work, &model.loads);
@@ -42,8 +42,8 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
     };
     for index in 0..model.loads.len() {
         let load = &model.loads[index];
-        let (point, force) = (load.point, load.force);
-        let Point::Body(offset) = point else {
+        let force = load.force;
+        let Some(offset) = load.point.offset(model.state.body) else {
             continue;
         };
         if load.potential.is_some() || force.is_zero() {
@@ -55,10 +55,10 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
         );
         let graph = &mut work.graph;
         let arm = graph.subtract_vectors(offset, held);
-        let turning = graph.cross(arm, in_body);
+        let moment = graph.cross(arm, in_body);
         let reason = if graph.is_zero_vector(&arm) {
             format!("it acts at {center}")
-        } else if graph.is_zero_vector(&in_world) && graph.is_zero_vector(&turning) {
+        } else if graph.is_zero_vector(&in_world) && graph.is_zero_vector(&moment) {
             format!("it acts along a line through {center}")
         } else if is_along_axis(model, work, in_world) {
             "it acts along the axis".to_owned()
@@ -75,7 +75,12 @@ fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
     let derived = model.loads.iter().filter(|load| load.potential.is_some());
     for load in derived {
         let parts = [
-            (model.motion.knows_position, load.force, "force", "position"),
+            (
+                model.motion.knows_position(),
+                load.force,
+                "force",
+                "position",
+            ),
             (
                 model.motion.has_attitude(),
                 load.moment,
@@ -115,12 +120,12 @@ fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
     if model.motion.is_line() {
         return;
     }
-    let turns = model.motion.has_attitude();
+    let (turns, body) = (model.motion.has_attitude(), model.state.body);
     let count = |frame: Frame| {
-        let constant = |load: &&Load| is_constant(work, load, frame);
+        let constant = |load: &&Load| is_constant(model, work, load, frame);
         model.loads.iter().filter(constant).count()
     };
-    let (in_body, in_world) = (count(Frame::BODY), count(Frame::WORLD));
+    let (in_body, in_world) = (count(body), count(Frame::WORLD));
     for (count, axes) in [(in_body, "body"), (in_world, "world")] {
         if count > 1 {
             let sum = if turns && axes == "body" {
@@ -138,14 +143,14 @@ fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
         Inertia::Scalar(_) => true,
         Inertia::Spatial(rows) => model.motion.is_hinged() || is_diagonal(&work.graph, &rows),
     };
-    let turning = |load: &Load| {
-        let (Point::Body(offset), graph) = (load.point, &work.graph) else {
+    let has_moment = |load: &Load| {
+        let (Some(offset), graph) = (load.point.offset(body), &work.graph) else {
             return false;
         };
-        is_constant(work, load, Frame::BODY)
+        is_constant(model, work, load, body)
             && !(graph.is_zero_vector(&offset) && load.moment.is_zero())
     };
-    if turns && is_folded && model.state.support.is_none() && model.loads.iter().any(turning) {
+    if turns && is_folded && model.state.support.is_none() && model.loads.iter().any(has_moment) {
         skipped.push(
             "constant moments in the balance: over the inertia they are constants".to_owned(),
         );
@@ -154,9 +159,9 @@ fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
 
 /// A force or a moment that is known before the state is, in these axes; in those of the world, at
 /// G.
-fn is_constant(work: &Workspace, load: &Load, frame: Frame) -> bool {
+fn is_constant(model: &Model, work: &Workspace, load: &Load, frame: Frame) -> bool {
     let graph = &work.graph;
-    let Point::Body(offset) = load.point else {
+    let Some(offset) = load.point.offset(model.state.body) else {
         return false;
     };
     let acts = !(load.force.is_zero() && load.moment.is_zero());
@@ -167,7 +172,7 @@ fn is_constant(work: &Workspace, load: &Load, frame: Frame) -> bool {
         && acts
         && is_alone
         && is_early
-        && (frame == Frame::BODY || is_at_center)
+        && (frame == model.state.body || is_at_center)
 }
 
 /// Of the rotation, one column turns what is along an axis of the body, one row what is along one
@@ -181,7 +186,7 @@ fn skip_rotation(model: &Model, work: &mut Workspace, roots: &[Id], skipped: &mu
     let reachable = graph.reachable(roots, |_| true);
     let parts = [
         (Frame::WORLD, "columns", "body"),
-        (Frame::BODY, "rows", "world"),
+        (model.state.body, "rows", "world"),
     ];
     for (to, lines, axes) in parts {
         let mut along = [false; 3];

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about};
+use crate::mechanics::balances::{inertia_about_center, known_parts, moments_about};
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Inertia, Meaning, Model, Pair, Variable, Workspace};
 use crate::symbolic::{Components, Id, Number};
@@ -132,7 +132,7 @@ fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
     let center = model.state.center(work);
     let mut moments = moments_about(model, work, &model.loads, center);
     moments.extend(
-        given_parts(model, work, center)
+        known_parts(model, work, center)
             .into_iter()
             .map(|(_, moment)| moment),
     );
@@ -176,8 +176,11 @@ fn stays_in_plane(
         }
     };
     let is_rod = model.motion.is_line();
-    let turning = (0..3).filter(|i| (*i == axis) == is_rod);
-    let roots: Vec<Id> = turning.map(|i| angular[i]).chain([linear[axis]]).collect();
+    let out_of_plane = (0..3).filter(|i| (*i == axis) == is_rod);
+    let roots: Vec<Id> = out_of_plane
+        .map(|i| angular[i])
+        .chain([linear[axis]])
+        .collect();
     let zero = work.graph.zero();
     let mut flat = HashMap::new();
     for id in work.graph.reachable(&roots, |_| true) {

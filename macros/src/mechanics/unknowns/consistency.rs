@@ -122,18 +122,18 @@ pub fn derive_reach(
 /// `m r^2 + tr J`: an attitude is known to the rounding of one radian.
 fn spread(model: &Model, work: &mut Workspace) -> Id {
     let graph = &mut work.graph;
-    let turning = match &model.inertia {
+    let inertia = match &model.inertia {
         Inertia::Absent => graph.zero(),
         Inertia::Scalar(moment) => *moment,
         Inertia::Spatial(rows) => graph.sum(&[rows[0][0], rows[1][1], rows[2][2]]),
     };
-    let Some(mass) = model.mass.filter(|_| model.motion.translates) else {
-        return turning;
+    let Some(mass) = model.moved_mass() else {
+        return inertia;
     };
     let square = work.norm_squared(model.state.position);
     let graph = &mut work.graph;
     let moving = graph.multiply(mass, square);
-    graph.add(moving, turning)
+    graph.add(moving, inertia)
 }
 
 /// The size of the terms that a value is summed from; of a product, of those of its factors.

@@ -19,7 +19,7 @@ use crate::symbolic::{Components, Function, Id, Residue, Sample, Size};
 use super::constrained::{Constrained, active, differentiate};
 use super::inertial::{balances_of, inertial_change};
 use super::left_over::balances_left;
-use super::pushes::{Push, given_loads, pushes};
+use super::pushes::{Push, known_loads, pushes};
 use super::redundancy::{check_independent, check_kept};
 use super::rows::{Sides, equations};
 use super::solvability::{OF_REACTIONS, check_across, check_determined};
@@ -46,7 +46,7 @@ pub fn derive_constrained(
         let units = pushes.iter().map(|push| &push.unit);
         check_across(model, work, axis, units, errors)?;
     }
-    let loads = given_loads(model, work);
+    let loads = known_loads(model, work);
     if let Some(axis) = model.state.axis {
         rod::check_loads(model, work, &loads, axis, errors)?;
     }
@@ -109,8 +109,8 @@ fn constraint_row(
     let coefficients = along
         .map(|push| factors.dot(graph, push.accelerations))
         .collect();
-    let given = factors.dot(graph, free);
-    let known = graph.add(given, constraint.rates.rate);
+    let rest = factors.dot(graph, free);
+    let known = graph.add(rest, constraint.rates.rate);
     (coefficients, graph.negate(known))
 }
 
@@ -224,7 +224,7 @@ fn name_accelerations(
     linear: Components,
     angular: Components,
 ) {
-    let scalar = model.motion.is_planar || model.motion.is_hinged();
+    let scalar = model.motion.has_angle();
     let labels = &mut work.labels;
     labels.describe("linear", "(1.3) with the reactions, world axes");
     labels.vector("linear", linear);

@@ -22,7 +22,7 @@ use crate::symbolic::{Equation, Id, Size};
 
 use super::inertial::{balances_of, balances_without_unknowns};
 use super::left_over::balances_left;
-use super::pushes::{given_loads, pushes};
+use super::pushes::{known_loads, pushes};
 use super::rows::{Row, equations};
 use super::solvability::{OF_DRIVES, check_across, check_determined};
 use super::unit::{Unit, assemble, name_values, names};
@@ -59,7 +59,7 @@ pub fn solve_drives(
     let rest = if model.constraints.is_empty() {
         balances_without_unknowns(model, work, accelerations)
     } else {
-        let loads = given_loads(model, work);
+        let loads = known_loads(model, work);
         balances_of(model, work, &loads, Vec::new(), accelerations)
     };
     let rows = [free, &held].concat();

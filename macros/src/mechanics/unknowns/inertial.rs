@@ -1,8 +1,8 @@
 //! What the given loads and the inertia leave of the balances.
 
-use crate::mechanics::balances::{given_parts, inertia_about_center, moments_about, resultant};
+use crate::mechanics::balances::{inertia_about_center, known_parts, moments_about, resultant};
 use crate::model::{Frame, Inertia, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
-use crate::symbolic::{Components, Id, Node};
+use crate::symbolic::Id;
 
 /// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
 pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Vector, Vector) {
@@ -13,7 +13,12 @@ pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Ve
         Some(d) => graph.scale_vector(angular[2], d),
         None => angular,
     };
-    let symbols: Vec<(Id, Id)> = symbols(model, work, accelerations, rate);
+    let symbols = acceleration_symbols(model, work).into_iter();
+    let symbols = symbols.map(|(id, variable, axis)| match variable {
+        Variable::LinearAcceleration => (id, accelerations.linear[axis]),
+        _ => (id, angular[axis]),
+    });
+    let symbols: Vec<(Id, Id)> = symbols.collect();
     let acceleration = model.state.acceleration;
     let acceleration = work.map(acceleration, |graph, part| graph.replaced(part, &symbols));
     let zero = Vector::ZERO;
@@ -42,36 +47,21 @@ pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Ve
     (force, moment)
 }
 
-/// The symbols of the accelerations and the expressions they are.
-fn symbols(
-    model: &Model,
-    work: &Workspace,
-    Pair { linear, angular }: Pair,
-    rate: Components,
-) -> Vec<(Id, Id)> {
-    let graph = &work.graph;
+/// The symbols of the accelerations: each with its variable, and its component.
+pub fn acceleration_symbols(model: &Model, work: &Workspace) -> Vec<(Id, Variable, usize)> {
     let state = &model.state;
     let mut roots = work.entries(&[state.acceleration]);
     roots.extend(state.angular_acceleration);
-    let symbols = graph.reachable(&roots, |_| true);
-    let value = |id: Id| {
-        let Node::Symbol(symbol) = graph.node(id) else {
-            return None;
-        };
-        match work.meanings.of(*symbol) {
-            Meaning::Of(_, Variable::LinearAcceleration, axis) => Some((id, linear[axis])),
-            Meaning::Of(_, Variable::AngularAcceleration, axis) => {
-                let known = if model.motion.is_hinged() {
-                    angular
-                } else {
-                    rate
-                };
-                Some((id, known[axis]))
-            }
-            _ => None,
-        }
-    };
-    symbols.into_iter().filter_map(value).collect()
+    let known = work.graph.reachable(&roots, |_| true).into_iter();
+    let symbols = known.filter_map(|id| match work.meaning(id)? {
+        Meaning::Of(
+            _,
+            variable @ (Variable::LinearAcceleration | Variable::AngularAcceleration),
+            axis,
+        ) => Some((id, variable, axis)),
+        _ => None,
+    });
+    symbols.collect()
 }
 
 /// What one unit of an unknown changes of these by the acceleration that it makes.
@@ -119,8 +109,8 @@ pub fn balances_without_unknowns(
     accelerations: Pair,
 ) -> (Vector, Vector) {
     let center = model.state.center(work);
-    let given = given_parts(model, work, center);
-    balances_of(model, work, &model.loads, given, accelerations)
+    let known = known_parts(model, work, center);
+    balances_of(model, work, &model.loads, known, accelerations)
 }
 
 /// The same of other loads, and of forces with their moments.
@@ -135,9 +125,9 @@ pub fn balances_of(
     let mut force = resultant(work, loads);
     let moments = moments_about(model, work, loads, center);
     let mut moment = work.sum(moments);
-    for (given_force, given_moment) in further {
-        force = work.add(force, given_force);
-        moment = work.add(moment, given_moment);
+    for (known_force, known_moment) in further {
+        force = work.add(force, known_force);
+        moment = work.add(moment, known_moment);
     }
     let (inertial_force, inertial_moment) = inertial(model, work, accelerations);
     let force = work.add(force, inertial_force);

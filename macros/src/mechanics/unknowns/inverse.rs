@@ -7,10 +7,11 @@
 
 use crate::errors::Errors;
 use crate::families::LoadKind;
-use crate::model::{Meaning, Model, Pair, Reaction, Variable, Vector, Workspace};
-use crate::symbolic::{Components, Id, Node};
+use crate::model::{Model, Pair, Reaction, Variable, Vector, Workspace};
+use crate::symbolic::Components;
 
 use super::drives::solve_drives;
+use super::inertial::acceleration_symbols;
 use super::left_over::balances_left;
 use super::reactions::solve_unknowns;
 use super::rows::{Row, Unmoved};
@@ -24,7 +25,7 @@ pub fn derive_inverse(
     errors: &mut Errors,
 ) -> Option<Vec<Components>> {
     let free = free_balances(model, work);
-    let motion = given_accelerations(model, work);
+    let motion = accelerations(model, work);
     let solved = if model.constraints.is_empty() && model.state.axis.is_none() {
         solve(model, work, &free, motion, errors)?
     } else {
@@ -68,38 +69,29 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
     let units = work.graph.unit_vectors();
     let along = |kind: LoadKind, direction: Components| Row::new("the balances", kind, direction);
     let mut rows = Vec::new();
-    if model.motion.translates {
-        rows.extend((0..model.motion.axes()).map(|axis| along(LoadKind::Force, units[axis])));
-    }
+    let linear = model.motion.linear_axes();
+    rows.extend(linear.map(|axis| along(LoadKind::Force, units[axis])));
     if let Some(d) = model.hinge(&mut work.graph) {
         rows.push(along(LoadKind::Moment, d));
-    } else if model.motion.has_attitude() {
-        let axes = if model.motion.is_planar { 2..3 } else { 0..3 };
-        rows.extend(axes.map(|axis| along(LoadKind::Moment, units[axis])));
+    } else {
+        let angular = model.motion.angular_axes();
+        rows.extend(angular.map(|axis| along(LoadKind::Moment, units[axis])));
     }
     rows
 }
 
-/// The symbols of the accelerations; of a rod there is `u x u''`.
-fn given_accelerations(model: &Model, work: &mut Workspace) -> Pair {
-    let state = &model.state;
-    let mut roots = work.entries(&[state.acceleration]);
-    roots.extend(state.angular_acceleration);
+/// The accelerations as symbols; of a rod there is `u x u''`.
+fn accelerations(model: &Model, work: &Workspace) -> Pair {
     let zeros = work.graph.zeros();
     let (mut linear, mut angular) = (zeros, zeros);
-    let graph = &work.graph;
-    for id in graph.reachable(&roots, |_: Id| true) {
-        let Node::Symbol(symbol) = graph.node(id) else {
-            continue;
-        };
-        match work.meanings.of(*symbol) {
-            Meaning::Of(_, Variable::LinearAcceleration, axis) => linear[axis] = id,
-            Meaning::Of(_, Variable::AngularAcceleration, axis) => angular[axis] = id,
-            _ => {}
+    for (id, variable, axis) in acceleration_symbols(model, work) {
+        match variable {
+            Variable::LinearAcceleration => linear[axis] = id,
+            _ => angular[axis] = id,
         }
     }
     if model.state.axis.is_some() {
-        angular = state.angular_acceleration;
+        angular = model.state.angular_acceleration;
     }
     Pair { linear, angular }
 }

@@ -24,11 +24,12 @@ pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<Row> {
         move |axis: usize| Row::new(names[axis], kind, units[axis])
     };
     let mut rows = Vec::new();
-    if !model.motion.translates {
-        rows.extend((0..model.motion.axes()).map(row(FORCES, LoadKind::Force)));
+    if !model.motion.translates() {
+        let axes = model.motion.axes_of(LoadKind::Force);
+        rows.extend(axes.map(row(FORCES, LoadKind::Force)));
     }
     if !model.motion.has_attitude() {
-        let axes = if model.motion.is_planar { 2..3 } else { 0..3 };
+        let axes = model.motion.axes_of(LoadKind::Moment);
         rows.extend(axes.map(row(MOMENTS, LoadKind::Moment)));
     } else if let (false, Some(d)) = (model.motion.is_planar, model.hinge(&mut work.graph)) {
         let rows_across = across(work, d);

@@ -1,7 +1,7 @@
 //! What one unit of each unknown does: its load, the loads that follow it, and the acceleration.
 //!
 //! A load may name an unknown reaction R, as friction does with `-mu R`. It is linear in R, or an
-//! error: `F(R) = F(given) + sum of u_j dF/dR . e_j`.
+//! error: `F(R) = F(known) + sum of u_j dF/dR . e_j`.
 
 use crate::errors::{Errors, Extent};
 use crate::families::{Family, LoadKind};
@@ -25,18 +25,18 @@ pub struct Push<'m> {
     pub accelerations: Pair,
 }
 
-/// The loads without the unknowns: what is given, and what would be if the unknowns were zero.
-pub fn given_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
+/// The loads without the unknowns: what is known, and what would be if the unknowns were zero.
+pub fn known_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
     let mut values = Vec::new();
     let mut loads = Vec::new();
     for reaction in &model.reactions {
-        let given = work.vector(reaction.frame, reaction.given);
-        let in_world = work.components(given, Frame::WORLD);
+        let known = work.vector(reaction.frame, reaction.known);
+        let in_world = work.components(known, Frame::WORLD);
         values.extend(symbols(work, reaction).into_iter().zip(in_world));
         let zero = Vector::ZERO;
         let (force, moment) = match reaction.kind {
-            LoadKind::Force => (given, zero),
-            LoadKind::Moment => (zero, given),
+            LoadKind::Force => (known, zero),
+            LoadKind::Moment => (zero, known),
         };
         loads.push(Load {
             name: reaction.name.clone(),
@@ -166,7 +166,7 @@ fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Opt
         let name = load.name.to_string();
         let roots = work.entries(&[load.force, load.moment]);
         let place_of_load = match load.point {
-            Point::Body(offset) | Point::World(offset) => offset.to_vec(),
+            Point::Fixed(_, offset) => offset.to_vec(),
             Point::Moving(offset) => work.entries(&[offset]),
         };
         if !reactions_in(work, &place_of_load).is_empty() {

@@ -66,7 +66,7 @@ pub struct Solved<'m> {
 }
 
 impl Solved<'_> {
-    /// A load, what is given of it and what is solved for.
+    /// A load, what is known of it and what is solved for.
     pub fn load(&self, work: &mut Workspace, load: &Reaction) -> Vector {
         let values = self.elimination.values.iter();
         let values: Vec<Id> = values.map(|value| work.graph.unnamed(*value)).collect();

@@ -2,9 +2,9 @@
 
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
-use crate::mechanics::balances::{arm, turning};
-use crate::model::{Axis, Frame, Model, Reaction, Workspace};
-use crate::symbolic::{Elimination, Id, Number, Undetermined};
+use crate::mechanics::balances::{arm, not_vanishing, parts_along};
+use crate::model::{Axis, Model, Reaction, Workspace};
+use crate::symbolic::{Elimination, Number, Undetermined};
 
 use super::rows::Solved;
 use super::unit::{Unit, names};
@@ -42,7 +42,7 @@ fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
             None => model.motion.has_attitude(),
         };
     }
-    if model.motion.translates {
+    if model.motion.translates() {
         return true;
     }
     let center = model.state.center(work);
@@ -210,12 +210,8 @@ pub fn check_across<'u>(
     errors: &mut Errors,
 ) -> Option<()> {
     let units: Vec<&Unit<'_>> = units.collect();
-    let along = units.iter().map(|unit| {
-        let moment = work.part(unit.moment, Frame::WORLD);
-        work.graph.dot(axis.unit, moment)
-    });
-    let parts: Vec<Id> = along.collect();
-    let wrong = turning(work, &parts);
+    let parts = parts_along(work, axis, units.iter().map(|unit| unit.moment));
+    let wrong = not_vanishing(work, &parts);
     for index in &wrong {
         let unit = units[*index];
         errors.push(

@@ -105,13 +105,13 @@ pub fn name_values(work: &mut Workspace, names: &[(String, Extent)], elimination
     }
 }
 
-/// A load: what is given of it, and the values of its units.
+/// A load: what is known of it, and the values of its units.
 pub fn assemble<'u>(
     work: &mut Workspace,
     load: &Reaction,
     solved: impl IntoIterator<Item = (&'u Unit<'u>, Id)>,
 ) -> Vector {
-    let mut parts = vec![work.vector(load.frame, load.given)];
+    let mut parts = vec![work.vector(load.frame, load.known)];
     for (unit, value) in solved {
         if core::ptr::eq(unit.load, load) {
             parts.push(work.scale(value, unit.direction));

@@ -14,18 +14,20 @@ use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 /// A direction in the space of states.
 pub struct Direction {
+    /// The body that changes.
+    pub body: Frame,
     /// What each symbol changes by; others stay as they are.
     pub changes: BTreeMap<Id, Id>,
-    /// The turn of the body.
-    pub turning: Vector,
+    /// Its turn.
+    pub phi: Vector,
 }
 
 impl Direction {
     /// As the body moves, its velocities held; inputs are held, unless they move.
     pub fn motion(model: &Model, work: &mut Workspace) -> Self {
         let state = &model.state;
-        let turning = work.vector(state.axes, state.angular_velocity);
-        let mut motion = Self::turn(work, turning);
+        let phi = work.vector(state.axes, state.angular_velocity);
+        let mut motion = Self::turn(work, model.state.body, phi);
         let [place, velocity] = world_parts(work, [state.position, state.velocity]);
         let (graph, changes) = (&work.graph, &mut motion.changes);
         changes.insert(state.time, graph.one());
@@ -52,8 +54,8 @@ impl Direction {
     /// The world is turned about `e`: what is written in its axes turns with it.
     pub fn turn_of_world(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let state = &model.state;
-        let turning = work.vector(Frame::WORLD, e);
-        let mut turn = Self::turn(work, turning);
+        let phi = work.vector(Frame::WORLD, e);
+        let mut turn = Self::turn(work, model.state.body, phi);
         let linear = world_parts(work, [state.position, state.velocity]).into_iter();
         let graph = &mut work.graph;
         for vector in linear.chain(state.axis.map(|axis| axis.rate)) {
@@ -67,23 +69,23 @@ impl Direction {
     pub fn turn_of_axes(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let w = model.state.angular_velocity;
         let back = work.graph.negate_vector(e);
-        let turning = work.vector(model.state.axes, back);
-        let mut turn = Self::turn(work, turning);
+        let phi = work.vector(model.state.axes, back);
+        let mut turn = Self::turn(work, model.state.body, phi);
         let by = work.graph.cross(e, w);
         change(&work.graph, &mut turn.changes, w, by);
         turn
     }
 
     /// The body is turned, and nothing else changes.
-    pub fn turn(work: &mut Workspace, turning: Vector) -> Self {
-        let [body, world] = [Frame::BODY, Frame::WORLD].map(|frame| work.part(turning, frame));
-        let attitude = work.attitude(Frame::BODY);
+    pub fn turn(work: &mut Workspace, body: Frame, phi: Vector) -> Self {
+        let [own, world] = [body, Frame::WORLD].map(|frame| work.part(phi, frame));
+        let attitude = work.attitude(body);
         let graph = &mut work.graph;
         let mut changes = BTreeMap::new();
         match attitude {
             Attitude::Fixed => {}
             Attitude::Axis { angle, direction } => {
-                let both = graph.add_vectors(body, world);
+                let both = graph.add_vectors(own, world);
                 changes.insert(angle, graph.dot(direction, both));
             }
             Attitude::Line { axis, .. } => {
@@ -92,11 +94,11 @@ impl Direction {
             }
             Attitude::Quaternion { scalar, vector } => {
                 let half = graph.number(Number::ratio(1, 2));
-                let both = graph.add_vectors(body, world);
+                let both = graph.add_vectors(own, world);
                 let along = graph.dot(vector, both);
                 let along = graph.multiply(half, along);
                 changes.insert(scalar, graph.negate(along));
-                let apart = graph.subtract_vectors(body, world);
+                let apart = graph.subtract_vectors(own, world);
                 let swept = graph.cross(vector, apart);
                 let kept = graph.scale_vector(scalar, both);
                 let twice = graph.add_vectors(kept, swept);
@@ -104,7 +106,7 @@ impl Direction {
                 change(graph, &mut changes, vector, by);
             }
         }
-        Self { changes, turning }
+        Self { body, changes, phi }
     }
 }
 

@@ -34,11 +34,12 @@ struct Derived {
 /// The potentials become loads, in the form that makes the fewest operations.
 pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
     let mut best: Option<(u32, Vec<Derived>)> = None;
+    let body = model.state.body;
     for form in &model.potentials.forms {
         let derived: Vec<Derived> = form
             .energies
             .iter()
-            .map(|energy| derive(work, form, *energy))
+            .map(|energy| derive(work, body, form, *energy))
             .collect();
         let derived = expand(&model, work, form, &derived);
         let cost = cost(&model, work, &derived);
@@ -83,7 +84,7 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
 /// Late operations of what enters the accelerations.
 fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
     let mut roots = Vec::new();
-    if model.motion.translates {
+    if model.motion.translates() {
         let force = work.sum(derived.iter().map(|one| one.force));
         for (frame, part) in work.parts(force).to_vec() {
             roots.extend(work.turn(part, frame, Frame::WORLD));
@@ -96,8 +97,8 @@ fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
 }
 
 /// Force and moment, made of turned vectors that are still kept apart.
-fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
-    let place = symbols_of_place(work, form);
+fn derive(work: &mut Workspace, body: Frame, form: &Form, energy: Id) -> Derived {
+    let place = symbols_of_place(work, body, form);
     let mut slopes = Slopes::along_leaves(work, energy, place.clone());
     let mut moment = work.graph.zeros();
     let mut carrying = Vector::ZERO;
@@ -107,8 +108,8 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
         if work.graph.is_zero_vector(&slope) {
             continue;
         }
-        let turning = turning(work, turn, slope);
-        moment = work.graph.add_vectors(moment, turning);
+        let of_turned = moment_along(work, turn, slope);
+        moment = work.graph.add_vectors(moment, of_turned);
         if let Some(slope) = carried(work, form, turn, &place, slope) {
             let slope = work.vector(turn.to, slope);
             carrying = work.add(carrying, slope);
@@ -116,7 +117,7 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
             slopes.pass_on(work, turn, slope);
         }
     }
-    let (direct, pull) = of_attitude(work, &slopes);
+    let (direct, pull) = of_attitude(work, body, &slopes);
     let force = slopes.by(work, form.displacement);
     let force = work.vector(Frame::WORLD, force);
     let slope = work.add(carrying, force);
@@ -146,7 +147,7 @@ fn carried(
 }
 
 /// The moment that a slope along a turned vector amounts to.
-fn turning(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
+fn moment_along(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
     if turn.to == Frame::WORLD {
         let back = work.turn(slope, turn.to, turn.from);
         work.graph.cross(back, turn.vector)
@@ -157,10 +158,10 @@ fn turning(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
 }
 
 /// The symbols that say where the body is: of the displacement, the attitude and turned vectors.
-fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
+fn symbols_of_place(work: &Workspace, body: Frame, form: &Form) -> HashSet<Id> {
     let mut symbols: HashSet<Id> = form.displacement.into_iter().collect();
     symbols.extend(form.turns.iter().flat_map(|turn| turn.turned));
-    match work.attitude(Frame::BODY) {
+    match work.attitude(body) {
         Attitude::Fixed => {}
         Attitude::Axis { angle, .. } => symbols.extend([angle]),
         Attitude::Quaternion { scalar, vector } => {
@@ -174,16 +175,16 @@ fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
 
 /// The moment of an energy that was written in terms of the attitude itself, and of a rod the pull
 /// at its axis, `-dU/du`.
-fn of_attitude(work: &mut Workspace, slopes: &Slopes) -> (Components, Components) {
-    if let Attitude::Line { axis, .. } = work.attitude(Frame::BODY) {
+fn of_attitude(work: &mut Workspace, body: Frame, slopes: &Slopes) -> (Components, Components) {
+    if let Attitude::Line { axis, .. } = work.attitude(body) {
         let slope = slopes.by(work, axis);
         let pull = work.graph.negate_vector(slope);
         return (work.graph.cross(axis, pull), pull);
     }
     let moment = work.graph.unit_vectors().map(|e| {
         let back = work.graph.negate_vector(e);
-        let back = work.vector(Frame::BODY, back);
-        let back = Direction::turn(work, back);
+        let back = work.vector(body, back);
+        let back = Direction::turn(work, body, back);
         slopes.along(work, &back)
     });
     (moment, work.graph.zeros())
@@ -194,7 +195,7 @@ fn of_attitude(work: &mut Workspace, slopes: &Slopes) -> (Components, Components
 fn expand(model: &Model, work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = HashMap::new();
     let zero = work.graph.zero();
-    if !model.motion.translates {
+    if !model.motion.translates() {
         values.extend(form.displacement.map(|symbol| (symbol, zero)));
     }
     for turn in &form.turns {

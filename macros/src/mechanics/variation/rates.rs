@@ -20,9 +20,9 @@ pub struct Rates {
 
 pub fn rates(model: &Model, work: &mut Workspace, value: Id) -> Rates {
     let slopes = Slopes::of(work, value);
-    let motion = Direction::motion(model, work);
+    let (body, motion) = (model.state.body, Direction::motion(model, work));
     let mut rate = slopes.along(work, &motion);
-    let mut angular = slopes.by_variable(work, Variable::AngularVelocity);
+    let mut angular = slopes.by_variable(work, body, Variable::AngularVelocity);
     if let Some(Axis { unit, rate: moving }) = model.state.axis {
         // u'' = w' x u - u'^2 u: a slope g along u' is one along w, `u x g`, and a rate
         let slope = slopes.by(work, moving);
@@ -35,7 +35,7 @@ pub fn rates(model: &Model, work: &mut Workspace, value: Id) -> Rates {
     Rates {
         rate,
         factors: Pair {
-            linear: slopes.by_variable(work, Variable::Velocity),
+            linear: slopes.by_variable(work, body, Variable::Velocity),
             angular,
         },
     }

@@ -82,9 +82,9 @@ impl Slopes {
     }
 
     /// Along the components of what the state is told by.
-    pub fn by_variable(&self, work: &Workspace, variable: Variable) -> Components {
+    pub fn by_variable(&self, work: &Workspace, body: Frame, variable: Variable) -> Components {
         let (graph, zero) = (&work.graph, work.graph.zero());
-        let meaning = |i: usize| Meaning::Of(Frame::BODY, variable, i);
+        let meaning = |i: usize| Meaning::Of(body, variable, i);
         let symbol = |i: usize| work.meanings.symbol_of(meaning(i));
         let symbols = [0, 1, 2].map(|i| symbol(i).map_or(zero, |known| graph.symbol_id(known)));
         self.by(work, symbols)
@@ -92,10 +92,10 @@ impl Slopes {
 
     /// The change in one direction.
     pub fn along(&self, work: &mut Workspace, direction: &Direction) -> Id {
-        let [body, world] =
-            [Frame::BODY, Frame::WORLD].map(|frame| work.part(direction.turning, frame));
-        let world = work.turn(world, Frame::WORLD, Frame::BODY);
-        let phi = work.graph.add_vectors(body, world);
+        let body = direction.body;
+        let [own, world] = [body, Frame::WORLD].map(|frame| work.part(direction.phi, frame));
+        let world = work.turn(world, Frame::WORLD, body);
+        let phi = work.graph.add_vectors(own, world);
         let mut terms = Vec::new();
         for (turn, slope) in &self.by_turned {
             terms.push(along_turned(work, phi, turn, *slope));
@@ -111,7 +111,7 @@ impl Slopes {
 
 /// What of the change of a turned vector is due to the turn of the body.
 fn along_turned(work: &mut Workspace, phi: Components, turn: &Turn, slope: Components) -> Id {
-    let (swept, by) = match (turn.to, work.attitude(Frame::BODY)) {
+    let (swept, by) = match (turn.to, work.attitude(turn.from)) {
         // about an axis, phi has the same components in both axes, and the result is there already
         (Frame::WORLD, Attitude::Axis { .. }) => (work.graph.cross(phi, turn.turned), slope),
         (Frame::WORLD, _) => {

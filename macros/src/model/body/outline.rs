@@ -7,7 +7,7 @@ use crate::families::LoadKind;
 use crate::model::joints::Motion;
 use crate::model::words::Dimension;
 use crate::model::system::Shape;
-use crate::model::words::Frame;
+use crate::model::words::{Frame, FrameWord};
 use crate::symbolic::Number;
 
 /// An output that is asked for, and where.
@@ -80,7 +80,7 @@ impl Outline {
 pub struct Declared {
     pub name: Ident,
     /// Whether it is a vector, and in which axes its components are written.
-    pub frame: Option<Frame>,
+    pub frame: Option<FrameWord>,
     pub dimension: Dimension,
     /// Of an input: whether it is given with its rate and acceleration, and which derivative it is
     /// itself.

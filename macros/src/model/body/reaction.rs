@@ -16,8 +16,8 @@ pub struct Reaction {
     pub point: Point,
     /// The axes in which its components are written.
     pub frame: Frame,
-    /// What is given; zero where it is unknown.
-    pub given: Components,
+    /// What is known; zero where it is not.
+    pub known: Components,
     /// The unknown components: their axes, and their places.
     pub unknown: Vec<(usize, Extent)>,
     /// The direction of `_ * direction`: one unknown, whatever the axes.
@@ -29,8 +29,7 @@ pub struct Reaction {
 impl Reaction {
     /// Whether all its components are unknown.
     pub fn is_whole(&self, motion: Motion) -> bool {
-        let is_scalar = self.kind == LoadKind::Moment && motion.is_planar;
-        is_scalar || self.unknown.len() == motion.axes()
+        self.unknown.len() == motion.axes_of(self.kind).len()
     }
 
     /// One unit of an unknown component, in these axes.
@@ -41,8 +40,7 @@ impl Reaction {
 
     /// What a component is called: `normal` of one unknown, `pin.x` of one of several.
     pub fn component_name(&self, motion: Motion, axis: usize) -> String {
-        let is_moment = self.kind == LoadKind::Moment;
-        if self.along.is_some() || (is_moment && motion.is_planar) {
+        if self.along.is_some() || motion.axes_of(self.kind).len() == 1 {
             self.name.to_string()
         } else {
             format!("{}.{}", self.name, AXES[axis])

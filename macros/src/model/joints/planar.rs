@@ -1,14 +1,12 @@
 //! A body that moves in the plane.
 
-use super::joint::{Held, Joint, Orientation};
+use super::joint::{Center, Joint, Orientation};
 
 pub const PLANAR: Joint = Joint {
     word: "planar",
     is_planar: true,
-    translates: true,
+    center: Center::Free,
     orientation: Orientation::Angle,
-    held: Held::Nothing,
-    knows_position: true,
     state: "Planar",
     acceleration: Some("PlanarAcceleration"),
     missing: Some("three equations out of the plane: the motion is planar"),

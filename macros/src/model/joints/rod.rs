@@ -1,14 +1,12 @@
 //! A thin straight body, of whose attitude there is the axis alone.
 
-use super::joint::{Held, Joint, Orientation};
+use super::joint::{Center, Joint, Orientation};
 
 pub const ROD: Joint = Joint {
     word: "rod",
     is_planar: false,
-    translates: true,
+    center: Center::Free,
     orientation: Orientation::Line,
-    held: Held::Nothing,
-    knows_position: true,
     state: "Rod",
     acceleration: Some("RodAcceleration"),
     missing: Some("the moment balance about the axis: a rod has no inertia about it"),

@@ -1,14 +1,12 @@
 //! A body that moves freely.
 
-use super::joint::{Held, Joint, Orientation};
+use super::joint::{Center, Joint, Orientation};
 
 pub const SPATIAL: Joint = Joint {
     word: "spatial",
     is_planar: false,
-    translates: true,
+    center: Center::Free,
     orientation: Orientation::Quaternion,
-    held: Held::Nothing,
-    knows_position: true,
     state: "Spatial",
     acceleration: Some("SpatialAcceleration"),
     missing: None,

@@ -1,14 +1,12 @@
 //! A body that moves and does not turn.
 
-use super::joint::{Held, Joint, Orientation};
+use super::joint::{Center, Joint, Orientation};
 
 pub const TRANSLATION: Joint = Joint {
     word: "translation",
     is_planar: false,
-    translates: true,
+    center: Center::Free,
     orientation: Orientation::Fixed,
-    held: Held::Nothing,
-    knows_position: true,
     state: "Translation",
     acceleration: None,
     missing: Some("the moment balance: the body does not turn"),

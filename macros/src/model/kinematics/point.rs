@@ -1,4 +1,4 @@
-//! Points, fixed in the body, in space, or moving.
+//! Points, fixed in a body, in space, or moving.
 
 use crate::model::words::Frame;
 use crate::symbolic::Components;
@@ -8,29 +8,26 @@ use super::vector::Vector;
 /// A point, in metres.
 #[derive(Clone, Copy, Debug)]
 pub enum Point {
-    /// Fixed in the body: its offset from G in body axes.
-    Body(Components),
-    /// Fixed in space: its position in world axes.
-    World(Components),
+    /// Fixed in a frame: where it is from its origin, which of a body is G.
+    Fixed(Frame, Components),
     /// Where it is from G changes: the matter of the body that is there, such as that in contact.
     Moving(Vector),
 }
 
 impl Point {
-    /// Fixed in a frame.
-    pub fn in_frame(frame: Frame, components: Components) -> Self {
-        if frame == Frame::WORLD {
-            Self::World(components)
-        } else {
-            Self::Body(components)
+    /// Where it is from G, if it is fixed in this body.
+    pub fn offset(self, body: Frame) -> Option<Components> {
+        match self {
+            Self::Fixed(frame, offset) if frame == body => Some(offset),
+            Self::Fixed(..) | Self::Moving(_) => None,
         }
     }
 
     /// Why this is no point of the body, for messages.
     pub fn where_else(self) -> &'static str {
         match self {
-            Self::World(_) => "fixed in space",
-            Self::Body(_) | Self::Moving(_) => "not fixed in it",
+            Self::Fixed(Frame::WORLD, _) => "fixed in space",
+            Self::Fixed(..) | Self::Moving(_) => "not fixed in it",
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::model::joints::{Motion, Orientation};
-use crate::model::words::{Frame, Meaning, Variable};
+use crate::model::words::{Frame, FrameWord, Meaning, Variable};
 use crate::symbolic::{Components, Id, Stage};
 
 use super::attitude::Attitude;
@@ -36,9 +36,9 @@ impl State {
     /// body is, however far that is (`docs/trust.md`, H9).
     pub fn place(&self, work: &mut Workspace, point: Point) -> Vector {
         match point {
-            Point::World(position) => work.vector(Frame::WORLD, position),
-            Point::Body(offset) => {
-                let offset = work.fixed_in(self.body, offset);
+            Point::Fixed(Frame::WORLD, position) => work.vector(Frame::WORLD, position),
+            Point::Fixed(body, offset) => {
+                let offset = work.fixed_in(body, offset);
                 work.add(self.position, offset)
             }
             Point::Moving(offset) => work.add(self.position, offset),
@@ -59,14 +59,29 @@ impl State {
     }
 
     /// The angular velocity; of a rod u', which is as long.
-    pub fn turning(&self) -> Components {
+    pub fn turn_rate(&self) -> Components {
         self.axis.map_or(self.angular_velocity, |axis| axis.rate)
     }
 
     /// The point about which the moments are balanced: that which is held, or G.
-    pub fn center(&self, work: &mut Workspace) -> Point {
-        let offset = self.support.map(|support| support.offset);
-        Point::Body(offset.unwrap_or_else(|| work.graph.zeros()))
+    pub fn center(&self, work: &Workspace) -> Point {
+        let held = self.support.map(|support| support.offset);
+        held.map_or(self.mass_center(work), |offset| {
+            Point::Fixed(self.body, offset)
+        })
+    }
+
+    /// G.
+    pub fn mass_center(&self, work: &Workspace) -> Point {
+        Point::Fixed(self.body, work.graph.zeros())
+    }
+
+    /// The frame that a description means.
+    pub fn frame(&self, word: FrameWord) -> Frame {
+        match word {
+            FrameWord::World => Frame::WORLD,
+            FrameWord::Body => self.body,
+        }
     }
 
     /// Holds a point of the body: G moves as the body turns about it.
@@ -122,14 +137,11 @@ pub struct Support {
     pub direction: Option<Components>,
 }
 
-/// The symbols of a motion's state and the attitude that they make. What a support adds comes with
+/// The frame of a body, the symbols of its state and the attitude that they make. What a support adds comes with
 /// [`State::hold`]: until then the axis of a hinge is z. That of a rod comes with its direction.
-pub fn state_symbols(body: Frame, motion: Motion, work: &mut Workspace) -> State {
-    let linear = if motion.translates {
-        0..motion.axes()
-    } else {
-        0..0
-    };
+pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
+    let body = work.new_frame(Frame::WORLD);
+    let linear = motion.linear_axes();
     let angular = match motion.orientation {
         Orientation::Angle => 2..3,
         Orientation::Quaternion => 0..3,

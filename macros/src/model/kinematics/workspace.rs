@@ -32,11 +32,11 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// With frames for the ground and for one body, which are parallel until an attitude is known.
+    /// With a frame for the ground.
     pub fn new() -> Self {
         Self {
-            attitudes: vec![Attitude::Fixed; 2],
-            carriers: vec![Frame::WORLD; 2],
+            attitudes: vec![Attitude::Fixed; 1],
+            carriers: vec![Frame::WORLD; 1],
             ..Self::default()
         }
     }
@@ -45,7 +45,7 @@ impl Workspace {
     pub fn new_frame(&mut self, carrier: Frame) -> Frame {
         self.attitudes.push(Attitude::Fixed);
         self.carriers.push(carrier);
-        Frame::at(self.carriers.len() - 1)
+        Frame::with_index(self.carriers.len() - 1)
     }
 
     pub fn carrier(&self, frame: Frame) -> Frame {

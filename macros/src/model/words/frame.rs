@@ -7,10 +7,8 @@ pub struct Frame(usize);
 
 impl Frame {
     pub const WORLD: Self = Self(0);
-    pub const BODY: Self = Self(1);
 
-    /// Of those of a workspace.
-    pub fn at(index: usize) -> Self {
+    pub fn with_index(index: usize) -> Self {
         Self(index)
     }
 
@@ -18,8 +16,24 @@ impl Frame {
         self.0
     }
 
-    /// As it is written.
+    /// What names and messages call it.
     pub fn word(self) -> &'static str {
         if self == Self::WORLD { "world" } else { "body" }
+    }
+}
+
+/// How a description names the axes in which it writes a vector.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FrameWord {
+    World,
+    Body,
+}
+
+impl FrameWord {
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::World => "world",
+            Self::Body => "body",
+        }
     }
 }

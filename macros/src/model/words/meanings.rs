@@ -13,11 +13,11 @@ pub enum Variable {
     Position,
     Velocity,
     LinearAcceleration,
-    /// About an axis.
+    /// By which the body is turned in the plane, or about the axis of a hinge.
     Angle,
     /// The attitude quaternion: its component 0 is the scalar.
     Quaternion,
-    /// Body axes.
+    /// Body axes; that of an angle is along its axis, in the place of z.
     AngularVelocity,
     AngularAcceleration,
     /// The axis of a rod, world axes.

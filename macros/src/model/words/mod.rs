@@ -9,7 +9,7 @@ pub mod shown;
 
 pub use dimension::Dimension;
 pub use doubtful::{Doubtful, why_not};
-pub use frame::Frame;
+pub use frame::{Frame, FrameWord};
 pub use labels::{AXES, Labels};
 pub use meanings::{Meaning, Meanings, Variable};
 pub use shown::shown;

@@ -6,27 +6,27 @@ impl System<'_> {
     /// The smallest of them: its rows, and its unknowns in order. Nothing if each set of rows has a
     /// part in more unknowns than it has rows.
     pub(super) fn first_block(&self) -> Option<(Vec<usize>, Vec<usize>)> {
-        let given = self.matching();
-        let closed = given
+        let matched = self.matching();
+        let closed = matched
             .iter()
-            .filter_map(|(_, row)| self.closure(*row, &given));
+            .filter_map(|(_, row)| self.closure(*row, &matched));
         let mut rows = closed.min_by_key(Vec::len)?;
         rows.sort_unstable();
         let own = |(column, row): &(usize, usize)| rows.contains(row).then_some(*column);
-        let mut columns: Vec<usize> = given.iter().filter_map(own).collect();
+        let mut columns: Vec<usize> = matched.iter().filter_map(own).collect();
         columns.sort_unstable();
         Some((rows, columns))
     }
 
     /// A row, and the rows that give what else it has a part in; nothing if no row gives it.
-    fn closure(&self, row: usize, given: &[(usize, usize)]) -> Option<Vec<usize>> {
+    fn closure(&self, row: usize, matched: &[(usize, usize)]) -> Option<Vec<usize>> {
         let mut rows = vec![row];
         let mut next = 0;
         while let Some(row) = rows.get(next).copied() {
             for column in self.open().filter(|column| self.is_there(row, *column)) {
-                let (_, giver) = given.iter().find(|(known, _)| *known == column)?;
-                if !rows.contains(giver) {
-                    rows.push(*giver);
+                let (_, other) = matched.iter().find(|(known, _)| *known == column)?;
+                if !rows.contains(other) {
+                    rows.push(*other);
                 }
             }
             next += 1;
@@ -36,18 +36,18 @@ impl System<'_> {
 
     /// Unknowns with a row for each in which it has a part, as many as there can be.
     fn matching(&self) -> Vec<(usize, usize)> {
-        let mut given = Vec::new();
+        let mut matched = Vec::new();
         for row in self.left() {
-            self.give_one(*row, &mut given, &mut Vec::new());
+            self.match_one(*row, &mut matched, &mut Vec::new());
         }
-        given
+        matched
     }
 
     /// Finds an unknown for a row; others may have to take another one.
-    fn give_one(
+    fn match_one(
         &self,
         row: usize,
-        given: &mut Vec<(usize, usize)>,
+        matched: &mut Vec<(usize, usize)>,
         tried: &mut Vec<usize>,
     ) -> bool {
         let columns: Vec<usize> = self
@@ -59,14 +59,14 @@ impl System<'_> {
                 continue;
             }
             tried.push(column);
-            let place = given.iter().position(|(known, _)| *known == column);
+            let place = matched.iter().position(|(known, _)| *known == column);
             let is_free = match place {
                 None => true,
-                Some(place) => self.give_one(given[place].1, given, tried),
+                Some(place) => self.match_one(matched[place].1, matched, tried),
             };
             if is_free {
-                given.retain(|(known, _)| *known != column);
-                given.push((column, row));
+                matched.retain(|(known, _)| *known != column);
+                matched.push((column, row));
                 return true;
             }
         }

@@ -55,7 +55,7 @@ impl System<'_> {
         let solved: Vec<usize> = (0..self.rows[rows[0]].coefficients.len())
             .filter(|column| !columns.contains(column))
             .collect();
-        let mut given = Vec::new();
+        let mut sides = Vec::new();
         for place in 0..columns.len() {
             let cofactors = self.cofactors(&mut known, &rows, &columns, place);
             let right = self.combined(&cofactors, |row| row.right);
@@ -63,9 +63,9 @@ impl System<'_> {
                 .iter()
                 .map(|column| self.combined(&cofactors, |row| row.coefficients[*column]))
                 .collect();
-            given.push((right, left));
+            sides.push((right, left));
         }
-        for ((row, column), (right, left)) in rows.into_iter().zip(columns).zip(given) {
+        for ((row, column), (right, left)) in rows.into_iter().zip(columns).zip(sides) {
             let zero = self.graph.zero();
             self.rows[row].coefficients.fill(zero);
             for (column, coefficient) in solved.iter().zip(left) {

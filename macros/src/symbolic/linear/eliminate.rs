@@ -68,12 +68,8 @@ enum Kind {
     Number,
     EarlySquares,
     Squares,
-    /// It is known early, and may vanish only for odd parameters.
-    Early,
-    /// It may vanish in some state, or is small beside others.
-    OfState,
-    /// It may vanish for some parameters: a coefficient of friction, a slope.
-    OfParameters,
+    /// It may vanish in some state or for some parameters, or is small beside others.
+    Unsafe,
 }
 
 impl Kind {
@@ -143,23 +139,6 @@ impl Graph {
             self.apply(Function::Max, &[a, b])
         }
     }
-
-    /// Whether what is known early may be zero for ordinary values of the parameters: a parameter, a
-    /// product with one, a difference of alike; `1 + a` is taken to be none.
-    fn may_be_zero_early(&self, a: Id) -> bool {
-        let is_early = self.is_early(a);
-        let may = |a: Id| self.may_be_zero_early(a);
-        match *self.node(a) {
-            Node::Number(ref number) => number.is_zero(),
-            Node::Quantity(a) | Node::Negate(a) | Node::Divide(a, _) => may(a),
-            Node::Multiply(a, b) => may(a) || may(b),
-            Node::Add(a, b) => is_early && may(a) && may(b),
-            Node::Subtract(a, b) => is_early && may(a) == may(b),
-            Node::Unary(Function::Exp | Function::Cosh, _) => false,
-            Node::Unary(_, a) => is_early && may(a),
-            _ => is_early,
-        }
-    }
 }
 
 impl System<'_> {
@@ -188,14 +167,12 @@ impl System<'_> {
         let coefficient = self.rows[row].coefficients[column];
         let is_early = graph.is_early(coefficient);
         match (graph.as_number(coefficient), self.rows[row].sizes[column]) {
-            (Some(number), _) if self.is_small(number, row, column) => Kind::OfState,
+            (Some(number), _) if self.is_small(number, row, column) => Kind::Unsafe,
             (Some(number), _) if number.abs().is_one() => Kind::One,
             (Some(_), _) => Kind::Number,
             (None, Size::Squares) if is_early => Kind::EarlySquares,
             (None, Size::Squares) => Kind::Squares,
-            _ if graph.may_be_zero_early(coefficient) => Kind::OfParameters,
-            _ if is_early => Kind::Early,
-            _ => Kind::OfState,
+            _ => Kind::Unsafe,
         }
     }
 

@@ -9,6 +9,7 @@ mod closed_forms;
 mod proofs;
 mod report;
 mod structure;
+mod system;
 pub mod tree;
 mod unknowns;
 mod variation;
@@ -19,6 +20,10 @@ pub use answers::{
 };
 pub use balances::uniform_field;
 pub use closed_forms::{Flow, Free, Rotation, derive_flow};
+pub use system::{
+    SystemEquations, derive_system, derive_system_energy, derive_system_inverse,
+    derive_system_momentum, derive_system_reactions,
+};
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
 pub use unknowns::{Consistency, Reach, derive_inverse, derive_reach};
 pub use variation::with_potentials;
@@ -86,9 +91,9 @@ pub fn derive_equations(
         accelerations,
         form,
         reactions,
-        switches: derive_switches(model, work, &acting),
+        switches: derive_switches(model.state.time, &model.derivatives, work, &acting),
         constraints,
-        partial: list_partial(model, work),
+        partial: list_partial(&model.loads, work),
         structure: OnceCell::new(),
     })
 }

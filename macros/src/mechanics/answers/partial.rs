@@ -2,7 +2,7 @@
 //! divide by what moves, or have a function that is not there for all numbers, or soon out of
 //! range.
 
-use crate::model::{Meaning, Model, Workspace};
+use crate::model::{Load, Meaning, Workspace};
 use crate::symbolic::{Function, Graph, Id, Node};
 
 /// A load, and all of its components that are not zero.
@@ -11,9 +11,9 @@ pub struct Partial {
     pub parts: Vec<Id>,
 }
 
-pub fn list_partial(model: &Model, work: &Workspace) -> Vec<Partial> {
+pub fn list_partial<'l>(loads: impl IntoIterator<Item = &'l Load>, work: &Workspace) -> Vec<Partial> {
     let graph = &work.graph;
-    let loads = model.loads.iter().map(|load| {
+    let loads = loads.into_iter().map(|load| {
         let mut parts = work.entries(&[load.force, load.moment]);
         parts.extend(load.pull.into_iter().flatten());
         parts.retain(|part| !graph.is_early(*part));

@@ -14,7 +14,7 @@
 
 use std::collections::HashMap;
 
-use crate::model::{Meaning, Model, Workspace};
+use crate::model::{Meaning, Workspace};
 use crate::symbolic::{Comparison, Function, Graph, Id, Node, Number};
 
 /// When equations change.
@@ -61,9 +61,15 @@ struct Wave {
 type Pieces = HashMap<Id, Option<Vec<Piece>>>;
 
 /// The switch times of `roots`, each once.
-pub fn derive_switches(model: &Model, work: &mut Workspace, roots: &[Id]) -> Vec<Switch> {
+///
+/// `derivatives` says how many of each input are given: one that has some moves.
+pub fn derive_switches(
+    time: Id,
+    derivatives: &[usize],
+    work: &mut Workspace,
+    roots: &[Id],
+) -> Vec<Switch> {
     let graph = &work.graph;
-    let time = model.state.time;
     let order = graph.reachable(roots, |id| !graph.is_early(id));
     if order.binary_search(&time).is_err() {
         return Vec::new();
@@ -71,7 +77,7 @@ pub fn derive_switches(model: &Model, work: &mut Workspace, roots: &[Id]) -> Vec
     let is_held = |symbol: Id| match graph.node(symbol) {
         Node::Symbol(known) => match work.meanings.of(*known) {
             Meaning::Param(..) => true,
-            Meaning::Input(input, _) => !model.moves(input),
+            Meaning::Input(input, _) => derivatives.get(input).is_none_or(|count| *count == 0),
             _ => false,
         },
         _ => false,

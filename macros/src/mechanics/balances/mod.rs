@@ -9,7 +9,7 @@ mod newton_euler;
 mod response;
 pub mod rod;
 
-pub use dyadic::transform;
+pub use dyadic::{quadratic, transform};
 pub use euler_equations::{EulerForm, is_diagonal};
 pub use kinetic::twice_kinetic;
 pub use loads::{arm, check_moment_free, known_parts, moments_about, resultant, uniform_field};

@@ -23,7 +23,7 @@ pub struct Moving {
 }
 
 impl Moving {
-    fn ground(graph: &mut Graph, gravity: Components) -> Self {
+    pub fn ground(graph: &mut Graph, gravity: Components) -> Self {
         Self {
             w: graph.zeros(),
             acceleration: Pair {
@@ -35,7 +35,7 @@ impl Moving {
     }
 
     /// The motion of a link on a carrier that moves so.
-    fn carried(&self, graph: &mut Graph, link: &Link) -> Self {
+    pub fn carried(&self, graph: &mut Graph, link: &Link) -> Self {
         let zeros = graph.zeros();
         let sum = |graph: &mut Graph, part: fn(&Twist) -> Components| {
             let rates = link.freedoms.iter().fold(zeros, |sum, freedom| {
@@ -73,8 +73,29 @@ impl Moving {
         }
     }
 
+    /// The same when the freedoms of the link accelerate; of one that is free these are what they are,
+    /// along world axes first.
+    pub fn accelerated(&self, graph: &mut Graph, tree: &Tree, link: &Link, rates: &[Id]) -> Self {
+        let mut acceleration = self.acceleration;
+        for (freedom, rate) in link.freedoms.iter().zip(rates) {
+            let made = Pair::of(&freedom.twist).scaled(graph, *rate);
+            acceleration = acceleration.plus(graph, made);
+        }
+        if link.is_free {
+            // what the twists made of the linear ones is along world axes
+            let fall = graph.subtract_vectors(acceleration.linear, tree.gravity);
+            acceleration.linear = link.turning.to_link(graph, fall);
+        }
+        let acceleration = acceleration.quantities(graph);
+        Self {
+            w: self.w,
+            acceleration,
+            sweep: sweep(graph, self.w, acceleration.angular),
+        }
+    }
+
     /// The moment and the force that this motion takes, about the origin.
-    fn taken_by(&self, graph: &mut Graph, link: &Link) -> Pair {
+    pub fn taken_by(&self, graph: &mut Graph, link: &Link) -> Pair {
         let properties = &link.properties;
         let (h, rows, a) = (
             properties.first,
@@ -146,10 +167,7 @@ pub fn derive_bias(graph: &mut Graph, tree: &Tree) -> Vec<(Moving, Pair)> {
         let carrier = link.carrier.map_or(ground, |carrier| all[carrier].0);
         let moving = carrier.carried(graph, link);
         let taken = moving.taken_by(graph, link);
-        let lacking = Pair {
-            angular: graph.subtract_vectors(taken.angular, link.moment),
-            linear: graph.subtract_vectors(taken.linear, link.force),
-        };
+        let lacking = taken.less(graph, link);
         all.push((moving, lacking));
     }
     all
@@ -175,6 +193,14 @@ impl Pair {
         Self {
             angular: graph.add_vectors(self.angular, other.angular),
             linear: graph.add_vectors(self.linear, other.linear),
+        }
+    }
+
+    /// Without the loads on a link.
+    pub fn less(self, graph: &mut Graph, link: &Link) -> Self {
+        Self {
+            angular: graph.subtract_vectors(self.angular, link.moment),
+            linear: graph.subtract_vectors(self.linear, link.force),
         }
     }
 

@@ -7,6 +7,8 @@
 
 mod articulated;
 mod bias;
+mod build;
+mod joint_loads;
 mod link;
 mod mass_matrix;
 mod properties;
@@ -14,7 +16,10 @@ mod recursion;
 mod reductions;
 mod turning;
 
+pub use bias::Pair;
+pub use build::{Built, build};
+pub use joint_loads::{in_world, joint_loads};
 pub use link::{Freedom, Link, Tree, Twist};
 pub use properties::Properties;
-pub use recursion::{Accelerations, derive_tree};
+pub use recursion::derive_tree;
 pub use turning::Turning;

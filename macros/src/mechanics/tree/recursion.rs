@@ -99,9 +99,10 @@ fn recursion(graph: &mut Graph, tree: &Tree) -> Accelerations {
             let linear: Components = acceleration.linear;
             let linear = link.turning.to_carrier(graph, linear);
             let linear = graph.add_vectors(linear, tree.gravity);
-            let count = found.len().min(3);
-            for (rate, part) in found[..count].iter_mut().zip(linear) {
-                *rate = part;
+            for ((rate, part), freedom) in found.iter_mut().zip(linear).zip(&link.freedoms) {
+                if graph.is_zero_vector(&freedom.twist.angular) {
+                    *rate = part;
+                }
             }
         }
         all.push(found);

@@ -21,9 +21,11 @@ pub enum Turning {
 impl Turning {
     /// About any unit vector: `c 1 + (1 - c) d d + s [d]x`.
     pub fn about(graph: &mut Graph, direction: Components, cosine: Id, sine: Id) -> Self {
+        let is_unit = |a: Id| graph.as_number(a).is_some_and(|a| a.abs().is_one());
         let is_axis =
-            |axis: &usize| graph.is_one(direction[*axis]) && graph.is_along(direction, *axis);
+            |axis: &usize| is_unit(direction[*axis]) && graph.is_along(direction, *axis);
         if let Some(axis) = (0..3).find(is_axis) {
+            let sine = graph.multiply(direction[axis], sine);
             return Self::About { axis, cosine, sine };
         }
         let one = graph.one();
@@ -82,6 +84,12 @@ impl Turning {
             (rows[i][j], rows[j][i]) = (graph.quantity(less), graph.quantity(more));
         }
         Self::By(rows)
+    }
+
+    /// The same rotation, by its matrix.
+    pub fn as_matrix(self, graph: &mut Graph) -> Self {
+        let columns = graph.unit_vectors().map(|unit| self.to_carrier(graph, unit));
+        Self::By(transposed(&columns))
     }
 
     /// The same rotation in axes that both are turned into by `rows`, a matrix of right angles.

@@ -1,0 +1,254 @@
+//! From the bodies and joints of a system to the links of a tree.
+
+use crate::model::{Member, Part, Rates, System, TreeJoint, Variable, Vector, Workspace};
+use crate::symbolic::{Components, Function, Id};
+
+use super::link::{Freedom, Link, Tree, Twist};
+use super::properties::Properties;
+use super::turning::Turning;
+
+/// A tree, and which of its links are those of each joint: the last one is the body.
+pub struct Built {
+    pub tree: Tree,
+    pub links: Vec<core::ops::Range<usize>>,
+}
+
+impl Built {
+    /// The link of a body.
+    pub fn body(&self, body: usize) -> usize {
+        self.links[body].end - 1
+    }
+}
+
+/// Links for all bodies; the origin of each is at the joint that carries it.
+pub fn build(system: &System, work: &mut Workspace) -> Built {
+    let mut built = Built {
+        tree: Tree {
+            links: Vec::new(),
+            gravity: system.gravity,
+        },
+        links: Vec::new(),
+    };
+    for (body, joint) in system.bodies.iter().zip(&system.joints) {
+        let first = built.tree.links.len();
+        // from the joint that carries the carrier to this one
+        let place = match joint.carrier {
+            None => joint.place,
+            Some(carrier) => {
+                let pin = system.joints[carrier].pin;
+                work.graph.subtract_vectors(joint.place, pin)
+            }
+        };
+        let carrier = joint.carrier.map(|carrier| built.body(carrier));
+        let mut making = Making {
+            work,
+            joint,
+            links: &mut built.tree.links,
+            carrier,
+            place,
+            name: body.name.to_string(),
+        };
+        making.joint(system.is_planar);
+        let (force, moment) = wrench(work, body, joint.pin);
+        let center = work.graph.negate_vector(joint.pin);
+        let rows = body.inertia.rows(&mut work.graph);
+        let properties = Properties::of_body(&mut work.graph, body.mass, center, &rows);
+        if let Some(link) = built.tree.links.last_mut() {
+            (link.properties, link.force, link.moment) = (properties, force, moment);
+        }
+        built.links.push(first..built.tree.links.len());
+    }
+    built
+}
+
+/// The loads on a body, about its joint, in its axes.
+fn wrench(work: &mut Workspace, body: &Member, pin: Components) -> (Components, Components) {
+    let frame = body.state.body;
+    let pin = work.vector(frame, pin);
+    let (mut force, mut moment) = (Vector::ZERO, Vector::ZERO);
+    for load in &body.loads {
+        force = work.add(force, load.force);
+        moment = work.add(moment, load.moment);
+        if !load.force.is_zero() {
+            // from the joint to where the force acts
+            let arm = match load.point.offset(frame) {
+                Some(offset) => work.vector(frame, offset),
+                None => {
+                    let place = body.state.place(work, load.point);
+                    let back = work.negate(body.state.position);
+                    work.add(place, back)
+                }
+            };
+            let back = work.negate(pin);
+            let arm = work.add(arm, back);
+            let lever = work.cross(arm, load.force);
+            moment = work.add(moment, lever);
+        }
+    }
+    let [force, moment] = [force, moment].map(|vector| {
+        let components = work.components(vector, frame);
+        work.graph.quantities(components)
+    });
+    (force, moment)
+}
+
+/// The links of one joint in the making.
+struct Making<'a> {
+    work: &'a mut Workspace,
+    joint: &'a TreeJoint,
+    links: &'a mut Vec<Link>,
+    carrier: Option<usize>,
+    place: Components,
+    name: String,
+}
+
+impl Making<'_> {
+    fn joint(&mut self, is_planar: bool) {
+        let joint = self.joint;
+        if let Some((axis, angle)) = joint.turned {
+            let graph = &mut self.work.graph;
+            let cosine = graph.apply(Function::Cos, &[angle]);
+            let sine = graph.apply(Function::Sin, &[angle]);
+            let turning = Turning::about(graph, axis, cosine, sine).as_matrix(graph);
+            self.link(turning, Vec::new());
+        }
+        let (mut next, rates) = (0, &joint.coordinates);
+        for part in joint.kind.parts {
+            let count = match part {
+                Part::Ball => 3,
+                Part::Free if is_planar => 3,
+                Part::Free => 6,
+                Part::Turn(_) | Part::Slide(_) | Part::Screw => 1,
+            };
+            let drives = &joint.drives[next..next + count];
+            next += count;
+            self.part(*part, rates, drives, is_planar);
+        }
+        if joint.kind.parts.is_empty() {
+            self.link(Turning::Parallel, Vec::new());
+        }
+    }
+
+    fn part(&mut self, part: Part, rates: &Rates, drives: &[Id], is_planar: bool) {
+        let graph = &mut self.work.graph;
+        let zero = graph.zero();
+        let get = |variable: Variable, part: usize| rates.get(variable, part).unwrap_or(zero);
+        let units = graph.unit_vectors();
+        let direction = |number: usize| self.joint.directions.get(number).copied();
+        match part {
+            Part::Turn(number) => {
+                let direction = direction(number).unwrap_or(units[2]);
+                let twist = Twist::about(graph, direction);
+                let (angle, rate) = (get(Variable::Angle, number.min(1)), get(Variable::AngularVelocity, number.min(1)));
+                self.hinge(direction, twist, [angle, rate, drives[0]]);
+            }
+            Part::Screw => {
+                let direction = direction(0).unwrap_or(units[2]);
+                let pitch = self.joint.pitch.unwrap_or(zero);
+                let along = graph.scale_vector(pitch, direction);
+                let twist = Twist {
+                    angular: direction,
+                    linear: along,
+                };
+                let [angle, rate] = [get(Variable::Angle, 0), get(Variable::AngularVelocity, 0)];
+                let step = graph.scale_vector(angle, along);
+                self.place = graph.add_vectors(self.place, step);
+                self.hinge(direction, twist, [angle, rate, drives[0]]);
+            }
+            Part::Slide(number) => {
+                let direction = direction(number).unwrap_or(units[0]);
+                let step = graph.scale_vector(get(Variable::Position, 0), direction);
+                self.place = graph.add_vectors(self.place, step);
+                let twist = Twist::along(graph, direction);
+                let freedom = self.freedom(twist, get(Variable::Velocity, 0), drives[0]);
+                self.link(Turning::Parallel, vec![freedom]);
+            }
+            Part::Ball => {
+                let quaternion = [0, 1, 2, 3].map(|part| get(Variable::Quaternion, part));
+                let turning = quaternion_turning(self.work, quaternion);
+                let rates = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
+                let freedoms = (0..3).map(|axis| {
+                    let twist = Twist::about(&self.work.graph, units[axis]);
+                    self.freedom(twist, rates[axis], drives[axis])
+                });
+                let freedoms = freedoms.collect();
+                self.link(turning, freedoms);
+            }
+            Part::Free => {
+                let linear = if is_planar { 2 } else { 3 };
+                let mut freedoms: Vec<Freedom> = (0..linear)
+                    .map(|axis| {
+                        let twist = Twist::along(&self.work.graph, units[axis]);
+                        self.freedom(twist, get(Variable::Velocity, axis), drives[axis])
+                    })
+                    .collect();
+                let axes = if is_planar { 2..3 } else { 0..3 };
+                for (part, axis) in axes.enumerate() {
+                    let twist = Twist::about(&self.work.graph, units[axis]);
+                    let rate = get(Variable::AngularVelocity, part);
+                    freedoms.push(self.freedom(twist, rate, drives[linear + part]));
+                }
+                let turning = if is_planar {
+                    Turning::by_angle(&mut self.work.graph, 2, get(Variable::Angle, 0))
+                } else {
+                    let quaternion = [0, 1, 2, 3].map(|part| get(Variable::Quaternion, part));
+                    quaternion_turning(self.work, quaternion)
+                };
+                let index = self.link(turning, freedoms);
+                self.links[index].is_free = true;
+            }
+        }
+    }
+
+    /// A link that turns about a direction.
+    fn hinge(&mut self, direction: Components, twist: Twist, [angle, rate, drive]: [Id; 3]) {
+        let graph = &mut self.work.graph;
+        let cosine = graph.apply(Function::Cos, &[angle]);
+        let sine = graph.apply(Function::Sin, &[angle]);
+        let (body, labels) = (&self.joint.name, &mut self.work.labels);
+        labels.name(cosine, format!("cosine_{body}"));
+        labels.name(sine, format!("sine_{body}"));
+        let turning = Turning::about(graph, direction, cosine, sine);
+        let about = match turning {
+            Turning::About { axis, .. } => Some(graph.multiply(direction[axis], angle)),
+            Turning::Parallel | Turning::By(_) => None,
+        };
+        let freedom = self.freedom(twist, rate, drive);
+        let index = self.link(turning, vec![freedom]);
+        self.links[index].angle = about;
+    }
+
+    fn freedom(&self, twist: Twist, rate: Id, drive: Id) -> Freedom {
+        Freedom {
+            twist,
+            rate,
+            drive,
+            name: self.joint.name.to_string(),
+        }
+    }
+
+    /// Adds a link without mass, and goes on from it.
+    fn link(&mut self, turning: Turning, freedoms: Vec<Freedom>) -> usize {
+        let graph = &self.work.graph;
+        let zeros = graph.zeros();
+        self.links.push(Link {
+            name: self.name.clone(),
+            carrier: self.carrier,
+            place: self.place,
+            turning,
+            angle: None,
+            freedoms,
+            is_free: false,
+            properties: Properties::none(graph),
+            force: zeros,
+            moment: zeros,
+        });
+        let index = self.links.len() - 1;
+        (self.carrier, self.place) = (Some(index), zeros);
+        index
+    }
+}
+
+fn quaternion_turning(work: &mut Workspace, [w, x, y, z]: [Id; 4]) -> Turning {
+    Turning::quaternion(&mut work.graph, w, [x, y, z])
+}

@@ -1,0 +1,46 @@
+//! What joints transmit, by the balances of all that they carry: reactions and inverse dynamics.
+
+use crate::symbolic::{Graph, Id};
+
+use super::articulated::wrench_on_carrier;
+use super::bias::{Moving, Pair};
+use super::link::{Link, Tree};
+
+/// The force and the moment of each joint on what it carries, about the origin of the link, in its
+/// axes, when the freedoms accelerate so, link by link.
+pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Pair> {
+    let ground = Moving::ground(graph, tree.gravity);
+    let mut motions: Vec<Moving> = Vec::new();
+    let mut loads: Vec<Pair> = Vec::new();
+    for (link, rates) in tree.links.iter().zip(accelerations) {
+        let carrier = link.carrier.map_or(ground, |carrier| motions[carrier]);
+        let moving = carrier.carried(graph, link).accelerated(graph, tree, link, rates);
+        let taken = moving.taken_by(graph, link);
+        loads.push(taken.less(graph, link));
+        motions.push(moving);
+    }
+    for (index, link) in tree.links.iter().enumerate().rev() {
+        loads[index] = loads[index].quantities(graph);
+        if let Some(carrier) = link.carrier {
+            let passed = wrench_on_carrier(graph, link, loads[index]);
+            loads[carrier] = loads[carrier].plus(graph, passed);
+        }
+    }
+    loads
+}
+
+/// In world axes.
+pub fn in_world(graph: &mut Graph, links: &[Link], index: usize, load: Pair) -> Pair {
+    let mut turned = load;
+    let mut at = Some(index);
+    while let Some(index) = at {
+        let link = &links[index];
+        turned = Pair {
+            angular: link.turning.to_carrier(graph, turned.angular),
+            linear: link.turning.to_carrier(graph, turned.linear),
+        }
+        .quantities(graph);
+        at = link.carrier;
+    }
+    turned
+}

@@ -2,10 +2,12 @@
 
 use proc_macro2::TokenStream;
 
-use crate::emit::{Sound, emit_body};
+use crate::emit::code::Shapes;
+use crate::emit::items::Roots;
+use crate::emit::{Equated, Sound, emit_body};
 use crate::errors::Errors;
-use crate::mechanics::{derive_equations, describe_equations, with_potentials};
-use crate::outputs::{self, derive_outputs};
+use crate::mechanics::{Report, Switch, derive_equations, derive_system, describe_equations, with_potentials};
+use crate::outputs::{self, SystemOutputs, derive_outputs, derive_system_outputs, system_offers};
 use crate::range::check_range;
 use crate::{lower, syntax};
 
@@ -27,11 +29,16 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
             let mut report = describe_equations(&model, &mut work, &equations);
             outputs.describe(&outline, (&model, &work), &mut report);
             let roots = outputs.roots(&equations);
-            check_range(&model, &mut work, &outline, &roots.finite, &mut errors);
+            let bodies = vec![model.substance()];
+            check_range((&bodies, &model.defaults), &mut work, &outline, &roots.finite, &mut errors);
             let sound = Sound {
-                model,
+                bodies,
+                equations: Equated {
+                    accelerations: Shapes::of(&outline).pair_part(&equations.accelerations),
+                    switches: equations.switches,
+                    partial: equations.partial,
+                },
                 work,
-                equations,
                 report,
                 roots,
             };
@@ -44,6 +51,63 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
         (mistakes, _) => {
             outline.unused.clear();
             let stub = emit_body(&outline, None, |site| outputs::wanted(&outline).emit(site));
+            mistakes.into_iter().chain([stub]).collect()
+        }
+    }
+}
+
+/// Expands `(runtime) Name { key: value, .. }` of a system.
+pub fn expand_system(tokens: TokenStream) -> TokenStream {
+    let mut errors = Errors::default();
+    let Some(description) = syntax::parse_system(tokens, &mut errors) else {
+        return errors.finish().unwrap_or_default();
+    };
+    let mut outline = lower::outline(&description.top, &system_offers(), &mut errors);
+    outline.joints = lower::outline_joints(&description);
+    let system = lower::lower_system(&description, &mut outline, &mut errors);
+    let solved = system
+        .filter(|_| errors.is_empty())
+        .and_then(|(system, mut work)| {
+            let equations = derive_system(&system, &mut work);
+            let outputs =
+                derive_system_outputs(&outline, &system, &mut work, &equations, &mut errors)?;
+            let bodies: Vec<_> = system.bodies.iter().map(|body| body.substance()).collect();
+            // the state has the joints as they are written, the tree each after its carrier
+            let accelerations = outline.joints.iter().flat_map(|known| {
+                let place = system.joints.iter().position(|joint| joint.name == known.name);
+                place.map(|place| equations.accelerations[place].clone()).unwrap_or_default()
+            });
+            let accelerations: Vec<_> = accelerations.collect();
+            let roots = Roots {
+                finite: accelerations.iter().copied().chain(outputs.roots()).collect(),
+                switches: equations.switches.iter().flat_map(Switch::roots).collect(),
+                tensor: None,
+            };
+            check_range((&bodies, &system.defaults), &mut work, &outline, &roots.finite, &mut errors);
+            let sound = Sound {
+                bodies,
+                equations: Equated {
+                    accelerations,
+                    switches: equations.switches,
+                    partial: equations.partial,
+                },
+                work,
+                report: Report {
+                    lists: Vec::new(),
+                    skipped: Vec::new(),
+                },
+                roots,
+            };
+            Some((sound, outputs))
+        });
+    match (errors.finish(), solved) {
+        (None, Some((sound, outputs))) => {
+            emit_body(&outline, Some(&sound), |site| outputs.emit(site, true))
+        }
+        (mistakes, _) => {
+            outline.unused.clear();
+            let none = SystemOutputs::default();
+            let stub = emit_body(&outline, None, |site| none.emit(site, false));
             mistakes.into_iter().chain([stub]).collect()
         }
     }

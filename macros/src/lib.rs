@@ -21,3 +21,9 @@ mod syntax;
 pub fn rigid_body(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand::expand(input.into()).into()
 }
+
+/// Expands a description of a system.
+#[proc_macro]
+pub fn rigid_system(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    expand::expand_system(input.into()).into()
+}

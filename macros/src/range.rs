@@ -1,6 +1,6 @@
 //! Constants of the equations that no double can hold.
 
-use crate::model::{Model, Outline, Workspace, is_possible, why_not};
+use crate::model::{Defaults, Outline, Substance, Workspace, is_possible, why_not};
 use crate::symbolic::{Id, Number, Stage};
 
 use super::errors::Errors;
@@ -8,7 +8,7 @@ use super::errors::Errors;
 /// Reports constants of the equations that no double can hold, with the defaults where parameters
 /// have them.
 pub fn check_range(
-    model: &Model,
+    (bodies, defaults): (&[Substance], &Defaults),
     work: &mut Workspace,
     outline: &Outline,
     roots: &[Id],
@@ -20,9 +20,9 @@ pub fn check_range(
         .into_iter()
         .filter(|id| graph.is_early(*id))
         .collect();
-    let values = graph.substitute(&early, |id| model.defaults.get(&id).copied());
+    let values = graph.substitute(&early, |id| defaults.get(&id).copied());
     let has_no_value = values.iter().any(|id| graph.is_undefined(*id));
-    if has_no_value && report_without_value(model, work, errors) {
+    if has_no_value && report_without_value(defaults, work, errors) {
         return;
     }
     let graph = &work.graph;
@@ -42,7 +42,7 @@ pub fn check_range(
         let number = graph.as_number(*id);
         graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())
     };
-    if values.iter().any(out_of_range) || outline.has_default() && overflows(model, work, &early) {
+    if values.iter().any(out_of_range) || outline.has_default() && overflows((bodies, defaults), work, &early) {
         let with = if outline.params.is_empty() {
             ""
         } else {
@@ -58,22 +58,38 @@ pub fn check_range(
         );
         return;
     }
-    check_rounded_inertia(model, work, outline, errors);
+    check_rounded_inertia((bodies, defaults), work, outline, errors);
 }
 
 /// Reports an inertia that is possible as it is written, and that the constructor, which computes
 /// in doubles, does not find so with the defaults of all parameters.
-fn check_rounded_inertia(model: &Model, work: &Workspace, outline: &Outline, errors: &mut Errors) {
+fn check_rounded_inertia(
+    (bodies, defaults): (&[Substance], &Defaults),
+    work: &Workspace,
+    outline: &Outline,
+    errors: &mut Errors,
+) {
+    for body in bodies {
+        check_rounded(&body.inertia_entries(), defaults, work, outline, errors);
+    }
+}
+
+fn check_rounded(
+    entries: &[Id],
+    defaults: &Defaults,
+    work: &Workspace,
+    outline: &Outline,
+    errors: &mut Errors,
+) {
     let graph = &work.graph;
-    let entries = model.inertia_entries();
     let is_open = entries
         .iter()
         .any(|id| graph.stage(*id) == Stage::Parameter);
     if !is_open || !outline.has_default() {
         return;
     }
-    let default = |symbol: Id| graph.as_number(*model.defaults.get(&symbol)?);
-    let rounded = graph.evaluate(&entries, |symbol| {
+    let default = |symbol: Id| graph.as_number(*defaults.get(&symbol)?);
+    let rounded = graph.evaluate(entries, |symbol| {
         default(symbol).map_or(f64::NAN, Number::to_f64)
     });
     if !is_possible(&rounded) {
@@ -90,11 +106,12 @@ fn check_rounded_inertia(model: &Model, work: &Workspace, outline: &Outline, err
 
 /// Whether the constructor, which computes in doubles step by step, leaves their range with the
 /// defaults of all parameters, on its way to one of the `early` values or to mass and inertia.
-fn overflows(model: &Model, work: &Workspace, early: &[Id]) -> bool {
+fn overflows((bodies, defaults): (&[Substance], &Defaults), work: &Workspace, early: &[Id]) -> bool {
     let graph = &work.graph;
-    let wanted = early.iter().copied().chain(model.inertia_entries());
-    let wanted: Vec<Id> = wanted.chain(model.mass).collect();
-    let default = |symbol: Id| graph.as_number(*model.defaults.get(&symbol)?);
+    let wanted = early.iter().copied().chain(bodies.iter().flat_map(Substance::inertia_entries));
+    let mass = bodies.iter().filter_map(|body| body.mass);
+    let wanted: Vec<Id> = wanted.chain(mass).collect();
+    let default = |symbol: Id| graph.as_number(*defaults.get(&symbol)?);
     let values = graph.evaluate(&wanted, |symbol| {
         default(symbol).map_or(f64::NAN, Number::to_f64)
     });
@@ -102,7 +119,7 @@ fn overflows(model: &Model, work: &Workspace, early: &[Id]) -> bool {
 }
 
 /// Reports the first part of the description that has no value with the defaults of the parameters.
-pub fn report_without_value(model: &Model, work: &mut Workspace, errors: &mut Errors) -> bool {
+pub fn report_without_value(defaults: &Defaults, work: &mut Workspace, errors: &mut Errors) -> bool {
     let graph = &mut work.graph;
     for doubtful in &work.doubtful {
         let all: Vec<Id> = doubtful
@@ -111,7 +128,7 @@ pub fn report_without_value(model: &Model, work: &mut Workspace, errors: &mut Er
             .copied()
             .chain([doubtful.value])
             .collect();
-        let mut values = graph.substitute(&all, |id| model.defaults.get(&id).copied());
+        let mut values = graph.substitute(&all, |id| defaults.get(&id).copied());
         let has_value = values.pop().is_some_and(|value| !graph.is_undefined(value));
         let numbers = values.iter().map(|id| graph.as_number(*id).cloned());
         if has_value {

@@ -104,6 +104,14 @@ pub use nalgebra;
 #[doc(no_inline)]
 pub use scalar::{Dual, Scalar};
 
+#[doc = include_str!("rigid_system.md")]
+#[macro_export]
+macro_rules! rigid_system {
+    ($($description:tt)*) => {
+        $crate::private::rigid_system! { ($crate) $($description)* }
+    };
+}
+
 #[doc = include_str!("rigid_body.md")]
 #[macro_export]
 macro_rules! rigid_body {

@@ -12,7 +12,7 @@ pub use crate::inertia::InertiaTensor;
 pub use crate::integrate::Integrate;
 #[doc(no_inline)]
 pub use crate::load::{Family, Load, PlanarLoad};
-pub use crate::rigid_body;
+pub use crate::{rigid_body, rigid_system};
 pub use crate::state::{
     Cylinder, CylinderAcceleration, Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod,
     RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State, Translation, Universal,

@@ -67,3 +67,39 @@ pub struct Body {
     /// Statements about this body that fail the build if they are false.
     pub checks: (),
 }
+
+/// What a description of a system may contain, in any order.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct System {
+    /// The documentation of the generated type, a string.
+    pub doc: (),
+    /// `planar` for a system in the plane; left out in space.
+    pub motion: (),
+    /// Constants of a run, with or without a default: `[arm = 0.17[m], gain]`.
+    pub params: (),
+    /// Quantities given at each evaluation: `[torque[N * m]]`.
+    pub inputs: (),
+    /// Names for expressions of the whole system: `[stretch = elbow.angle - rest]`.
+    pub locals: (),
+    /// The bodies: `[arm { mass: 1[kg], inertia: principal(1, 2, 3), points: [tip = (1, 0, 0)] }]`,
+    /// each with the keys of a body but `motion`; `copies: [x = body(1, 0, 0)]` makes a body along
+    /// each direction.
+    pub bodies: (),
+    /// The joints, which carry the bodies: `[elbow = revolute(upper.tip, lower.hinge, body(0, 0, 1))]`,
+    /// from a point of the carrier to one of what it carries.
+    pub joints: (),
+    /// Loads along the coordinates of joints: `[motor = torque.on(elbow)]`; `_` marks an unknown one,
+    /// for inverse dynamics.
+    pub drives: (),
+    /// Forces between points: `[spring = tension.between(upper.tip, lower.tip)]`, positive if they
+    /// pull.
+    pub forces: (),
+    /// Moments on bodies and between them: `[load = moment(2[N * m]).on(arm)]`.
+    pub moments: (),
+    /// Loads that stand for fields, on every body, with its own `mass`:
+    /// `[weight = mass * world(0, 0, -9.80665[m / s ^ 2])]`.
+    pub fields: (),
+    /// What is generated beyond the accelerations: `[energy, momentum, reactions, inverse]`.
+    pub outputs: (),
+}

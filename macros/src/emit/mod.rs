@@ -10,25 +10,28 @@ pub mod series;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::mechanics::{Equations, Report};
-use crate::model::{Model, Outline, Workspace};
+use crate::mechanics::{Partial, Report, Switch};
+use crate::model::{Outline, Substance, Workspace};
+use crate::symbolic::Id;
 
 use code::{Site, Writer};
 use items::{Addition, Constructor, Documentation, Roots};
 
 /// What a description without mistakes has beside its outline.
 pub struct Sound {
-    pub model: Model,
+    /// The bodies whose mass and inertia the constructor checks.
+    pub bodies: Vec<Substance>,
     pub work: Workspace,
-    pub equations: Equations,
+    pub equations: Equated,
     pub report: Report,
     pub roots: Roots,
 }
 
-impl Sound {
-    pub fn meant(&self) -> (&Model, &Workspace) {
-        (&self.model, &self.work)
-    }
+/// The accelerations, and when they change; in the order in which the state has them.
+pub struct Equated {
+    pub accelerations: Vec<Id>,
+    pub switches: Vec<Switch>,
+    pub partial: Vec<Partial>,
 }
 
 /// The type of a body, its parameters and inputs, and all that it implements; `add` writes what is
@@ -39,9 +42,9 @@ pub fn emit_body(
     sound: Option<&Sound>,
     add: impl FnOnce(&Site<'_>) -> Addition,
 ) -> TokenStream {
-    let fields = sound.map(|sound| items::stored_fields(outline, sound.meant(), &sound.roots));
+    let fields = sound.map(|sound| items::stored_fields(outline, &sound.work, &sound.roots));
     let fields = fields.unwrap_or_default();
-    let writer = sound.map(|sound| Writer::new(outline, sound.meant(), &fields));
+    let writer = sound.map(|sound| Writer::new(outline, &sound.work, &fields));
     let site = Site::new(outline, writer);
     let equations = sound.map(|sound| &sound.equations);
     let acceleration = items::write_acceleration(&site, equations);
@@ -49,7 +52,7 @@ pub fn emit_body(
     let (constructor, documentation) = match sound {
         None => (Constructor::stub(), Documentation::stub(outline)),
         Some(sound) => {
-            let built = Constructor::write(outline, sound.meant(), &sound.roots, &fields);
+            let built = Constructor::write(outline, (&sound.bodies, &sound.work), &sound.roots, &fields);
             let report = &sound.report;
             let said = Documentation::write(outline, &acceleration, &built, report, &addition);
             (built, said)

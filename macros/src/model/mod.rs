@@ -10,7 +10,7 @@ mod words;
 
 pub use body::{
     Asked, Charges, Composed, Constraint, Declared, Defaults, ENTRIES, Form, Inertia, Jointed, Level, Load,
-    Mass, Matrix, Outline, Potential, Potentials, Reaction, SOLIDS, Solid, Violation, displaced, is_flat,
+    Mass, Matrix, Outline, Potential, Potentials, Reaction, SOLIDS, Solid, Substance, Violation, displaced, is_flat,
     is_possible, is_solid, least_moment, matrix, thinnest, words,
 };
 pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};
@@ -21,8 +21,6 @@ pub use system::{Coordinate, Field, JointKind, Member, Part, Rates, Shape, Syste
 pub use words::{
     AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
 };
-
-use body::entries;
 
 use crate::symbolic::{Components, Graph, Id};
 
@@ -81,12 +79,16 @@ impl Model {
         Some(support.direction.unwrap_or(z))
     }
 
+    /// What the body is made of.
+    pub fn substance(&self) -> Substance {
+        Substance {
+            mass: self.mass,
+            inertia: self.inertia,
+        }
+    }
+
     /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the one of a planar body.
     pub fn inertia_entries(&self) -> Vec<Id> {
-        match self.inertia {
-            Inertia::Absent => Vec::new(),
-            Inertia::Scalar(moment) => vec![moment],
-            Inertia::Spatial(rows) => entries(&rows).to_vec(),
-        }
+        self.substance().inertia_entries()
     }
 }

@@ -11,6 +11,7 @@ mod momentum;
 mod output;
 mod reactions;
 mod structured;
+mod system;
 mod taylor;
 
 use crate::emit::code::Site;
@@ -19,6 +20,8 @@ use crate::errors::Errors;
 use crate::lower::Offer;
 use crate::mechanics::{Equations, Report, Switch};
 use crate::model::{Model, Outline, Workspace};
+
+pub use system::{derive_system_outputs, system_offers, SystemOutputs};
 
 use output::{Basis, Output, Place};
 

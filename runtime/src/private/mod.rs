@@ -1,7 +1,7 @@
 //! All that generated code may name. Not for users: no promise of stability.
 
 pub use nalgebra::{UnitQuaternion, Vector2, Vector3};
-pub use newton_euler_macros::rigid_body;
+pub use newton_euler_macros::{rigid_body, rigid_system};
 
 pub use crate::bodies::body::{
     Balance, Energy, Flow, InvalidBody, Inverse, Momentum, Reactions, RigidBody, Singular,

@@ -6,21 +6,61 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use crate::model::AXES;
-use crate::model::Declared;
-use crate::model::Motion;
-use crate::model::{Meaning, Variable};
+use crate::model::{AXES, Declared, Field, Jointed, Meaning, Motion, Outline, Variable};
 use crate::symbolic::{Id, Number, Program, Stage};
 
 use super::block::Block;
 use super::naming::local;
 use super::writer::{Source, Writer};
 
+/// Which component of something a symbol is, if it is one.
+type Component = Box<dyn Fn(Meaning) -> Option<usize>>;
+
 /// Components that are read together: where, and the name of each; a scalar has one.
-type Place = (Source, TokenStream, Vec<String>, Variable);
+type Place = (Source, TokenStream, Vec<String>, Component);
 
 /// Where the parts of a state and of an acceleration are.
-fn places(motion: Motion) -> Vec<Place> {
+fn places(outline: &Outline) -> Vec<Place> {
+    if outline.is_system() {
+        return outline.joints.iter().flat_map(places_of_joint).collect();
+    }
+    let places = places_of_body(outline.motion).into_iter();
+    let places = places.map(|(source, path, names, variable)| {
+        let component: Component = Box::new(move |meaning| match meaning {
+            Meaning::Of(_, Variable::Quaternion, part) if variable == Variable::Quaternion => {
+                Some((part + 3) % 4)
+            }
+            Meaning::Of(_, known, part) if known == variable => Some(part),
+            _ => None,
+        });
+        (source, path, names, component)
+    });
+    places.collect()
+}
+
+/// The parts of the state of a joint, in a field of its name, and of its acceleration.
+fn places_of_joint(joint: &Jointed) -> Vec<Place> {
+    let (name, frame) = (&joint.name, joint.frame);
+    let place = |source: Source, of: &str, field: &'static Field| {
+        let of = local(of);
+        let path = field.path.split('.').filter(|part| !part.is_empty());
+        let path: Vec<Ident> = path.map(|part| format_ident!("{part}")).collect();
+        let names = field.names.iter().map(|part| format!("{name}_{part}"));
+        let component: Component = Box::new(move |meaning| match meaning {
+            Meaning::Of(body, ..) if Some(body) == frame => field.component(meaning),
+            _ => None,
+        });
+        (source, quote!(#of.#name #(.#path)*), names.collect(), component)
+    };
+    let state = joint.shape.fields.iter();
+    let state = state.map(|field| place(Source::State, "state", field));
+    let second = joint.shape.second.iter();
+    let second = second.map(|field| place(Source::Acceleration, "acceleration", field));
+    state.chain(second).collect()
+}
+
+/// Where the parts of the state and of the acceleration of a body alone are.
+fn places_of_body(motion: Motion) -> Vec<(Source, TokenStream, Vec<String>, Variable)> {
     let (state, acceleration) = (local("state"), local("acceleration"));
     let axes = &AXES[..motion.axes()];
     let vector = |prefix: &str| axes.iter().map(|axis| format!("{prefix}{axis}")).collect();
@@ -58,7 +98,7 @@ fn places(motion: Motion) -> Vec<Place> {
 impl Block<'_> {
     /// Reads the symbols of `program`, and gives them names.
     pub fn read(&mut self, program: &Program) -> TokenStream {
-        let Writer { model, work, .. } = self.writer;
+        let work = self.writer.work;
         let symbols = program.symbols.iter();
         let symbols: Vec<(Id, Meaning)> = symbols
             .filter_map(|id| Some((*id, work.meaning(*id)?)))
@@ -71,14 +111,8 @@ impl Block<'_> {
             self.names.insert(id, local("time"));
         }
         tokens.extend(self.read_reactions(&symbols));
-        for (source, path, names, variable) in places(model.motion) {
-            let found = found(&symbols, |meaning| match meaning {
-                Meaning::Of(_, Variable::Quaternion, part) if variable == Variable::Quaternion => {
-                    Some((part + 3) % 4)
-                }
-                Meaning::Of(_, known, part) if known == variable => Some(part),
-                _ => None,
-            });
+        for (source, path, names, component) in places(outline) {
+            let found = found(&symbols, component);
             if !found.is_empty() {
                 self.reads.push(source);
                 tokens.extend(self.read_components(&found, &path, &names));
@@ -110,7 +144,7 @@ impl Block<'_> {
 
     /// A value that every function of this stage is given.
     fn value_at_hand(&mut self) -> TokenStream {
-        let (motion, state) = (self.writer.model.motion, local("state"));
+        let (motion, state) = (self.writer.outline.motion, local("state"));
         let outline = self.writer.outline;
         if self.writer.stage == Stage::Parameter {
             let params = Ident::new("params", Span::call_site());
@@ -121,6 +155,14 @@ impl Block<'_> {
             return component_at_hand(&local("input"), outline.inputs.first());
         }
         self.reads.push(Source::State);
+        if let Some(joint) = outline.joints.first() {
+            let rates = joint.shape.fields.iter().rev();
+            let field = rates.map(|field| (field.path, field.names.len())).next();
+            let (path, count) = field.unwrap_or_default();
+            let (name, path) = (&joint.name, format_ident!("{path}"));
+            let x = (count > 1).then(|| quote!(.x));
+            return quote!(#state.#name.#path #x);
+        }
         if motion.translates() {
             quote!(#state.velocity.x)
         } else if motion.has_angle() {
@@ -144,7 +186,7 @@ impl Block<'_> {
             }
             self.reads.push(Source::Reactions);
             let (reactions, field) = (local("reactions"), local(&word.to_string()));
-            let motion = self.writer.model.motion;
+            let motion = self.writer.outline.motion;
             let names: Vec<String> = match &AXES[motion.axes_of(*kind)] {
                 [_] => vec![word.to_string()],
                 axes => axes.iter().map(|axis| format!("{word}_{axis}")).collect(),
@@ -210,7 +252,7 @@ impl Block<'_> {
                 quote!(#field: #name)
             });
             if declaration.frame.is_some() {
-                let axes = &AXES[..self.writer.model.motion.axes()];
+                let axes = &AXES[..self.writer.outline.motion.axes()];
                 let names: Vec<String> = axes.iter().map(|axis| format!("{name}_{axis}")).collect();
                 components.extend(self.read_components(&used, &name.into_token_stream(), &names));
             } else {

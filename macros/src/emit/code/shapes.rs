@@ -2,11 +2,11 @@
 
 use core::ops::Range;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::families::LoadKind;
-use crate::model::{AXES, Motion, Orientation, Outline, Pair};
+use crate::model::{AXES, Field, Motion, Orientation, Outline, Pair, Shape};
 use crate::symbolic::{Components, Id};
 
 use super::naming::local;
@@ -16,6 +16,8 @@ use super::scalar::{Scalar, private};
 #[derive(Clone)]
 pub struct Shapes {
     pub motion: Motion,
+    /// Of a system: its name, and its joints with their shapes.
+    system: Option<(Ident, Vec<(Ident, &'static Shape)>)>,
     pub scalar: Scalar,
     pub private: TokenStream,
 }
@@ -27,6 +29,11 @@ impl Shapes {
     pub fn of(outline: &Outline) -> Self {
         Self {
             motion: outline.motion,
+            system: outline.is_system().then(|| {
+                let joints = outline.joints.iter();
+                let joints = joints.map(|joint| (joint.name.clone(), joint.shape));
+                (outline.name.clone(), joints.collect())
+            }),
             scalar: Scalar::of(outline),
             private: private(outline),
         }
@@ -41,6 +48,10 @@ impl Shapes {
     }
 
     pub fn state_type(&self) -> TokenStream {
+        if let Some((name, _)) = &self.system {
+            let (name, applied) = (format_ident!("{name}State"), self.scalar.applied());
+            return quote!(#name #applied);
+        }
         self.scalar.holder(self.motion.state)
     }
 
@@ -63,6 +74,10 @@ impl Shapes {
     }
 
     pub fn acceleration_type(&self) -> TokenStream {
+        if let Some((name, _)) = &self.system {
+            let (name, applied) = (format_ident!("{name}Acceleration"), self.scalar.applied());
+            return quote!(#name #applied);
+        }
         match self.motion.acceleration {
             Some(name) => self.scalar.holder(name),
             None if self.motion.is_hinged() => self.scalar.kind(),
@@ -131,6 +146,57 @@ impl Shapes {
         [force, self.moment_part(moment)].concat()
     }
 
+    /// The acceleration of one joint.
+    fn joint_acceleration(&self, shape: &Shape, values: &mut Values<'_>) -> TokenStream {
+        let mut field = |field: &Field| {
+            let parts = values.take(field.names.len());
+            if field.names.len() == 1 {
+                quote!(#(#parts)*)
+            } else {
+                quote!([#(#parts),*].into())
+            }
+        };
+        let Some(kind) = shape.acceleration else {
+            return shape.second.iter().map(field).collect();
+        };
+        let kind = self.scalar.holder(kind);
+        let fields = shape.second.iter().map(|second| {
+            let (path, value) = (format_ident!("{}", second.path), field(second));
+            quote!(#path: #value)
+        });
+        quote!(#kind { #(#fields),* })
+    }
+
+    /// The runtime's type of the acceleration of one joint.
+    pub fn joint_acceleration_type(&self, shape: &Shape) -> TokenStream {
+        let (private, kind) = (&self.private, self.scalar.kind());
+        if let Some(name) = shape.acceleration {
+            let (name, applied) = (format_ident!("{name}"), self.scalar.applied());
+            return if self.scalar.is_generic() {
+                quote!(#private::generic::#name #applied)
+            } else {
+                quote!(#private::#name)
+            };
+        }
+        match shape.second.first().map_or(0, |field| field.names.len()) {
+            1 => kind,
+            2 => quote!(#private::Vector2<#kind>),
+            _ => quote!(#private::Vector3<#kind>),
+        }
+    }
+
+    /// The names of the components of an acceleration.
+    pub fn acceleration_names(&self) -> Vec<String> {
+        let Some((_, joints)) = &self.system else {
+            return self.pair_names();
+        };
+        let names = joints.iter().flat_map(|(joint, shape)| {
+            let names = shape.second.iter().flat_map(|field| field.names);
+            names.map(move |name| format!("{joint}_{name}"))
+        });
+        names.collect()
+    }
+
     pub fn vector(&self, values: &mut Values<'_>) -> TokenStream {
         let components = values.take(self.motion.axes());
         quote!([#(#components),*].into())
@@ -154,6 +220,14 @@ impl Shapes {
     }
 
     pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
+        if let Some((name, joints)) = &self.system {
+            let name = format_ident!("{name}Acceleration");
+            let fields = joints.iter().map(|(joint, shape)| {
+                let value = self.joint_acceleration(shape, values);
+                quote!(#joint: #value)
+            });
+            return quote!(#name { #(#fields),* });
+        }
         match self.motion.acceleration {
             Some(_) => {
                 let is_rod = self.motion.is_line();

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::model::{Model, Outline, Workspace};
+use crate::model::{Outline, Workspace};
 use crate::symbolic::{Id, Program, Stage};
 
 use super::shapes::Shapes;
@@ -42,7 +42,6 @@ impl Fields {
 /// Writes the functions of one body that run at one stage.
 #[derive(Clone)]
 pub struct Writer<'a> {
-    pub model: &'a Model,
     pub work: &'a Workspace,
     pub outline: &'a Outline,
     /// What the constructor has stored, to be read.
@@ -65,11 +64,10 @@ impl<'a> Writer<'a> {
     /// For functions of the state, in the scalar of the body.
     pub fn new(
         outline: &'a Outline,
-        (model, work): (&'a Model, &'a Workspace),
+        work: &'a Workspace,
         fields: &'a Fields,
     ) -> Self {
         Self {
-            model,
             work,
             outline,
             fields,

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use crate::emit::code::{Fields, PRINCIPAL_AXES, Writer, local, to_text, unique};
-use crate::model::{AXES, Inertia, Meaning, Model, Outline, Workspace};
+use crate::model::{AXES, Meaning, Outline, Substance, Workspace};
 use crate::symbolic::{Cost, Id, Node, Stage};
 
 /// All expressions that code is generated for.
@@ -33,14 +33,13 @@ pub struct Constructor {
 }
 
 /// The expressions that depend on parameters alone, each with the name of its field.
-pub fn stored_fields(outline: &Outline, meant: (&Model, &Workspace), roots: &Roots) -> Fields {
-    let work = meant.1;
+pub fn stored_fields(outline: &Outline, work: &Workspace, roots: &Roots) -> Fields {
     let mut all = [&roots.finite[..], &roots.switches].concat();
     // for any scalar there are no principal axes to be stored
     if outline.scalar.is_some() {
         all.extend(roots.tensor.into_iter().flatten());
     }
-    let hoisted = Writer::new(outline, meant, Fields::NONE)
+    let hoisted = Writer::new(outline, work, Fields::NONE)
         .schedule(&all)
         .hoisted;
     let mut taken = ["params", PRINCIPAL_AXES].map(str::to_owned).into();
@@ -81,7 +80,7 @@ impl Constructor {
     /// `new` checks the parameters, and computes and stores what depends on them alone.
     pub fn write(
         outline: &Outline,
-        (model, work): (&Model, &Workspace),
+        (bodies, work): (&[Substance], &Workspace),
         roots: &Roots,
         fields: &Fields,
     ) -> Self {
@@ -89,14 +88,16 @@ impl Constructor {
             targets: fields,
             stage: Stage::Parameter,
             has_state: false,
-            ..Writer::new(outline, (model, work), Fields::NONE)
+            ..Writer::new(outline, work, Fields::NONE)
         };
         let is_open = |id: &Id| work.graph.stage(*id) == Stage::Parameter;
-        let mass: Vec<Id> = model.mass.into_iter().filter(is_open).collect();
-        let mut inertia = model.inertia_entries();
-        if !inertia.iter().any(is_open) {
-            inertia.clear();
-        }
+        let mass = bodies.iter().filter_map(|body| body.mass);
+        let mass: Vec<Id> = mass.filter(is_open).collect();
+        let inertia = bodies.iter().map(Substance::inertia_entries);
+        let open: Vec<Vec<Id>> = inertia
+            .filter(|entries| entries.iter().any(is_open))
+            .collect();
+        let inertia = open.concat();
         let tensor = roots.tensor.filter(|_| outline.scalar.is_none());
         let tensor: Vec<Id> = tensor.into_iter().flatten().collect();
         let stored = fields.0.iter().map(|(id, _)| *id).collect();
@@ -117,8 +118,8 @@ impl Constructor {
             }
         }
         let private = &writer.shapes.private;
-        let (given, statements) = (finite_checks(outline, model), code.statements);
-        let possible = check_possible(model, mass, inertia, private);
+        let (given, statements) = (finite_checks(outline), code.statements);
+        let possible = check_possible(&open, mass, inertia, private);
         let derived = check_derived(work, roots, fields, private);
         let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
         let set_axes = axes
@@ -152,17 +153,21 @@ impl Constructor {
 
 /// Whether there is a body of this mass and inertia, as far as parameters decide it.
 fn check_possible(
-    model: &Model,
+    open: &[Vec<Id>],
     mass: &[TokenStream],
     inertia: &[TokenStream],
     private: &TokenStream,
 ) -> TokenStream {
-    let inertia = match (model.inertia, inertia) {
-        (_, []) => TokenStream::new(),
-        (Inertia::Scalar(_), [moment, ..]) => quote!(#private::check_planar_inertia(#moment)?;),
-        (_, entries) => quote!(#private::check_inertia([#(#entries),*])?;),
-    };
-    quote!(#(#private::check_mass(#mass)?;)* #inertia)
+    let mut rest = inertia;
+    let inertia = open.iter().map(|entries| {
+        let (own, others) = rest.split_at(entries.len());
+        rest = others;
+        match own {
+            [moment] => quote!(#private::check_planar_inertia(#moment)?;),
+            entries => quote!(#private::check_inertia([#(#entries),*])?;),
+        }
+    });
+    quote!(#(#private::check_mass(#mass)?;)* #(#inertia)*)
 }
 
 /// Whether what is stored is finite, where it has to be.
@@ -180,8 +185,8 @@ fn check_derived(
 }
 
 /// `("arm", params.arm)` of every parameter, by component.
-fn finite_checks(outline: &Outline, model: &Model) -> Vec<TokenStream> {
-    let axes = AXES[..model.motion.axes()].iter();
+fn finite_checks(outline: &Outline) -> Vec<TokenStream> {
+    let axes = AXES[..outline.motion.axes()].iter();
     let axes = axes.map(|axis| Ident::new(axis, Span::call_site()));
     let parts: Vec<TokenStream> = axes.map(|axis| quote!(.#axis)).collect();
     let checks = outline.params.iter().flat_map(|param| {

@@ -77,7 +77,10 @@ fn lines(
 ) -> TokenStream {
     let motion = outline.motion.word;
     let title = if outline.doc.is_empty() {
-        vec![format!("A rigid body in `{motion}` motion.")]
+        vec![match outline.is_system() {
+            true => "A system of rigid bodies.".to_owned(),
+            false => format!("A rigid body in `{motion}` motion."),
+        }]
     } else {
         outline.doc.clone()
     };

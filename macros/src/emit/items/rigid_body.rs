@@ -4,7 +4,8 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use crate::emit::code::{COMMON, Method, Site, Source, Writer, local, number_literal};
-use crate::mechanics::{Equations, Partial, Switch};
+use crate::emit::Equated;
+use crate::mechanics::{Partial, Switch};
 use crate::symbolic::{Id, Number};
 
 /// The method that integrates a body best, from the one that every body has.
@@ -17,14 +18,14 @@ pub enum Best {
 }
 
 /// `fn acceleration(..)`, whose cost and text are documented.
-pub fn write_acceleration(site: &Site<'_>, equations: Option<&Equations>) -> Method {
+pub fn write_acceleration(site: &Site<'_>, equations: Option<&Equated>) -> Method {
     let shapes = &site.shapes;
     site.method(equations, |writer, equations| {
-        let outputs = shapes.pair_part(&equations.accelerations);
-        let mut method = Method::write(writer, &outputs, |values| shapes.acceleration(values));
+        let outputs = &equations.accelerations;
+        let mut method = Method::write(writer, outputs, |values| shapes.acceleration(values));
         // what is known early is no statement, and stands in the text all the same
         let results = shapes
-            .pair_names()
+            .acceleration_names()
             .into_iter()
             .zip(&method.facts.output_text);
         let stated = results.filter(|(name, value)| name != *value);
@@ -40,7 +41,7 @@ pub fn write_acceleration(site: &Site<'_>, equations: Option<&Equations>) -> Met
 pub fn emit_rigid_body(
     site: &Site<'_>,
     acceleration: &Method,
-    equations: Option<&Equations>,
+    equations: Option<&Equated>,
 ) -> TokenStream {
     let (shapes, header) = (&site.shapes, site.header("RigidBody"));
     let (state, input, scalar) = (shapes.state_type(), site.input_type(), shapes.scalar.kind());

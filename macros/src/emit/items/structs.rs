@@ -109,7 +109,7 @@ pub fn emit_items(
     let given = given.iter().filter(|(_, fields, _)| !fields.is_empty());
     let given =
         given.map(|(suffix, fields, doc)| emit_struct(outline, suffix, doc, &derives, fields));
-    let given: TokenStream = given.collect();
+    let given: TokenStream = given.chain(emit_state(outline)).collect();
     let (declared, applied, kind) = (scalar.declared(), scalar.applied(), scalar.kind());
     if !outline.params.is_empty() {
         return emit_built(outline, constructor, documentation, &given);
@@ -123,6 +123,35 @@ pub fn emit_items(
         #given
         impl #declared #name #applied { #constants }
     }
+}
+
+/// The state of a system and its acceleration, joint by joint.
+fn emit_state(outline: &Outline) -> Option<TokenStream> {
+    if !outline.is_system() {
+        return None;
+    }
+    let (name, shapes) = (&outline.name, Shapes::of(outline));
+    let private = &shapes.private;
+    let [state, acceleration] =
+        ["State", "Acceleration"].map(|suffix| format_ident!("{name}{suffix}"));
+    let docs = [
+        format!(" The state of [`{name}`]: that of each joint."),
+        format!(" The acceleration of [`{name}`]: that of each joint."),
+    ];
+    let [of_state, of_acceleration] = docs;
+    let scalar = outline.scalar.iter();
+    let joints = outline.joints.iter().map(|joint| {
+        let (name, kind) = (&joint.name, format_ident!("{}", joint.shape.state));
+        let second = shapes.joint_acceleration_type(joint.shape);
+        let doc = format!(" The joint `{name}`.");
+        quote!(#[doc = #doc] #name: #kind #[doc = #doc] => #second)
+    });
+    Some(quote! {
+        #private::system_state! {
+            #[doc = #of_state] #state
+            #[doc = #of_acceleration] #acceleration #(<#scalar>)* { #(#joints),* }
+        }
+    })
 }
 
 /// A body that is built from parameters; `given` are the structs beside them.
@@ -177,6 +206,8 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream) -> TokenStream
     let name = &outline.name;
     let module = format_ident!("equations_of_{name}");
     let others = [
+        ("State", outline.is_system()),
+        ("Acceleration", outline.is_system()),
         ("Params", true),
         ("Input", !outline.inputs.is_empty()),
         ("Reactions", !outline.reactions.is_empty()),
@@ -231,7 +262,8 @@ pub fn emit_checks(outline: &Outline) -> TokenStream {
         .keys
         .chunks(5)
         .map(|keys| quote!(let _ = [#(&#body.#keys),*];));
-    let schema = quote!(const _: fn(&#runtime::schema::Body) = |#body| { #(#lines)* };);
+    let kind = Ident::new(if outline.is_system() { "System" } else { "Body" }, Span::call_site());
+    let schema = quote!(const _: fn(&#runtime::schema::#kind) = |#body| { #(#lines)* };);
     let unused = (!outline.unused.is_empty()).then(|| {
         let names = outline
             .unused

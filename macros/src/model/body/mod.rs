@@ -11,6 +11,7 @@ mod possible;
 mod potential;
 mod reaction;
 mod solids;
+mod substance;
 
 pub use composed::Composed;
 pub use constraint::{Constraint, Level};
@@ -22,4 +23,5 @@ pub use outline::{Asked, Declared, Jointed, Outline};
 pub use possible::{Matrix, Violation, is_flat, is_possible, least_moment, matrix, thinnest};
 pub use potential::{Charges, Form, Potential, Potentials};
 pub use reaction::Reaction;
+pub use substance::Substance;
 pub use solids::{SOLIDS, Solid, is_solid, words};

@@ -10,7 +10,7 @@ use proc_macro2::Ident;
 
 use crate::symbolic::{Components, Id};
 
-use super::body::{Defaults, Inertia, Load};
+use super::body::{Defaults, Inertia, Load, Substance};
 use super::kinematics::State;
 use super::words::Frame;
 
@@ -63,4 +63,14 @@ pub struct TreeJoint {
     pub drives: Vec<Id>,
     /// The unknown load along a freedom, by its name, if there is one.
     pub open: Vec<Option<Ident>>,
+}
+
+impl Member {
+    /// What the body is made of.
+    pub fn substance(&self) -> Substance {
+        Substance {
+            mass: Some(self.mass),
+            inertia: self.inertia,
+        }
+    }
 }

@@ -6,7 +6,9 @@ use crate::emit::code::Shapes;
 use crate::emit::items::Roots;
 use crate::emit::{Equated, Sound, emit_body};
 use crate::errors::Errors;
-use crate::mechanics::{Report, Switch, derive_equations, derive_system, describe_equations, with_potentials};
+use crate::mechanics::{
+    Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
+};
 use crate::outputs::{self, SystemOutputs, derive_outputs, derive_system_outputs, system_offers};
 use crate::range::check_range;
 use crate::{lower, syntax};
@@ -30,7 +32,13 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
             outputs.describe(&outline, (&model, &work), &mut report);
             let roots = outputs.roots(&equations);
             let bodies = vec![model.substance()];
-            check_range((&bodies, &model.defaults), &mut work, &outline, &roots.finite, &mut errors);
+            check_range(
+                (&bodies, &model.defaults),
+                &mut work,
+                &outline,
+                &roots.finite,
+                &mut errors,
+            );
             let sound = Sound {
                 bodies,
                 equations: Equated {
@@ -74,16 +82,33 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
             let bodies: Vec<_> = system.bodies.iter().map(|body| body.substance()).collect();
             // the state has the joints as they are written, the tree each after its carrier
             let accelerations = outline.joints.iter().flat_map(|known| {
-                let place = system.joints.iter().position(|joint| joint.name == known.name);
-                place.map(|place| equations.accelerations[place].clone()).unwrap_or_default()
+                let place = system
+                    .joints
+                    .iter()
+                    .position(|joint| joint.name == known.name);
+                place
+                    .map(|place| equations.accelerations[place].clone())
+                    .unwrap_or_default()
             });
             let accelerations: Vec<_> = accelerations.collect();
+            let mut report = describe_system(&system, &work, &equations);
+            outputs.describe(&outline, &mut report);
             let roots = Roots {
-                finite: accelerations.iter().copied().chain(outputs.roots()).collect(),
+                finite: accelerations
+                    .iter()
+                    .copied()
+                    .chain(outputs.roots())
+                    .collect(),
                 switches: equations.switches.iter().flat_map(Switch::roots).collect(),
                 tensor: None,
             };
-            check_range((&bodies, &system.defaults), &mut work, &outline, &roots.finite, &mut errors);
+            check_range(
+                (&bodies, &system.defaults),
+                &mut work,
+                &outline,
+                &roots.finite,
+                &mut errors,
+            );
             let sound = Sound {
                 bodies,
                 equations: Equated {
@@ -92,10 +117,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
                     partial: equations.partial,
                 },
                 work,
-                report: Report {
-                    lists: Vec::new(),
-                    skipped: Vec::new(),
-                },
+                report,
                 roots,
             };
             Some((sound, outputs))

@@ -42,7 +42,9 @@ pub fn check_range(
         let number = graph.as_number(*id);
         graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())
     };
-    if values.iter().any(out_of_range) || outline.has_default() && overflows((bodies, defaults), work, &early) {
+    if values.iter().any(out_of_range)
+        || outline.has_default() && overflows((bodies, defaults), work, &early)
+    {
         let with = if outline.params.is_empty() {
             ""
         } else {
@@ -106,9 +108,16 @@ fn check_rounded(
 
 /// Whether the constructor, which computes in doubles step by step, leaves their range with the
 /// defaults of all parameters, on its way to one of the `early` values or to mass and inertia.
-fn overflows((bodies, defaults): (&[Substance], &Defaults), work: &Workspace, early: &[Id]) -> bool {
+fn overflows(
+    (bodies, defaults): (&[Substance], &Defaults),
+    work: &Workspace,
+    early: &[Id],
+) -> bool {
     let graph = &work.graph;
-    let wanted = early.iter().copied().chain(bodies.iter().flat_map(Substance::inertia_entries));
+    let wanted = early
+        .iter()
+        .copied()
+        .chain(bodies.iter().flat_map(Substance::inertia_entries));
     let mass = bodies.iter().filter_map(|body| body.mass);
     let wanted: Vec<Id> = wanted.chain(mass).collect();
     let default = |symbol: Id| graph.as_number(*defaults.get(&symbol)?);
@@ -119,7 +128,11 @@ fn overflows((bodies, defaults): (&[Substance], &Defaults), work: &Workspace, ea
 }
 
 /// Reports the first part of the description that has no value with the defaults of the parameters.
-pub fn report_without_value(defaults: &Defaults, work: &mut Workspace, errors: &mut Errors) -> bool {
+pub fn report_without_value(
+    defaults: &Defaults,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> bool {
     let graph = &mut work.graph;
     for doubtful in &work.doubtful {
         let all: Vec<Id> = doubtful

@@ -12,7 +12,6 @@ pub use crate::inertia::InertiaTensor;
 pub use crate::integrate::Integrate;
 #[doc(no_inline)]
 pub use crate::load::{Family, Load, PlanarLoad};
-pub use crate::{rigid_body, rigid_system};
 pub use crate::state::{
     Cylinder, CylinderAcceleration, Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod,
     RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State, Translation, Universal,
@@ -20,3 +19,4 @@ pub use crate::state::{
 pub use crate::taylor::Taylor;
 #[doc(no_inline)]
 pub use crate::wrench::{PlanarWrench, Wrench};
+pub use crate::{rigid_body, rigid_system};

@@ -52,7 +52,8 @@ pub fn emit_body(
     let (constructor, documentation) = match sound {
         None => (Constructor::stub(), Documentation::stub(outline)),
         Some(sound) => {
-            let built = Constructor::write(outline, (&sound.bodies, &sound.work), &sound.roots, &fields);
+            let built =
+                Constructor::write(outline, (&sound.bodies, &sound.work), &sound.roots, &fields);
             let report = &sound.report;
             let said = Documentation::write(outline, &acceleration, &built, report, &addition);
             (built, said)

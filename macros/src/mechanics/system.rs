@@ -3,6 +3,7 @@
 use crate::model::{Frame, Member, Rates, System, TreeJoint, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
+use super::Report;
 use super::answers::{Energy, Momentum, Partial, Switch, derive_switches, list_partial};
 use super::balances::quadratic;
 use super::tree::{self, Built, Pair};
@@ -13,21 +14,27 @@ pub struct SystemEquations {
     pub accelerations: Vec<Vec<Id>>,
     pub switches: Vec<Switch>,
     pub partial: Vec<Partial>,
+    left_out: Vec<String>,
     built: Built,
 }
 
 /// Derives the equations of motion of a system.
 pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let built = tree::build(system, work);
-    let found = tree::derive_tree(&mut work.graph, &built.tree);
+    let found = tree::derive_tree(&mut work.graph, &mut work.labels, &built.tree);
     let accelerations: Vec<Vec<Id>> = built
         .links
         .iter()
-        .map(|links| found.0[links.clone()].concat())
+        .map(|links| found.accelerations[links.clone()].concat())
         .collect();
     let accelerations: Vec<Vec<Id>> = accelerations
         .into_iter()
-        .map(|joint| joint.into_iter().map(|one| work.graph.result(one)).collect())
+        .map(|joint| {
+            joint
+                .into_iter()
+                .map(|one| work.graph.result(one))
+                .collect()
+        })
         .collect();
     for (joint, found) in system.joints.iter().zip(&accelerations) {
         let names = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
@@ -44,6 +51,7 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         switches: switches.unwrap_or_default(),
         partial: list_partial(loads, work),
         accelerations,
+        left_out: found.left_out,
         built,
     }
 }
@@ -116,7 +124,11 @@ fn spin(work: &mut Workspace, body: &Member) -> Vector {
 
 /// The load along each freedom of each joint that makes it accelerate as is given, less what is known
 /// of its drive.
-pub fn derive_system_inverse(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Vec<Vec<Id>> {
+pub fn derive_system_inverse(
+    system: &System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> Vec<Vec<Id>> {
     let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
     let loads = loads(work, equations, &given);
     let joints = system.joints.iter().zip(&equations.built.links);
@@ -138,15 +150,20 @@ pub fn derive_system_inverse(system: &System, work: &mut Workspace, equations: &
 /// The symbols of the accelerations of a joint, by its freedoms.
 fn given_accelerations(joint: &TreeJoint) -> Vec<Id> {
     let second = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
-    let parts = second.flat_map(|field| {
-        (0..field.names.len()).map(|part| (field.variable, field.first + part))
-    });
+    let parts = second
+        .flat_map(|field| (0..field.names.len()).map(|part| (field.variable, field.first + part)));
     let rates: &Rates = &joint.coordinates;
-    parts.filter_map(|(variable, part): (Variable, usize)| rates.get(variable, part)).collect()
+    parts
+        .filter_map(|(variable, part): (Variable, usize)| rates.get(variable, part))
+        .collect()
 }
 
 /// The load of every link, with these accelerations joint by joint.
-fn loads(work: &mut Workspace, equations: &SystemEquations, accelerations: &[Vec<Id>]) -> Vec<Pair> {
+fn loads(
+    work: &mut Workspace,
+    equations: &SystemEquations,
+    accelerations: &[Vec<Id>],
+) -> Vec<Pair> {
     let tree = &equations.built.tree;
     let mut by_link: Vec<Vec<Id>> = Vec::new();
     for (links, joint) in equations.built.links.iter().zip(accelerations) {
@@ -161,7 +178,10 @@ fn loads(work: &mut Workspace, equations: &SystemEquations, accelerations: &[Vec
 
 /// Force and moment of each joint on the body that it carries, at its point there, world axes, drives
 /// included.
-pub fn derive_system_reactions(work: &mut Workspace, equations: &SystemEquations) -> Vec<[Components; 2]> {
+pub fn derive_system_reactions(
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> Vec<[Components; 2]> {
     let loads = loads(work, equations, &equations.accelerations);
     let built = &equations.built;
     let reactions = (0..built.links.len()).map(|body| {
@@ -170,4 +190,27 @@ pub fn derive_system_reactions(work: &mut Workspace, equations: &SystemEquations
         [load.linear, load.angular]
     });
     reactions.collect()
+}
+
+/// The bodies and joints of a system, and what does not appear in its equations.
+pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEquations) -> Report {
+    let name = |body: usize| format!("`{}`", system.bodies[body].name);
+    let joints = system.joints.iter().map(|joint| {
+        let carrier = joint.carrier.map_or("the ground".to_owned(), name);
+        format!(
+            "`{}`: {} from {carrier} to {}",
+            joint.name,
+            joint.kind.word,
+            name(joint.carried)
+        )
+    });
+    let mut skipped = equations.left_out.clone();
+    if !work.graph.is_zero_vector(&system.gravity) {
+        skipped
+            .push("the weight of each body: the ground accelerates against it instead".to_owned());
+    }
+    Report {
+        lists: vec![("Joints", joints.collect())],
+        skipped,
+    }
 }

@@ -8,7 +8,7 @@ use crate::emit::items::Addition;
 use crate::errors::Errors;
 use crate::lower::Offer;
 use crate::mechanics::{
-    Energy, Momentum, SystemEquations, derive_system_energy, derive_system_inverse,
+    Energy, Momentum, Report, SystemEquations, derive_system_energy, derive_system_inverse,
     derive_system_momentum, derive_system_reactions,
 };
 use crate::model::{Outline, System, Workspace};
@@ -53,7 +53,9 @@ pub fn derive_system_outputs(
         let loads = derive_system_reactions(work, equations);
         let joints = system.joints.iter().zip(loads);
         let held = joints.filter(|(joint, _)| !joint.kind.is_free());
-        outputs.reactions = held.map(|(joint, load)| (joint.name.clone(), load)).collect();
+        outputs.reactions = held
+            .map(|(joint, load)| (joint.name.clone(), load))
+            .collect();
         for (name, [force, moment]) in &outputs.reactions {
             work.labels.vector(&format!("{name}_force"), *force);
             work.labels.vector(&format!("{name}_moment"), *moment);
@@ -71,7 +73,10 @@ pub fn derive_system_outputs(
             }
         }
         if !is_sound {
-            let undriven = system.joints.iter().find(|joint| joint.open.iter().any(Option::is_none));
+            let undriven = system
+                .joints
+                .iter()
+                .find(|joint| joint.open.iter().any(Option::is_none));
             let name = undriven.map_or(String::new(), |joint| joint.name.to_string());
             errors.push(
                 place,
@@ -84,6 +89,19 @@ pub fn derive_system_outputs(
 }
 
 impl SystemOutputs {
+    /// Adds to a report which of them were not asked for.
+    pub fn describe(&self, outline: &Outline, report: &mut Report) {
+        let missed = OFFERS
+            .iter()
+            .filter(|offer| outline.rank(offer.word).is_none());
+        let missed: Vec<&str> = missed.map(|offer| offer.word).collect();
+        if !missed.is_empty() {
+            report
+                .skipped
+                .push(format!("{}: not in `outputs`", missed.join(", ")));
+        }
+    }
+
     /// The expressions that code is generated for.
     pub fn roots(&self) -> Vec<Id> {
         let energy = self.energy.iter();
@@ -92,7 +110,11 @@ impl SystemOutputs {
         let momentum = momentum.flat_map(|one| [one.linear, one.angular, one.about_pole].concat());
         let reactions = self.reactions.iter().flat_map(|(_, pair)| pair.concat());
         let drives = self.drives.iter().map(|(_, load)| *load);
-        energy.chain(momentum).chain(reactions).chain(drives).collect()
+        energy
+            .chain(momentum)
+            .chain(reactions)
+            .chain(drives)
+            .collect()
     }
 
     /// In the order in which they were asked for; `is_sound` is false for a description with mistakes.
@@ -130,11 +152,15 @@ impl SystemOutputs {
         let shapes = &site.shapes;
         let moment = |of: fn(&Momentum) -> &Components| {
             site.method(self.momentum.as_ref(), |writer, momentum| {
-                Method::write(writer, shapes.moment_part(of(momentum)), |values| shapes.moment(values))
+                Method::write(writer, shapes.moment_part(of(momentum)), |values| {
+                    shapes.moment(values)
+                })
             })
         };
         let linear = site.method(self.momentum.as_ref(), |writer, momentum| {
-            Method::write(writer, shapes.vector_part(&momentum.linear), |values| shapes.vector(values))
+            Method::write(writer, shapes.vector_part(&momentum.linear), |values| {
+                shapes.vector(values)
+            })
         });
         let (angular, about_pole) = (moment(|one| &one.angular), moment(|one| &one.about_pole));
         let (of_linear, of_angular) = (shapes.vector_type(), shapes.moment_type());
@@ -142,7 +168,12 @@ impl SystemOutputs {
         let methods = [
             ("linear_momentum", &linear, state, &of_linear),
             ("angular_momentum", &angular, state, &of_angular),
-            ("angular_momentum_about_pole", &about_pole, &both, &of_angular),
+            (
+                "angular_momentum_about_pole",
+                &about_pole,
+                &both,
+                &of_angular,
+            ),
         ];
         let types = quote!(type Linear = #of_linear; type Angular = #of_angular;);
         Addition::implement(site, "Momentum", [types, quote!()], &methods)
@@ -152,14 +183,27 @@ impl SystemOutputs {
     fn emit_reactions(&self, site: &Site<'_>, is_sound: bool) -> Addition {
         let (shapes, outline) = (&site.shapes, site.outline);
         let names: Vec<Ident> = if is_sound {
-            self.reactions.iter().map(|(name, _)| name.clone()).collect()
+            self.reactions
+                .iter()
+                .map(|(name, _)| name.clone())
+                .collect()
         } else {
-            outline.joints.iter().map(|joint| joint.name.clone()).collect()
+            outline
+                .joints
+                .iter()
+                .map(|joint| joint.name.clone())
+                .collect()
         };
         let kind = site.own_type("Reactions");
         let name = format_ident!("{}Reactions", outline.name);
-        let fields: Vec<(&Ident, TokenStream)> = names.iter().map(|name| (name, shapes.wrench_type())).collect();
-        let doc = format!(" What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.", outline.name);
+        let fields: Vec<(&Ident, TokenStream)> = names
+            .iter()
+            .map(|name| (name, shapes.wrench_type()))
+            .collect();
+        let doc = format!(
+            " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
+            outline.name
+        );
         let items = emit_struct(shapes, &name, &doc, &fields);
         let method = site.method(is_sound.then_some(self), |writer, outputs| {
             let parts = outputs.reactions.iter();
@@ -191,7 +235,8 @@ impl SystemOutputs {
         let name = format_ident!("{}Drives", outline.name);
         let scalar = shapes.scalar.kind();
         let names: Vec<&Ident> = self.drives.iter().map(|(name, _)| name).collect();
-        let fields: Vec<(&Ident, TokenStream)> = names.iter().map(|name| (*name, scalar.clone())).collect();
+        let fields: Vec<(&Ident, TokenStream)> =
+            names.iter().map(|name| (*name, scalar.clone())).collect();
         let doc = format!(" The open drives of [`{}`], in N * m or N.", outline.name);
         let items = emit_struct(shapes, &name, &doc, &fields);
         let method = site.method(is_sound.then_some(self), |writer, outputs| {
@@ -204,16 +249,30 @@ impl SystemOutputs {
                 quote!(#name { #(#fields),* })
             })
         });
-        let arguments = [Source::Time, Source::State, Source::Acceleration, Source::Input];
+        let arguments = [
+            Source::Time,
+            Source::State,
+            Source::Acceleration,
+            Source::Input,
+        ];
         let methods = [("inverse", &method, &arguments[..], &kind)];
-        let mut addition =
-            Addition::implement(site, "Inverse", [quote!(type Drives = #kind;), quote!()], &methods);
+        let mut addition = Addition::implement(
+            site,
+            "Inverse",
+            [quote!(type Drives = #kind;), quote!()],
+            &methods,
+        );
         addition.implementations.extend(items);
         addition
     }
 }
 
-fn emit_struct(shapes: &Shapes, name: &Ident, doc: &str, fields: &[(&Ident, TokenStream)]) -> TokenStream {
+fn emit_struct(
+    shapes: &Shapes,
+    name: &Ident,
+    doc: &str,
+    fields: &[(&Ident, TokenStream)],
+) -> TokenStream {
     let declared = shapes.scalar.declared();
     let fields = fields.iter().map(|(name, kind)| {
         let doc = format!(" `{name}`");

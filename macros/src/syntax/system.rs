@@ -36,11 +36,25 @@ const LISTS: [(&str, &str); 5] = [
     ("moments", "load = moment(2[N * m]).on(upper)"),
 ];
 /// Keys that stand in bodies alone.
-const OF_BODIES: [&str; 6] = ["mass", "inertia", "points", "joint_forces", "joint_moments", "pole"];
+const OF_BODIES: [&str; 6] = [
+    "mass",
+    "inertia",
+    "points",
+    "joint_forces",
+    "joint_moments",
+    "pole",
+];
 /// Keys that stand in the system alone.
 const OF_SYSTEMS: [&str; 5] = ["motion", "params", "inputs", "outputs", "doc"];
 /// Keys of the language of systems that are not there yet.
-const LATER: [&str; 6] = ["constraints", "reactions", "independent", "urdf", "drawing", "potentials"];
+const LATER: [&str; 6] = [
+    "constraints",
+    "reactions",
+    "independent",
+    "urdf",
+    "drawing",
+    "potentials",
+];
 
 /// Parses `(runtime) Name { key: value, .. }` of a system.
 pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {
@@ -59,7 +73,11 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         system.parse_key(without_attributes(&entry, errors), errors);
     }
     system.is_planar = system.check_motion(errors);
-    let word = if system.is_planar { "planar" } else { "spatial" };
+    let word = if system.is_planar {
+        "planar"
+    } else {
+        "spatial"
+    };
     for body in &mut system.bodies {
         body.motion = Some(Motion {
             word: Ident::new(word, body.name.span()),
@@ -92,7 +110,8 @@ impl System {
             );
         } else if let Some((list, example)) = LISTS.iter().find(|(list, _)| *list == word) {
             if self.top.keys.contains(key) {
-                let message = format!("`{word}` is given twice: put everything into one `{word}: [..]`");
+                let message =
+                    format!("`{word}` is given twice: put everything into one `{word}: [..]`");
                 errors.push(key.span(), message);
             } else {
                 self.top.keys.push(key.clone());
@@ -112,10 +131,13 @@ impl System {
         errors: &mut Errors,
     ) {
         let group = match after_sign(rest, ':') {
-            Some((_, [TokenTree::Group(group)])) if group.delimiter() == Delimiter::Bracket => group,
+            Some((_, [TokenTree::Group(group)])) if group.delimiter() == Delimiter::Bracket => {
+                group
+            }
             _ => {
                 let place = rest.get(1).map_or(key.span(), start);
-                let message = format!("`{list}` is a list in brackets: write `{list}: [{example}]`");
+                let message =
+                    format!("`{list}` is a list in brackets: write `{list}: [{example}]`");
                 errors.push(place, message);
                 return;
             }
@@ -149,13 +171,18 @@ impl System {
                 (name, group)
             }
             [TokenTree::Ident(name), ..] => {
-                let message = format!("a body is a name and a description: write `{name} {{ mass: 1[kg], .. }}`");
+                let message = format!(
+                    "a body is a name and a description: write `{name} {{ mass: 1[kg], .. }}`"
+                );
                 errors.push(name.span(), message);
                 self.top.lost.push(name.to_string());
                 return;
             }
             [first, ..] => {
-                errors.push(start(first), "expected the name of a body: `arm { mass: 1[kg], .. }`");
+                errors.push(
+                    start(first),
+                    "expected the name of a body: `arm { mass: 1[kg], .. }`",
+                );
                 return;
             }
             [] => return,
@@ -173,13 +200,16 @@ impl System {
                 }
                 [TokenTree::Ident(key), ..] if OF_SYSTEMS.contains(&key.to_string().as_str()) => {
                     let message = if key == "motion" {
-                        "the joints of a system say how its bodies move: leave `motion` out".to_owned()
+                        "the joints of a system say how its bodies move: leave `motion` out"
+                            .to_owned()
                     } else {
                         format!("`{key}` belongs to the system: write it beside `bodies`")
                     };
                     errors.push(key.span(), message);
                 }
-                [TokenTree::Ident(key), ..] if LATER.contains(&key.to_string().as_str()) || key == "pole" => {
+                [TokenTree::Ident(key), ..]
+                    if LATER.contains(&key.to_string().as_str()) || key == "pole" =>
+                {
                     let message = format!("`{key}` is not there yet in the bodies of a system");
                     errors.push(key.span(), message);
                 }
@@ -245,7 +275,9 @@ fn read_copies(
         let entry = without_attributes(&entry, errors);
         if let Some((name, rest)) = parse_name(into, "points", entry, errors) {
             let is_bare = rest.first().is_none_or(|token| !is_punct(token, '='));
-            let value = (!is_bare).then(|| parse_value(&name, rest, errors)).flatten();
+            let value = (!is_bare)
+                .then(|| parse_value(&name, rest, errors))
+                .flatten();
             copies.push(Definition { name, value });
         }
     }
@@ -256,7 +288,10 @@ fn read_copies(
 fn copied(body: &Description, copy: &Definition) -> Description {
     let mut copied = body.clone();
     copied.name = format_ident!("{}_{}", body.name, copy.name, span = copy.name.span());
-    let written = copied.inertia.as_mut().and_then(|inertia| inertia.value.as_mut());
+    let written = copied
+        .inertia
+        .as_mut()
+        .and_then(|inertia| inertia.value.as_mut());
     if let (Some(inertia), Some(direction)) = (written, &copy.value) {
         let along = Ident::new("along", copy.name.span());
         let solid = Box::new(inertia.clone());

@@ -11,7 +11,7 @@ use crate::symbolic::{Id, Number, Program, Stage};
 
 use super::block::Block;
 use super::naming::local;
-use super::writer::{Source, Writer};
+use super::writer::Source;
 
 /// Which component of something a symbol is, if it is one.
 type Component = Box<dyn Fn(Meaning) -> Option<usize>>;
@@ -50,7 +50,12 @@ fn places_of_joint(joint: &Jointed) -> Vec<Place> {
             Meaning::Of(body, ..) if Some(body) == frame => field.component(meaning),
             _ => None,
         });
-        (source, quote!(#of.#name #(.#path)*), names.collect(), component)
+        (
+            source,
+            quote!(#of.#name #(.#path)*),
+            names.collect(),
+            component,
+        )
     };
     let state = joint.shape.fields.iter();
     let state = state.map(|field| place(Source::State, "state", field));

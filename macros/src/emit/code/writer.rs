@@ -62,11 +62,7 @@ pub struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     /// For functions of the state, in the scalar of the body.
-    pub fn new(
-        outline: &'a Outline,
-        work: &'a Workspace,
-        fields: &'a Fields,
-    ) -> Self {
+    pub fn new(outline: &'a Outline, work: &'a Workspace, fields: &'a Fields) -> Self {
         Self {
             work,
             outline,

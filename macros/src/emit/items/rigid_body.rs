@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::emit::code::{COMMON, Method, Site, Source, Writer, local, number_literal};
 use crate::emit::Equated;
+use crate::emit::code::{COMMON, Method, Site, Source, Writer, local, number_literal};
 use crate::mechanics::{Partial, Switch};
 use crate::symbolic::{Id, Number};
 

@@ -262,7 +262,14 @@ pub fn emit_checks(outline: &Outline) -> TokenStream {
         .keys
         .chunks(5)
         .map(|keys| quote!(let _ = [#(&#body.#keys),*];));
-    let kind = Ident::new(if outline.is_system() { "System" } else { "Body" }, Span::call_site());
+    let kind = Ident::new(
+        if outline.is_system() {
+            "System"
+        } else {
+            "Body"
+        },
+        Span::call_site(),
+    );
     let schema = quote!(const _: fn(&#runtime::schema::#kind) = |#body| { #(#lines)* };);
     let unused = (!outline.unused.is_empty()).then(|| {
         let names = outline

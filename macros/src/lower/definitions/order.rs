@@ -93,7 +93,10 @@ pub fn split_at_points(
     description: &Description,
     order: &[Definition],
 ) -> (Vec<Definition>, Vec<Definition>) {
-    let points = description.points.iter().map(|point| point.name.to_string());
+    let points = description
+        .points
+        .iter()
+        .map(|point| point.name.to_string());
     let mut needed: HashSet<String> = points.chain(["mass".to_owned()]).collect();
     if let Some(composition) = &description.composition {
         needed.extend(composition.expressions().flat_map(names));

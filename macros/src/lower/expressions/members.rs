@@ -65,7 +65,10 @@ impl Members {
 impl Lowering<'_> {
     /// The value of an expression that begins with the name of a body or of a joint; the outer `None`
     /// is any other expression.
-    #[allow(clippy::option_option, reason = "outer: another expression; inner: reported")]
+    #[allow(
+        clippy::option_option,
+        reason = "outer: another expression; inner: reported"
+    )]
     pub fn of_member(&mut self, expression: &Expression) -> Option<Option<Value>> {
         let members = self.members;
         let (receiver, word, arguments) = match &expression.kind {
@@ -75,7 +78,8 @@ impl Lowering<'_> {
                 } else {
                     ("joint", "angle")
                 };
-                let message = format!("`{name}` is a {word}: write what of it, such as `{name}.{form}`");
+                let message =
+                    format!("`{name}` is a {word}: write what of it, such as `{name}.{form}`");
                 return Some(self.report(name.span(), message));
             }
             Kind::Field(receiver, word) => (receiver, word, None),
@@ -88,9 +92,13 @@ impl Lowering<'_> {
         let named = name.to_string();
         if let Some(body) = members.body(&named) {
             return Some(match arguments {
-                Some(arguments) if word == "body" => self.vector_of_body(body, arguments, expression),
+                Some(arguments) if word == "body" => {
+                    self.vector_of_body(body, arguments, expression)
+                }
                 Some(_) => {
-                    let message = format!("write `{named}.{word}`, without parentheses, or `{named}.G.{word}()`");
+                    let message = format!(
+                        "write `{named}.{word}`, without parentheses, or `{named}.G.{word}()`"
+                    );
                     self.report(word.span(), message)
                 }
                 None => self.part_of_body(body, word),
@@ -105,11 +113,16 @@ impl Lowering<'_> {
         let message = match (found, arguments) {
             (Some((_, value)), None) => return Some(Some(*value)),
             (Some(_), Some(_)) => format!("write `{named}.{written}`, without parentheses"),
-            _ if joint.values.is_empty() => format!("`{named}` does not move: it has no `{written}`"),
+            _ if joint.values.is_empty() => {
+                format!("`{named}` does not move: it has no `{written}`")
+            }
             _ => {
                 let words: Vec<&str> = joint.values.iter().map(|(name, _)| *name).collect();
                 let hint = hint(&written, words.iter().copied());
-                format!("the joint `{named}` has `{}`, and no `{written}`{hint}", words.join("`, `"))
+                format!(
+                    "the joint `{named}` has `{}`, and no `{written}`{hint}",
+                    words.join("`, `")
+                )
             }
         };
         Some(self.report(word.span(), message))
@@ -123,7 +136,9 @@ impl Lowering<'_> {
         expression: &Expression,
     ) -> Option<Value> {
         let (components, dimension) = self.component_list(arguments, expression.extent)?;
-        let vector = self.work.vector(self.members.bodies[body].frame, components);
+        let vector = self
+            .work
+            .vector(self.members.bodies[body].frame, components);
         Some(Value::Vector(vector, dimension))
     }
 
@@ -140,13 +155,21 @@ impl Lowering<'_> {
         if let Some((_, offset)) = known.points.iter().find(|(name, _)| *name == written) {
             return offset.map(|offset| Value::Carried(body, offset));
         }
-        let of_state = ["position", "velocity", "attitude", "angular_velocity", "mass"];
+        let of_state = [
+            "position",
+            "velocity",
+            "attitude",
+            "angular_velocity",
+            "mass",
+        ];
         let name = &known.name;
         let message = if of_state.contains(&written.as_str()) && known.motion.is_none() {
             "this is fixed: it cannot depend on how the system moves".to_owned()
         } else if written == "attitude" {
-            format!("the attitude of `{name}` follows from its joints: write what you need of it with the \
-                     angles of these, or with vectors")
+            format!(
+                "the attitude of `{name}` follows from its joints: write what you need of it with the \
+                     angles of these, or with vectors"
+            )
         } else {
             let points = known.points.iter().map(|(name, _)| name.as_str());
             let hint = hint(&written, points.chain(of_state).chain(["G"]));

@@ -64,7 +64,8 @@ impl Lowering<'_> {
                 ),
             );
         }
-        let names_body = word == "in_body" && !self.members.bodies.is_empty() && !arguments.is_empty();
+        let names_body =
+            word == "in_body" && !self.members.bodies.is_empty() && !arguments.is_empty();
         let count = usize::from(matches!(word.as_str(), "cross" | "dot") || names_body);
         self.expect_arguments(method, arguments, count)?;
         match word.as_str() {
@@ -119,9 +120,16 @@ impl Lowering<'_> {
     /// A cross product: in the plane, its component along z.
     fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
         if self.motion.is_planar {
-            let parts: Vec<Id> = self.work.parts(product).iter().map(|(_, part)| part[2]).collect();
+            let parts: Vec<Id> = self
+                .work
+                .parts(product)
+                .iter()
+                .map(|(_, part)| part[2])
+                .collect();
             let zero = self.work.graph.zero();
-            let whole = parts.into_iter().fold(zero, |sum, part| self.work.graph.add(sum, part));
+            let whole = parts
+                .into_iter()
+                .fold(zero, |sum, part| self.work.graph.add(sum, part));
             Value::Scalar(whole, dimension)
         } else {
             Value::Vector(product, dimension)

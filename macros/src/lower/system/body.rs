@@ -4,9 +4,7 @@ use crate::errors::Errors;
 use crate::families::Family;
 use crate::lower::definitions::{check_names, definition_order, split_at_points};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
-use crate::model::{
-    Composed, Dimension, Frame, Load, Mass, Meaning, Member, State, Workspace,
-};
+use crate::model::{Composed, Dimension, Frame, Load, Mass, Meaning, Member, State, Workspace};
 use crate::symbolic::{Components, Stage};
 use crate::syntax::Description;
 
@@ -86,7 +84,10 @@ impl<'a> Reader<'a> {
         for (name, value) in &names {
             draft.scope.define(name, *value);
         }
-        let mut state = draft.state.take().unwrap_or_else(|| still(draft.frame, self.time));
+        let mut state = draft
+            .state
+            .take()
+            .unwrap_or_else(|| still(draft.frame, self.time));
         let mut lowering = Lowering {
             work: &mut self.work,
             scope: &mut draft.scope,
@@ -185,7 +186,8 @@ pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member]) -> Components
         if falls.iter().all(|other| other.as_ref() == Some(fall)) {
             gravity = work.graph.add_vectors(gravity, *fall);
             for body in &mut *bodies {
-                body.loads.retain(|load| load.name != name || load.family != Family::Field);
+                body.loads
+                    .retain(|load| load.name != name || load.family != Family::Field);
             }
         }
     }

@@ -20,7 +20,11 @@ fn behind<'e>(value: &'e Expression, method: &str) -> Option<(&'e Expression, &'
 
 impl Reader<'_> {
     /// Puts the drives on the joints.
-    pub fn drives(&mut self, mut joints: Vec<TreeJoint>, errors: &mut Errors) -> Option<Vec<TreeJoint>> {
+    pub fn drives(
+        &mut self,
+        mut joints: Vec<TreeJoint>,
+        errors: &mut Errors,
+    ) -> Option<Vec<TreeJoint>> {
         let mut is_sound = true;
         for drive in &self.system.drives {
             is_sound &= self.drive(drive, &mut joints, errors).is_some();
@@ -28,7 +32,12 @@ impl Reader<'_> {
         is_sound.then_some(joints)
     }
 
-    fn drive(&mut self, drive: &Definition, joints: &mut [TreeJoint], errors: &mut Errors) -> Option<()> {
+    fn drive(
+        &mut self,
+        drive: &Definition,
+        joints: &mut [TreeJoint],
+        errors: &mut Errors,
+    ) -> Option<()> {
         let value = drive.value.as_ref()?;
         let Some((load, [target])) = behind(value, "on") else {
             let message = "a drive acts on a joint: write `torque.on(elbow)`";
@@ -43,7 +52,11 @@ impl Reader<'_> {
             },
             _ => return self.refuse_target(target, errors),
         };
-        let known = self.members.joints.iter().find(|joint| *name == joint.name.as_str());
+        let known = self
+            .members
+            .joints
+            .iter()
+            .find(|joint| *name == joint.name.as_str());
         let Some(known) = known else {
             let names = self.members.joints.iter().map(|joint| joint.name.as_str());
             let hint = crate::errors::hint(&name.to_string(), names);
@@ -59,7 +72,9 @@ impl Reader<'_> {
             let message = if all.is_empty() {
                 format!("`{name}` does not move: there is nothing to drive")
             } else {
-                format!("nothing holds `{name}`: what acts on its body is a force or a moment in its braces")
+                format!(
+                    "nothing holds `{name}`: what acts on its body is a force or a moment in its braces"
+                )
             };
             errors.push(name.span(), message);
             return None;
@@ -69,7 +84,8 @@ impl Reader<'_> {
             None => (0..all.len()).collect(),
             Some(word) => {
                 let mut fields = shape.fields.iter();
-                let field = fields.find(|field| *word == field.path && is_coordinate(field.variable));
+                let field =
+                    fields.find(|field| *word == field.path && is_coordinate(field.variable));
                 let rate = field.map(|field| match field.variable {
                     Variable::Position => (Variable::Velocity, field.first),
                     _ => (Variable::AngularVelocity, field.first),
@@ -82,7 +98,10 @@ impl Reader<'_> {
                         .filter(|field| is_coordinate(field.variable))
                         .map(|field| field.path)
                         .collect();
-                    let message = format!("a drive acts on a coordinate of `{name}`: `{}`", words.join("`, `"));
+                    let message = format!(
+                        "a drive acts on a coordinate of `{name}`: `{}`",
+                        words.join("`, `")
+                    );
                     errors.push(word.span(), message);
                     return None;
                 };
@@ -91,9 +110,20 @@ impl Reader<'_> {
         };
         let is_ball = joint.kind.parts == [crate::model::Part::Ball];
         if chosen.len() > 1 && !is_ball {
-            let fields = shape.fields.iter().filter(|field| is_coordinate(field.variable));
-            let words: Vec<String> = fields.map(|field| format!("{name}.{}", field.path)).collect();
-            errors.push(target.extent, format!("along which coordinate? write `.on({})`", words.join(")` or `.on(")));
+            let fields = shape
+                .fields
+                .iter()
+                .filter(|field| is_coordinate(field.variable));
+            let words: Vec<String> = fields
+                .map(|field| format!("{name}.{}", field.path))
+                .collect();
+            errors.push(
+                target.extent,
+                format!(
+                    "along which coordinate? write `.on({})`",
+                    words.join(")` or `.on(")
+                ),
+            );
             return None;
         }
         if matches!(load.kind, Kind::Placeholder) {
@@ -113,7 +143,8 @@ impl Reader<'_> {
         let frame = joint.frames.last().copied()?;
         let parts = self.at_top(errors, |lowering| {
             if is_ball {
-                let vector = lowering.vector(load, Dimension::MOMENT, "the drive of a ball joint")?;
+                let vector =
+                    lowering.vector(load, Dimension::MOMENT, "the drive of a ball joint")?;
                 return Some(lowering.work.components(vector, frame).to_vec());
             }
             let (expected, what) = match all[chosen[0]].0 {
@@ -129,7 +160,10 @@ impl Reader<'_> {
     }
 
     fn refuse_target(&self, target: &Expression, errors: &mut Errors) -> Option<()> {
-        errors.push(target.extent, "a drive acts on a joint, by its name, or on one of its coordinates");
+        errors.push(
+            target.extent,
+            "a drive acts on a joint, by its name, or on one of its coordinates",
+        );
         None
     }
 
@@ -167,7 +201,10 @@ impl Reader<'_> {
         let (start, end) = (self.anchor(p, errors), self.anchor(q, errors));
         let (start, end) = (start?, end?);
         if start.0 == end.0 {
-            errors.push(q.extent, "a tension acts between two bodies, or a body and the ground");
+            errors.push(
+                q.extent,
+                "a tension acts between two bodies, or a body and the ground",
+            );
             return None;
         }
         let places = [start, end].map(|(body, offset)| match body {
@@ -179,10 +216,16 @@ impl Reader<'_> {
                 self.work.add(position, offset)
             }
         });
-        if [start.0, end.0].into_iter().flatten().any(|body| self.members.bodies[body].motion.is_none()) {
+        if [start.0, end.0]
+            .into_iter()
+            .flatten()
+            .any(|body| self.members.bodies[body].motion.is_none())
+        {
             return None;
         }
-        let size = self.at_top(errors, |lowering| lowering.scalar(tension, Dimension::FORCE, "a tension"))?;
+        let size = self.at_top(errors, |lowering| {
+            lowering.scalar(tension, Dimension::FORCE, "a tension")
+        })?;
         let back = self.work.negate(places[0]);
         let line = self.work.add(places[1], back);
         let line = self.work.components(line, Frame::WORLD);
@@ -194,11 +237,14 @@ impl Reader<'_> {
         let pull = self.work.graph.scale_vector(share, line);
         let pull = self.work.graph.quantities(pull);
         let opposite = self.work.graph.negate_vector(pull);
-        let ends = [(start, pull), (end, opposite)].into_iter().filter_map(|((body, offset), force)| {
-            let force = self.work.vector(Frame::WORLD, force);
-            let point = Point::Fixed(self.members.bodies[body?].frame, offset);
-            Some((body?, given(load, force, point, Vector::ZERO)))
-        });
+        let ends =
+            [(start, pull), (end, opposite)]
+                .into_iter()
+                .filter_map(|((body, offset), force)| {
+                    let force = self.work.vector(Frame::WORLD, force);
+                    let point = Point::Fixed(self.members.bodies[body?].frame, offset);
+                    Some((body?, given(load, force, point, Vector::ZERO)))
+                });
         Some(ends.collect())
     }
 
@@ -208,13 +254,15 @@ impl Reader<'_> {
         let value = load.value.as_ref()?;
         let on = behind(value, "on").filter(|(_, bodies)| bodies.len() == 1);
         let between = behind(value, "between").filter(|(_, bodies)| bodies.len() == 2);
-        let written = on.or(between).and_then(|(inner, bodies)| match &inner.kind {
-            Kind::Call(word, arguments) if word == "moment" => match arguments.as_slice() {
-                [moment] => Some((moment, bodies)),
+        let written = on
+            .or(between)
+            .and_then(|(inner, bodies)| match &inner.kind {
+                Kind::Call(word, arguments) if word == "moment" => match arguments.as_slice() {
+                    [moment] => Some((moment, bodies)),
+                    _ => None,
+                },
                 _ => None,
-            },
-            _ => None,
-        });
+            });
         let Some((moment, bodies)) = written else {
             errors.push(
                 value.extent,
@@ -222,7 +270,10 @@ impl Reader<'_> {
             );
             return None;
         };
-        let numbers: Vec<Option<usize>> = bodies.iter().map(|body| self.body_number(body, errors)).collect();
+        let numbers: Vec<Option<usize>> = bodies
+            .iter()
+            .map(|body| self.body_number(body, errors))
+            .collect();
         let is_planar = self.system.is_planar;
         let vector = self.at_top(errors, |lowering| read_moment(lowering, moment, is_planar));
         let numbers: Vec<usize> = numbers.into_iter().collect::<Option<_>>()?;
@@ -235,7 +286,10 @@ impl Reader<'_> {
                 (first, given(load, Vector::ZERO, center(first), opposite)),
                 (second, given(load, Vector::ZERO, center(second), vector)),
             ],
-            _ => vec![(numbers[0], given(load, Vector::ZERO, center(numbers[0]), vector))],
+            _ => vec![(
+                numbers[0],
+                given(load, Vector::ZERO, center(numbers[0]), vector),
+            )],
         })
     }
 
@@ -251,7 +305,11 @@ impl Reader<'_> {
     }
 }
 
-fn read_moment(lowering: &mut Lowering<'_>, written: &Expression, is_planar: bool) -> Option<Vector> {
+fn read_moment(
+    lowering: &mut Lowering<'_>,
+    written: &Expression,
+    is_planar: bool,
+) -> Option<Vector> {
     if !is_planar {
         return lowering.vector(written, Dimension::MOMENT, "a moment");
     }

@@ -8,7 +8,6 @@ use crate::model::{Dimension, Frame, JointKind};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Definition, Expression, Kind};
 
-use super::body::Draft;
 use super::{Reader, still};
 
 /// A joint that is read: where it is, and what turns or slides.
@@ -29,7 +28,9 @@ pub struct Written {
 /// The kind of joint that an expression begins with, and what is written behind it.
 pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
     let word = call(value)?.0.to_string();
-    JointKind::all(is_planar).iter().find(|kind| kind.word == word)
+    JointKind::all(is_planar)
+        .iter()
+        .find(|kind| kind.word == word)
 }
 
 /// `kind(arguments)`, with the methods behind it.
@@ -52,7 +53,10 @@ impl Reader<'_> {
     /// Reads all joints; what is wrong with one hides no other.
     pub fn joints(&mut self, errors: &mut Errors) -> Vec<Option<Written>> {
         let written: Vec<&Definition> = self.system.joints.iter().collect();
-        written.into_iter().map(|joint| self.joint(joint, errors)).collect()
+        written
+            .into_iter()
+            .map(|joint| self.joint(joint, errors))
+            .collect()
     }
 
     fn joint(&mut self, joint: &Definition, errors: &mut Errors) -> Option<Written> {
@@ -65,18 +69,24 @@ impl Reader<'_> {
         let kinds = JointKind::all(self.system.is_planar);
         let Some((word, arguments, methods)) = call(value) else {
             let forms = kinds[0].form;
-            errors.push(value.extent, format!("a joint is a kind with its points, such as `{forms}`"));
+            errors.push(
+                value.extent,
+                format!("a joint is a kind with its points, such as `{forms}`"),
+            );
             return None;
         };
         let Some(kind) = kind_of(value, self.system.is_planar) else {
             let all: Vec<&str> = kinds.iter().map(|kind| kind.word).collect();
             let hint = hint(&word.to_string(), all.iter().copied());
-            let is_spatial = self.system.is_planar
-                && JointKind::all(false).iter().any(|kind| word == kind.word);
+            let is_spatial =
+                self.system.is_planar && JointKind::all(false).iter().any(|kind| word == kind.word);
             let plane = if is_spatial { " in the plane" } else { "" };
             errors.push(
                 word.span(),
-                format!("there is no joint `{word}`{plane}: expected one of `{}`{hint}", all.join("`, `")),
+                format!(
+                    "there is no joint `{word}`{plane}: expected one of `{}`{hint}",
+                    all.join("`, `")
+                ),
             );
             return None;
         };
@@ -86,9 +96,17 @@ impl Reader<'_> {
             2 + kind.directions + usize::from(kind.is_screw())
         };
         if arguments.len() != expected {
-            let place = arguments.get(expected).map_or(word.span().into(), |extra| extra.extent);
+            let place = arguments
+                .get(expected)
+                .map_or(word.span().into(), |extra| extra.extent);
             let count = arguments.len();
-            errors.push(place, format!("`{}` takes {expected} arguments, and this has {count}", kind.form));
+            errors.push(
+                place,
+                format!(
+                    "`{}` takes {expected} arguments, and this has {count}",
+                    kind.form
+                ),
+            );
             return None;
         }
         if kind.is_free() {
@@ -115,11 +133,25 @@ impl Reader<'_> {
             .iter()
             .map(|direction| self.direction(body, direction, errors))
             .collect();
+        if let [Some(first), Some(second)] = *directions {
+            let across = self.work.graph.cross(first, second);
+            if self.work.graph.is_zero_vector(&across) {
+                errors.push(
+                    arguments[3].extent,
+                    "the axes of a universal joint are not parallel: about parallel ones it turns twice alike",
+                );
+                return None;
+            }
+        }
         let mut pitch = None;
         if kind.is_screw() {
             let written = &arguments[3];
             let read = self.at_top(errors, |lowering| {
-                let pitch = lowering.scalar(written, Dimension::LENGTH, "the pitch of a screw, metres per radian,")?;
+                let pitch = lowering.scalar(
+                    written,
+                    Dimension::LENGTH,
+                    "the pitch of a screw, metres per radian,",
+                )?;
                 lowering.check_early(written, &[pitch], "a pitch is fixed")?;
                 Some(pitch)
             });
@@ -155,16 +187,25 @@ impl Reader<'_> {
         }
         let named = match &body.kind {
             Kind::Name(name) => {
-                let found = self.members.bodies.iter().position(|body| *name == body.name.as_str());
+                let found = self
+                    .members
+                    .bodies
+                    .iter()
+                    .position(|body| *name == body.name.as_str());
                 found.map(|found| (found, name))
             }
             _ => None,
         };
         let Some((carried, name)) = named else {
             let names = self.members.bodies.iter().map(|body| body.name.as_str());
-            let written = first_name_of(body).map(ToString::to_string).unwrap_or_default();
+            let written = first_name_of(body)
+                .map(ToString::to_string)
+                .unwrap_or_default();
             let hint = hint(&written, names);
-            errors.push(body.extent, format!("expected the name of a body, as in `free(hub)`{hint}"));
+            errors.push(
+                body.extent,
+                format!("expected the name of a body, as in `free(hub)`{hint}"),
+            );
             return None;
         };
         let zeros = self.work.graph.zeros();
@@ -204,7 +245,10 @@ impl Reader<'_> {
             };
             if !dimension.fits(Dimension::LENGTH) {
                 let found = dimension.described();
-                return lowering.report(written.extent, format!("a point is in m, and this is {found}"));
+                return lowering.report(
+                    written.extent,
+                    format!("a point is in m, and this is {found}"),
+                );
             }
             lowering.check_early(written, &position, "a point of the ground is fixed")?;
             Some((None, position))
@@ -263,7 +307,10 @@ impl Reader<'_> {
                     turned = turned.and_then(|_| Some(Some((axis, angle?))));
                 }
                 ("turned", _) => {
-                    errors.push(method.span(), "write `.turned(axis, angle)`, in the plane `.turned(angle)`");
+                    errors.push(
+                        method.span(),
+                        "write `.turned(axis, angle)`, in the plane `.turned(angle)`",
+                    );
                     turned = None;
                 }
                 (word, _) if later.contains(&word) => {
@@ -274,7 +321,12 @@ impl Reader<'_> {
                     turned = None;
                 }
                 _ => {
-                    errors.push(method.span(), format!("a joint has no `{method}`: what may follow is `.turned(axis, angle)`"));
+                    errors.push(
+                        method.span(),
+                        format!(
+                            "a joint has no `{method}`: what may follow is `.turned(axis, angle)`"
+                        ),
+                    );
                     turned = None;
                 }
             }
@@ -297,9 +349,4 @@ fn first_name_of(value: &Expression) -> Option<&Ident> {
 
 fn first_name(value: &Expression) -> Option<proc_macro2::Span> {
     first_name_of(value).map(Ident::span)
-}
-
-/// Whether the state of each draft is known; a body of which it is not, is reported.
-pub fn are_known(drafts: &[Draft<'_>]) -> bool {
-    drafts.iter().all(|draft| draft.state.is_some())
 }

@@ -15,8 +15,8 @@ use crate::errors::Errors;
 use crate::lower::definitions::check_names;
 use crate::lower::expressions::{Lowering, Members, Scope, Value};
 use crate::model::{
-    Declared, Defaults, Frame, Jointed, Meaning, Motion, Outline, PLANAR, SPATIAL, State, System, Vector,
-    Workspace,
+    Declared, Defaults, Frame, Jointed, Meaning, Motion, Outline, PLANAR, SPATIAL, State, System,
+    Vector, Workspace,
 };
 use crate::symbolic::{Id, Stage};
 use crate::syntax::{self, Definition, Expression};
@@ -54,9 +54,11 @@ pub fn lower_system(
         time,
         defaults: Defaults::new(),
     };
-    reader.defaults = reader.at_top(errors, |lowering| lowering.declarations(&system.top, outline));
+    reader.defaults = reader.at_top(errors, |lowering| {
+        lowering.declarations(&system.top, outline)
+    });
     reader.locals(errors, false);
-    let mut drafts: Vec<Draft> = Vec::new();
+    let mut drafts: Vec<Draft<'_>> = Vec::new();
     for body in &system.bodies {
         let draft = reader.points(body, errors);
         drafts.push(draft);
@@ -136,7 +138,9 @@ fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<String
             let message = format!("`{name}` is built in: choose another name for this {what}");
             errors.push(name.span(), message);
         } else if let Some((_, first)) = seen.iter().find(|(other, _)| *other == name) {
-            let message = format!("`{name}` is the name of a {first} already: params, inputs, locals, bodies and joints need different names");
+            let message = format!(
+                "`{name}` is the name of a {first} already: params, inputs, locals, bodies and joints need different names"
+            );
             errors.push(name.span(), message);
             repeated.insert(name.to_string());
         } else {
@@ -177,7 +181,9 @@ impl Reader<'_> {
         while !left.is_empty() {
             let waits = |local: &Definition, left: &[&Definition]| {
                 let names = local.value.iter().flat_map(Expression::names);
-                names.into_iter().any(|name| left.iter().any(|other| other.name == *name))
+                names
+                    .into_iter()
+                    .any(|name| left.iter().any(|other| other.name == *name))
             };
             let ready = left.iter().position(|local| !waits(local, &left));
             let Some(ready) = ready else {
@@ -204,7 +210,10 @@ impl Reader<'_> {
         let inputs = top.inputs.iter().filter(|input| input.order == 0);
         let declared = top.params.iter().chain(inputs).map(|one| &one.name);
         let names = declared.chain(top.locals.iter().map(|local| &local.name));
-        names.filter(|name| !self.scope.is_used(name)).cloned().collect()
+        names
+            .filter(|name| !self.scope.is_used(name))
+            .cloned()
+            .collect()
     }
 }
 
@@ -217,7 +226,10 @@ fn moving_locals(system: &syntax::System) -> HashSet<String> {
         let before = moving.len();
         for local in &system.top.locals {
             let names = local.value.iter().flat_map(Expression::names);
-            if names.into_iter().any(|name| moving.contains(&name.to_string())) {
+            if names
+                .into_iter()
+                .any(|name| moving.contains(&name.to_string()))
+            {
                 moving.insert(local.name.to_string());
             }
         }
@@ -245,7 +257,11 @@ fn still(body: Frame, time: Id) -> State {
 }
 
 /// The points that names stand for, as others see them.
-fn points(scope: &Scope, body: &syntax::Description, frame: Frame) -> Vec<(String, Option<crate::symbolic::Components>)> {
+fn points(
+    scope: &Scope,
+    body: &syntax::Description,
+    frame: Frame,
+) -> Vec<(String, Option<crate::symbolic::Components>)> {
     let names = body.points.iter().map(|point| point.name.to_string());
     names
         .filter_map(|name| match scope.peek(&name) {

@@ -5,7 +5,7 @@ use crate::model::{
     Attitude, Coordinate, Dimension, Frame, Meaning, Part, Rates, State, TreeJoint, Variable,
     Vector, Workspace,
 };
-use crate::symbolic::{Components, Graph, Id, Stage};
+use crate::symbolic::{Components, Function, Graph, Id, Stage};
 
 use super::body::Draft;
 use super::joints::Written;
@@ -46,9 +46,15 @@ impl Reader<'_> {
     fn motion(&mut self, written: Written, drafts: &mut [Draft<'_>]) -> TreeJoint {
         let (kind, body) = (written.kind, drafts[written.carried].frame);
         let work = &mut self.work;
-        let coordinates = symbols(work, body, kind.shape.into_iter().flat_map(|shape| shape.components()));
+        let coordinates = symbols(
+            work,
+            body,
+            kind.shape.into_iter().flat_map(|shape| shape.components()),
+        );
         let zeros = work.graph.zeros();
-        let carrier = written.carrier.and_then(|carrier| drafts[carrier].state.as_ref());
+        let carrier = written
+            .carrier
+            .and_then(|carrier| drafts[carrier].state.as_ref());
         let mut moving = match carrier {
             None => Moving {
                 frame: Frame::WORLD,
@@ -78,7 +84,11 @@ impl Reader<'_> {
         let parts = kind.parts;
         for (number, part) in parts.iter().enumerate() {
             let is_last = number + 1 == parts.len();
-            let frame = if is_last { body } else { work.new_frame(moving.frame) };
+            let frame = if is_last {
+                body
+            } else {
+                work.new_frame(moving.frame)
+            };
             work.set_carrier(frame, moving.frame);
             moving.pass(work, frame, *part, &written, &coordinates);
             frames.push(frame);
@@ -135,7 +145,10 @@ impl Reader<'_> {
         });
         known.values.extend([
             ("position", Value::Vector(state.position, Dimension::LENGTH)),
-            ("velocity", Value::Vector(state.velocity, Dimension::VELOCITY)),
+            (
+                "velocity",
+                Value::Vector(state.velocity, Dimension::VELOCITY),
+            ),
             ("angular_velocity", turning),
         ]);
     }
@@ -180,7 +193,8 @@ impl Reader<'_> {
             if field.variable == Variable::Quaternion {
                 continue;
             }
-            let parts = (0..field.names.len()).map(|part| joint.coordinates.get(field.variable, field.first + part));
+            let parts = (0..field.names.len())
+                .map(|part| joint.coordinates.get(field.variable, field.first + part));
             let parts: Vec<Id> = parts.flatten().collect();
             let value = match *parts.as_slice() {
                 [scalar] => Value::Scalar(scalar, dimension),
@@ -217,13 +231,20 @@ fn symbols(
 pub fn freedoms(parts: &[Part], is_planar: bool) -> Vec<(Variable, usize)> {
     let mut freedoms = Vec::new();
     for part in parts {
-        let turns = freedoms.iter().filter(|(variable, _)| *variable == Variable::AngularVelocity).count();
+        let turns = freedoms
+            .iter()
+            .filter(|(variable, _)| *variable == Variable::AngularVelocity)
+            .count();
         match part {
             Part::Turn(_) | Part::Screw => freedoms.push((Variable::AngularVelocity, turns)),
             Part::Slide(_) => freedoms.push((Variable::Velocity, 0)),
             Part::Ball => freedoms.extend((0..3).map(|axis| (Variable::AngularVelocity, axis))),
             Part::Free if is_planar => {
-                freedoms.extend([(Variable::Velocity, 0), (Variable::Velocity, 1), (Variable::AngularVelocity, 0)]);
+                freedoms.extend([
+                    (Variable::Velocity, 0),
+                    (Variable::Velocity, 1),
+                    (Variable::AngularVelocity, 0),
+                ]);
             }
             Part::Free => {
                 freedoms.extend((0..3).map(|axis| (Variable::Velocity, axis)));
@@ -244,7 +265,14 @@ impl Moving {
     }
 
     /// Passes a part of a joint.
-    fn pass(&mut self, work: &mut Workspace, frame: Frame, part: Part, joint: &Written, of: &Rates) {
+    fn pass(
+        &mut self,
+        work: &mut Workspace,
+        frame: Frame,
+        part: Part,
+        joint: &Written,
+        of: &Rates,
+    ) {
         let zero = work.graph.zero();
         let get = |variable: Variable, part: usize| of.get(variable, part).unwrap_or(zero);
         match part {
@@ -256,21 +284,29 @@ impl Moving {
                     Some(direction) => *direction,
                     None => work.graph.unit_vectors()[2],
                 };
-                work.set_attitude(frame, Attitude::Axis { angle, direction });
+                set_angle(work, frame, angle, direction, &joint.name);
                 let rate = work.graph.scale_vector(rate, direction);
                 self.enter(work, frame, rate);
             }
             Part::Slide(number) => {
-                self.slide(work, joint.directions[number], get(Variable::Position, 0), get(Variable::Velocity, 0));
+                self.slide(
+                    work,
+                    joint.directions[number],
+                    get(Variable::Position, 0),
+                    get(Variable::Velocity, 0),
+                );
                 let zeros = work.graph.zeros();
                 self.enter(work, frame, zeros);
             }
             Part::Screw => {
                 let (direction, pitch) = (joint.directions[0], joint.pitch.unwrap_or(zero));
                 let [angle, rate] = [get(Variable::Angle, 0), get(Variable::AngularVelocity, 0)];
-                let (distance, speed) = (work.graph.multiply(pitch, angle), work.graph.multiply(pitch, rate));
+                let (distance, speed) = (
+                    work.graph.multiply(pitch, angle),
+                    work.graph.multiply(pitch, rate),
+                );
                 self.slide(work, direction, distance, speed);
-                work.set_attitude(frame, Attitude::Axis { angle, direction });
+                set_angle(work, frame, angle, direction, &joint.name);
                 let rate = work.graph.scale_vector(rate, direction);
                 self.enter(work, frame, rate);
             }
@@ -305,9 +341,27 @@ impl Moving {
         let swept = graph.cross(self.angular_velocity, step);
         let slid = graph.scale_vector(speed, direction);
         let change = graph.add_vectors(swept, slid);
-        let (step, change) = (work.vector(self.frame, step), work.vector(self.frame, change));
+        let (step, change) = (
+            work.vector(self.frame, step),
+            work.vector(self.frame, change),
+        );
         self.position = work.add(self.position, step);
         self.velocity = work.add(self.velocity, change);
+    }
+}
+
+/// Turns a frame by an angle, whose sine and cosine are named after the joint.
+fn set_angle(
+    work: &mut Workspace,
+    frame: Frame,
+    angle: Id,
+    direction: Components,
+    joint: &proc_macro2::Ident,
+) {
+    work.set_attitude(frame, Attitude::Axis { angle, direction });
+    for (function, name) in [(Function::Sin, "sine"), (Function::Cos, "cosine")] {
+        let value = work.graph.apply(function, &[angle]);
+        work.labels.name(value, format!("{name}_{joint}"));
     }
 }
 

@@ -27,7 +27,10 @@ impl Reader<'_> {
         }
         if bodies.is_empty() && errors.is_empty() {
             let name = &self.system.top.name;
-            errors.push(name.span(), format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`"));
+            errors.push(
+                name.span(),
+                format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`"),
+            );
         }
         // what is wrong with a joint may be that it names no body
         if is_sound {
@@ -58,7 +61,11 @@ impl Reader<'_> {
                 break;
             }
         }
-        if let Some(body) = placed.iter().position(|placed| !placed).filter(|_| is_sound) {
+        if let Some(body) = placed
+            .iter()
+            .position(|placed| !placed)
+            .filter(|_| is_sound)
+        {
             let name = &bodies[body].name;
             let joint = carried_by[body].and_then(|index| joints[index].as_ref());
             let joint = joint.map_or(String::new(), |joint| joint.name.to_string());

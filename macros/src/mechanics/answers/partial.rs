@@ -11,7 +11,10 @@ pub struct Partial {
     pub parts: Vec<Id>,
 }
 
-pub fn list_partial<'l>(loads: impl IntoIterator<Item = &'l Load>, work: &Workspace) -> Vec<Partial> {
+pub fn list_partial<'l>(
+    loads: impl IntoIterator<Item = &'l Load>,
+    work: &Workspace,
+) -> Vec<Partial> {
     let graph = &work.graph;
     let loads = loads.into_iter().map(|load| {
         let mut parts = work.entries(&[load.force, load.moment]);

@@ -1,5 +1,6 @@
 //! Inertia of a link with all that it carries, whose joints give way.
 
+use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
 use super::bias::Pair;
@@ -23,6 +24,21 @@ pub struct Eliminated {
     pub twist: Twist,
     pub drive: Id,
     pub share: Pair,
+    /// Of the inertia along it.
+    inverse: Id,
+    /// The drive, less what the motion takes without it.
+    driving: Id,
+}
+
+impl Eliminated {
+    /// Names of what is left.
+    pub fn name(&self, labels: &mut Labels, of: &str) {
+        labels.name(self.inverse, format!("inverse_inertia_{of}"));
+        labels.name(self.driving, format!("driving_{of}"));
+        labels.name(self.drive, format!("own_{of}"));
+        self.share
+            .name(labels, ["angular_share", "linear_share"], of);
+    }
 }
 
 impl Articulated {
@@ -47,6 +63,13 @@ impl Articulated {
             mixed: add(graph, &self.mixed, &other.mixed),
             linear: add(graph, &self.linear, &other.linear),
         }
+    }
+
+    /// Names of all entries.
+    pub fn name(&self, labels: &mut Labels, of: &str) {
+        labels.matrix(&format!("inertia_{of}"), &self.angular);
+        labels.matrix(&format!("coupling_{of}"), &self.mixed);
+        labels.matrix(&format!("mass_{of}"), &self.linear);
     }
 
     /// Each entry a line of its own.
@@ -115,6 +138,8 @@ impl Articulated {
             twist,
             drive: graph.quantity(drive),
             share,
+            inverse,
+            driving,
         }
     }
 

@@ -1,5 +1,6 @@
 //! The bias: how links move and what that takes, if no joint accelerates.
 
+use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
 use super::link::{Link, Tree, Twist};
@@ -160,12 +161,15 @@ fn sweep(graph: &mut Graph, w: Components, alpha: Components) -> [Components; 3]
 
 /// The motion of all links without accelerations of joints, and the moment and force about the
 /// origin of each that are lacking for it.
-pub fn derive_bias(graph: &mut Graph, tree: &Tree) -> Vec<(Moving, Pair)> {
+pub fn derive_bias(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Vec<(Moving, Pair)> {
     let ground = Moving::ground(graph, tree.gravity);
     let mut all: Vec<(Moving, Pair)> = Vec::new();
     for link in &tree.links {
         let carrier = link.carrier.map_or(ground, |carrier| all[carrier].0);
         let moving = carrier.carried(graph, link);
+        labels.vector_or_one("w", &link.name, moving.w);
+        moving.acceleration.name(labels, ["alpha", "a"], &link.name);
+        labels.matrix(&format!("sweep_{}", link.name), &moving.sweep);
         let taken = moving.taken_by(graph, link);
         let lacking = taken.less(graph, link);
         all.push((moving, lacking));
@@ -187,6 +191,12 @@ impl Pair {
             angular: graph.zeros(),
             linear: graph.zeros(),
         }
+    }
+
+    /// Names of both vectors.
+    pub fn name(&self, labels: &mut Labels, [angular, linear]: [&str; 2], of: &str) {
+        labels.vector_or_one(angular, of, self.angular);
+        labels.vector(&format!("{linear}_{of}"), self.linear);
     }
 
     pub fn plus(self, graph: &mut Graph, other: Self) -> Self {

@@ -139,7 +139,10 @@ impl Making<'_> {
             Part::Turn(number) => {
                 let direction = direction(number).unwrap_or(units[2]);
                 let twist = Twist::about(graph, direction);
-                let (angle, rate) = (get(Variable::Angle, number.min(1)), get(Variable::AngularVelocity, number.min(1)));
+                let (angle, rate) = (
+                    get(Variable::Angle, number.min(1)),
+                    get(Variable::AngularVelocity, number.min(1)),
+                );
                 self.hinge(direction, twist, [angle, rate, drives[0]]);
             }
             Part::Screw => {
@@ -205,9 +208,6 @@ impl Making<'_> {
         let graph = &mut self.work.graph;
         let cosine = graph.apply(Function::Cos, &[angle]);
         let sine = graph.apply(Function::Sin, &[angle]);
-        let (body, labels) = (&self.joint.name, &mut self.work.labels);
-        labels.name(cosine, format!("cosine_{body}"));
-        labels.name(sine, format!("sine_{body}"));
         let turning = Turning::about(graph, direction, cosine, sine);
         let about = match turning {
             Turning::About { axis, .. } => Some(graph.multiply(direction[axis], angle)),

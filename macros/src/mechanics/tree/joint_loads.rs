@@ -14,7 +14,9 @@ pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) ->
     let mut loads: Vec<Pair> = Vec::new();
     for (link, rates) in tree.links.iter().zip(accelerations) {
         let carrier = link.carrier.map_or(ground, |carrier| motions[carrier]);
-        let moving = carrier.carried(graph, link).accelerated(graph, tree, link, rates);
+        let moving = carrier
+            .carried(graph, link)
+            .accelerated(graph, tree, link, rates);
         let taken = moving.taken_by(graph, link);
         loads.push(taken.less(graph, link));
         motions.push(moving);

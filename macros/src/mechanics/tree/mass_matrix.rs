@@ -2,6 +2,7 @@
 //! Dynamic Computer Simulation of Robotic Mechanisms). Of few freedoms it is cheaper than the
 //! recursion.
 
+use crate::model::Labels;
 use crate::symbolic::{Graph, Id};
 
 use super::articulated::{Articulated, wrench_on_carrier};
@@ -13,12 +14,13 @@ pub struct MassMatrix {
     pub rows: Vec<Vec<Id>>,
     /// What drives each freedom, less what its motion takes without acceleration.
     pub driving: Vec<Id>,
+    names: Vec<String>,
 }
 
 impl MassMatrix {
-    pub fn derive(graph: &mut Graph, tree: &Tree) -> Self {
+    pub fn derive(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Self {
         let links = &tree.links;
-        let bias = derive_bias(graph, tree);
+        let bias = derive_bias(graph, labels, tree);
         let mut composite: Vec<Articulated> = Vec::new();
         let mut lacking: Vec<Pair> = Vec::new();
         for (link, (_, own)) in links.iter().zip(&bias) {
@@ -32,6 +34,8 @@ impl MassMatrix {
         for (index, link) in links.iter().enumerate().rev() {
             let own = composite[index].quantities(graph);
             let load = lacking[index].quantities(graph);
+            own.name(labels, &link.name);
+            load.name(labels, ["moment", "force"], &link.name);
             for (number, freedom) in link.freedoms.iter().enumerate() {
                 let row = first[index] + number;
                 let along = Pair::of(&freedom.twist);
@@ -61,11 +65,22 @@ impl MassMatrix {
                 lacking[carrier] = lacking[carrier].plus(graph, wrench);
             }
         }
-        Self { rows, driving }
+        let freedoms = links.iter().flat_map(|link| &link.freedoms);
+        let names: Vec<String> = freedoms.map(|freedom| freedom.name.clone()).collect();
+        for (row, first) in rows.iter().zip(&names) {
+            for (entry, second) in row.iter().zip(&names) {
+                labels.name(*entry, format!("inertia_{second}_{first}"));
+            }
+        }
+        Self {
+            rows,
+            driving,
+            names,
+        }
     }
 
     /// Solved from the last freedom to the first, `L^T D L`.
-    pub fn solve(&self, graph: &mut Graph) -> Vec<Id> {
+    pub fn solve(&self, graph: &mut Graph, labels: &mut Labels) -> Vec<Id> {
         let (mut rows, mut driving) = (self.rows.clone(), self.driving.clone());
         let count = rows.len();
         let mut shares = Vec::new();
@@ -73,6 +88,7 @@ impl MassMatrix {
             let one = graph.one();
             let inverse = graph.divide(one, rows[k][k]);
             let inverse = graph.quantity(inverse);
+            labels.name(inverse, format!("inverse_inertia_{}", self.names[k]));
             let share: Vec<Id> = (0..k)
                 .map(|j| {
                     let share = graph.multiply(rows[k][j], inverse);
@@ -80,6 +96,7 @@ impl MassMatrix {
                 })
                 .collect();
             driving[k] = graph.quantity(driving[k]);
+            labels.name(driving[k], format!("driving_{}", self.names[k]));
             for i in 0..k {
                 for j in 0..=i {
                     let less = graph.multiply(rows[k][i], share[j]);

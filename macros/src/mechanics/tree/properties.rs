@@ -25,12 +25,6 @@ impl Properties {
         }
     }
 
-    pub fn is_none(&self, graph: &Graph) -> bool {
-        graph.is_zero(self.mass)
-            && graph.is_zero_vector(&self.first)
-            && self.inertia.iter().all(|row| graph.is_zero_vector(row))
-    }
-
     /// Of a mass with its center at `c`, and the inertia about that.
     pub fn of_body(graph: &mut Graph, mass: Id, c: Components, inertia: &Rows) -> Self {
         let first = graph.scale_vector(mass, c);
@@ -157,24 +151,50 @@ pub fn regroup(graph: &mut Graph, tree: &mut Tree, sides: &[usize]) {
 /// carries nothing, and on which no load acts but its drive and gravity.
 pub fn keep_axes(graph: &Graph, tree: &mut Tree) {
     for index in 0..tree.links.len() {
-        let carries = tree.links.iter().any(|link| link.carrier == Some(index));
-        let link = &mut tree.links[index];
+        if turns_unseen(graph, tree, index) {
+            tree.links[index].turning = Turning::Parallel;
+        }
+    }
+}
+
+/// What the equations leave out of each link, and why.
+pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
+    let mut lines = Vec::new();
+    for (index, (link, own)) in after.links.iter().zip(&before.links).enumerate() {
         let [freedom] = link.freedoms.as_slice() else {
             continue;
         };
-        let Some(Along::Angular(axis)) = freedom.twist.axis(graph) else {
-            continue;
-        };
-        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-        let (rows, first) = (&link.properties.inertia, link.properties.first);
-        let is_symmetric = rows[i][i] == rows[j][j]
-            && [(0, 1), (1, 2), (2, 0)]
-                .iter()
-                .all(|(a, b)| graph.is_zero(rows[*a][*b]))
-            && graph.is_along(first, axis);
-        let is_loaded = !graph.is_zero_vector(&link.force) || !graph.is_zero_vector(&link.moment);
-        if is_symmetric && !is_loaded && !carries {
-            link.turning = Turning::Parallel;
+        let (name, joint) = (&link.name, &freedom.name);
+        if matches!(link.turning, Turning::Parallel) && turns_unseen(graph, after, index) {
+            lines.push(format!("the sine and cosine of `{joint}`: `{name}` is symmetric about its axis, carries nothing, and no load on it turns with it"));
+        }
+        if graph.is_zero(link.properties.mass) && !graph.is_zero(own.properties.mass) {
+            let carrier = link
+                .carrier
+                .map_or("the ground", |carrier| &after.links[carrier].name);
+            lines.push(format!("the mass of `{name}` in its own balances: `{joint}` cannot tell it from a mass of `{carrier}` on its axis"));
         }
     }
+    lines
+}
+
+/// Whether the equations are the same however a link is turned.
+fn turns_unseen(graph: &Graph, tree: &Tree, index: usize) -> bool {
+    let carries = tree.links.iter().any(|link| link.carrier == Some(index));
+    let link = &tree.links[index];
+    let [freedom] = link.freedoms.as_slice() else {
+        return false;
+    };
+    let Some(Along::Angular(axis)) = freedom.twist.axis(graph) else {
+        return false;
+    };
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (rows, first) = (&link.properties.inertia, link.properties.first);
+    let is_symmetric = rows[i][i] == rows[j][j]
+        && [(0, 1), (1, 2), (2, 0)]
+            .iter()
+            .all(|(a, b)| graph.is_zero(rows[*a][*b]))
+        && graph.is_along(first, axis);
+    let is_loaded = !graph.is_zero_vector(&link.force) || !graph.is_zero_vector(&link.moment);
+    is_symmetric && !is_loaded && !carries
 }

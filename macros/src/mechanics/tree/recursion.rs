@@ -1,26 +1,37 @@
 //! The articulated-body recursion: from the tips to the ground, and back.
 
+use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
 use super::articulated::{Articulated, Eliminated, wrench_on_carrier};
 use super::bias::{Pair, derive_bias};
 use super::link::{Link, Tree};
 use super::mass_matrix::MassMatrix;
+use super::properties::left_out;
 use super::reductions::{drop_frames, reduced};
 
 /// The accelerations of the coordinates, link by link in the order of its freedoms; of a link that
 /// is free, those of its origin along world axes first.
-pub struct Accelerations(pub Vec<Vec<Id>>);
+pub struct Accelerations(Vec<Vec<Id>>);
 
-/// Solves for the accelerations of all joints.
-pub fn derive_tree(graph: &mut Graph, tree: &Tree) -> Accelerations {
+/// The accelerations of all joints, and what does not appear in them.
+pub struct Solved {
+    pub accelerations: Vec<Vec<Id>>,
+    pub left_out: Vec<String>,
+}
+
+/// Solves for the accelerations of all joints, and names what they are made of.
+pub fn derive_tree(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Solved {
     let mut tree = tree.clone();
     drop_frames(graph, &mut tree);
     let best = reduced(graph, &tree, |graph, tree| {
-        let found = solve(graph, tree);
+        let found = solve(graph, &mut Labels::default(), tree);
         cost(graph, &found)
     });
-    solve(graph, &best)
+    Solved {
+        accelerations: solve(graph, labels, &best).0,
+        left_out: left_out(graph, &tree, &best),
+    }
 }
 
 fn cost(graph: &Graph, found: &Accelerations) -> u32 {
@@ -28,30 +39,39 @@ fn cost(graph: &Graph, found: &Accelerations) -> u32 {
 }
 
 /// By the recursion; of few freedoms by the mass matrix, if that is cheaper.
-fn solve(graph: &mut Graph, tree: &Tree) -> Accelerations {
-    let mut best = recursion(graph, tree).folded(graph);
+fn solve(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
+    let mut names = Labels::default();
+    let mut best = recursion(graph, &mut names, tree).folded(graph, &mut names);
     let freedoms = || tree.links.iter().map(|link| link.freedoms.len());
     if freedoms().sum::<usize>() <= 2 {
-        let mut solved = MassMatrix::derive(graph, tree).solve(graph);
+        let mut others = Labels::default();
+        let mut solved = MassMatrix::derive(graph, &mut others, tree).solve(graph, &mut others);
         let by_matrix = freedoms().map(|count| solved.drain(..count).collect());
-        let by_matrix = Accelerations(by_matrix.collect()).folded(graph);
+        let by_matrix = Accelerations(by_matrix.collect()).folded(graph, &mut others);
         if cost(graph, &by_matrix) < cost(graph, &best) {
-            best = by_matrix;
+            (best, names) = (by_matrix, others);
         }
     }
+    labels.adopt(names);
     best
 }
 
 impl Accelerations {
-    fn folded(&self, graph: &mut Graph) -> Self {
-        let mut folded = graph.folded(&self.0.concat()).into_iter();
+    fn folded(&self, graph: &mut Graph, labels: &mut Labels) -> Self {
+        let (folded, images) = graph.folded(&self.0.concat());
+        labels.follow(&images);
+        let mut folded = folded.into_iter();
         let links = self.0.iter();
-        Self(links.map(|link| folded.by_ref().take(link.len()).collect()).collect())
+        Self(
+            links
+                .map(|link| folded.by_ref().take(link.len()).collect())
+                .collect(),
+        )
     }
 }
 
-fn recursion(graph: &mut Graph, tree: &Tree) -> Accelerations {
-    let bias = derive_bias(graph, tree);
+fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
+    let bias = derive_bias(graph, labels, tree);
     let mut inertia: Vec<Articulated> = Vec::new();
     let mut lacking: Vec<Pair> = Vec::new();
     for (link, (_, own)) in tree.links.iter().zip(&bias) {
@@ -62,10 +82,14 @@ fn recursion(graph: &mut Graph, tree: &Tree) -> Accelerations {
     for (index, link) in tree.links.iter().enumerate().rev() {
         let (mut own, mut load) = (inertia[index].quantities(graph), lacking[index]);
         load = load.quantities(graph);
+        own.name(labels, &link.name);
+        load.name(labels, ["moment", "force"], &link.name);
         let gone = link.freedoms.iter().map(|freedom| {
             let gone = own.eliminate(graph, freedom.twist, freedom.drive, &mut load);
+            gone.name(labels, &freedom.name);
             own = own.quantities(graph);
             load = load.quantities(graph);
+            own.name(labels, &format!("{}_yielding", link.name));
             gone
         });
         eliminated.push(gone.collect());
@@ -94,7 +118,9 @@ fn recursion(graph: &mut Graph, tree: &Tree) -> Accelerations {
             found.push(rate);
         }
         found.reverse();
-        moving.push(acceleration.quantities(graph));
+        let acceleration = acceleration.quantities(graph);
+        acceleration.name(labels, ["angular", "linear"], &link.name);
+        moving.push(acceleration);
         if link.is_free {
             let linear: Components = acceleration.linear;
             let linear = link.turning.to_carrier(graph, linear);

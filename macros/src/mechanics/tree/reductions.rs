@@ -126,7 +126,11 @@ pub fn drop_frames(graph: &mut Graph, tree: &mut Tree) {
         let Turning::By(rows) = link.turning else {
             continue;
         };
-        let is_number = |a: &Id| graph.as_number(*a).is_some_and(|a| a.to_integer().is_some());
+        let is_number = |a: &Id| {
+            graph
+                .as_number(*a)
+                .is_some_and(|a| a.to_integer().is_some())
+        };
         if !link.freedoms.is_empty() || !rows.iter().flatten().all(is_number) {
             continue;
         }

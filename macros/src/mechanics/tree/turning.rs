@@ -22,8 +22,7 @@ impl Turning {
     /// About any unit vector: `c 1 + (1 - c) d d + s [d]x`.
     pub fn about(graph: &mut Graph, direction: Components, cosine: Id, sine: Id) -> Self {
         let is_unit = |a: Id| graph.as_number(a).is_some_and(|a| a.abs().is_one());
-        let is_axis =
-            |axis: &usize| is_unit(direction[*axis]) && graph.is_along(direction, *axis);
+        let is_axis = |axis: &usize| is_unit(direction[*axis]) && graph.is_along(direction, *axis);
         if let Some(axis) = (0..3).find(is_axis) {
             let sine = graph.multiply(direction[axis], sine);
             return Self::About { axis, cosine, sine };
@@ -88,7 +87,9 @@ impl Turning {
 
     /// The same rotation, by its matrix.
     pub fn as_matrix(self, graph: &mut Graph) -> Self {
-        let columns = graph.unit_vectors().map(|unit| self.to_carrier(graph, unit));
+        let columns = graph
+            .unit_vectors()
+            .map(|unit| self.to_carrier(graph, unit));
         Self::By(transposed(&columns))
     }
 
@@ -137,10 +138,11 @@ impl Turning {
                 let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
                 let column = [tensor[0][axis], tensor[1][axis], tensor[2][axis]];
                 let column = about(graph, axis, cosine, sine, column);
-                let [[ii, ij], [_, jj]] = block(graph, [cosine, sine], [
-                    [tensor[i][i], tensor[i][j]],
-                    [tensor[j][i], tensor[j][j]],
-                ]);
+                let [[ii, ij], [_, jj]] = block(
+                    graph,
+                    [cosine, sine],
+                    [[tensor[i][i], tensor[i][j]], [tensor[j][i], tensor[j][j]]],
+                );
                 let mut turned = *tensor;
                 for row in 0..3 {
                     turned[row][axis] = column[row];
@@ -175,10 +177,11 @@ impl Turning {
                 let column = [matrix[0][axis], matrix[1][axis], matrix[2][axis]];
                 let column = about(graph, axis, cosine, sine, column);
                 let row = about(graph, axis, cosine, sine, matrix[axis]);
-                let [[ii, ij], [ji, jj]] = block(graph, [cosine, sine], [
-                    [matrix[i][i], matrix[i][j]],
-                    [matrix[j][i], matrix[j][j]],
-                ]);
+                let [[ii, ij], [ji, jj]] = block(
+                    graph,
+                    [cosine, sine],
+                    [[matrix[i][i], matrix[i][j]], [matrix[j][i], matrix[j][j]]],
+                );
                 let mut turned = *matrix;
                 for other in [i, j] {
                     turned[other][axis] = column[other];

@@ -5,8 +5,8 @@ use proc_macro2::{Ident, TokenStream};
 use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::model::joints::Motion;
-use crate::model::words::Dimension;
 use crate::model::system::Shape;
+use crate::model::words::Dimension;
 use crate::model::words::{Frame, FrameWord};
 use crate::symbolic::Number;
 

@@ -53,7 +53,7 @@ const JOINTS: [JointKind; 8] = [
         parts: &[Part::Turn(0)],
         directions: 1,
         shape: Some(&HINGE),
-            form: "revolute(P, Q, direction)",
+        form: "revolute(P, Q, direction)",
     },
     PRISMATIC,
     JointKind {
@@ -61,28 +61,28 @@ const JOINTS: [JointKind; 8] = [
         parts: &[Part::Slide(0), Part::Turn(0)],
         directions: 1,
         shape: Some(&CYLINDER),
-            form: "cylindrical(P, Q, direction)",
+        form: "cylindrical(P, Q, direction)",
     },
     JointKind {
         word: "screw",
         parts: &[Part::Screw],
         directions: 1,
         shape: Some(&HINGE),
-            form: "screw(P, Q, direction, pitch)",
+        form: "screw(P, Q, direction, pitch)",
     },
     JointKind {
         word: "universal",
         parts: &[Part::Turn(0), Part::Turn(1)],
         directions: 2,
         shape: Some(&UNIVERSAL),
-            form: "universal(P, Q, direction_1, direction_2)",
+        form: "universal(P, Q, direction_1, direction_2)",
     },
     JointKind {
         word: "spherical",
         parts: &[Part::Ball],
         directions: 0,
         shape: Some(&BALL),
-            form: "spherical(P, Q)",
+        form: "spherical(P, Q)",
     },
     WELD,
     JointKind {
@@ -90,7 +90,7 @@ const JOINTS: [JointKind; 8] = [
         parts: &[Part::Free],
         directions: 0,
         shape: Some(&FREE),
-            form: "free(b)",
+        form: "free(b)",
     },
 ];
 

@@ -28,6 +28,16 @@ impl Labels {
         }
     }
 
+    /// The same of something angular: in the plane it is about z, and has one name.
+    pub fn vector_or_one(&mut self, name: &str, of: &str, components: Components) {
+        let [x, y, z] = components;
+        if x == y && x != z {
+            self.name(z, format!("{name}_{of}"));
+        } else {
+            self.vector(&format!("{name}_{of}"), components);
+        }
+    }
+
     /// Names the entries `name_xx`, `name_xy`, ...
     pub fn matrix(&mut self, name: &str, rows: &[Components; 3]) {
         for (row, first) in rows.iter().zip(AXES) {
@@ -40,6 +50,17 @@ impl Labels {
     /// Says what the expressions called `name`, `name_x`, ... are.
     pub fn describe(&mut self, name: &'static str, note: &'static str) {
         self.notes.entry(name).or_insert(note);
+    }
+
+    /// Names what named expressions have become.
+    pub fn follow(&mut self, images: &HashMap<Id, Id>) {
+        let mut moved: Vec<(Id, Id)> = images.iter().map(|(id, image)| (*id, *image)).collect();
+        moved.sort_unstable();
+        for (id, image) in moved {
+            if let Some(name) = self.names.get(&id).cloned() {
+                self.name(image, name);
+            }
+        }
     }
 
     /// Takes over the names and descriptions of a part.

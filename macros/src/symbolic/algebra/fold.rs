@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use crate::symbolic::graph::{Graph, Id, Node};
 
 impl Graph {
-    /// `roots` without the statements `early * late` and `early + late` that are used once; the same
-    /// if that is no cheaper.
-    pub fn folded(&mut self, roots: &[Id]) -> Vec<Id> {
+    /// `roots` without the statements `early * late` and `early + late` that are used once, and what
+    /// has become of all that they are made of; the same if that is no cheaper.
+    pub fn folded(&mut self, roots: &[Id]) -> (Vec<Id>, HashMap<Id, Id>) {
         let mut uses: HashMap<Id, usize> = HashMap::new();
         for id in self.reachable(roots, |id| !self.is_early(id)) {
             for operand in self.node(id).operands() {
@@ -17,17 +17,22 @@ impl Graph {
         for root in roots {
             *uses.entry(*root).or_default() += 1;
         }
-        let folded = self.rebuild(roots, |graph, id, image| match *graph.node(id) {
+        // all that they are made of follows the roots, so that its images are known
+        let order = self.reachable(roots, |_| true);
+        let all = [roots, &order].concat();
+        let images = self.rebuild(&all, |graph, id, image| match *graph.node(id) {
             Node::Quantity(inner) if uses.get(&id) == Some(&1) && graph.has_early_part(inner) => {
                 image(inner)
             }
             _ => graph.remake(id, image),
         });
+        let (folded, images) = images.split_at(roots.len());
         let cost = |roots: &[Id]| self.late_cost(roots).total();
-        if cost(&folded) < cost(roots) {
-            folded
+        if cost(folded) < cost(roots) {
+            let images = order.into_iter().zip(images.iter().copied());
+            (folded.to_vec(), images.collect())
         } else {
-            roots.to_vec()
+            (roots.to_vec(), HashMap::new())
         }
     }
 

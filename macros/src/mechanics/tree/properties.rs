@@ -3,7 +3,7 @@
 
 use crate::symbolic::{Components, Graph, Id};
 
-use super::link::{Along, Link, Tree};
+use super::link::{Along, Freedom, Link, Tree};
 use super::turning::Turning;
 
 type Rows = [Components; 3];
@@ -105,7 +105,7 @@ impl Properties {
                 }
             },
             freedoms => {
-                let is_angular = |freedom: &super::Freedom| {
+                let is_angular = |freedom: &Freedom| {
                     matches!(freedom.twist.axis(graph), Some(Along::Angular(_)))
                 };
                 if !freedoms.iter().all(is_angular) {

@@ -1,9 +1,9 @@
 //! A joint of every kind, with accelerations that are any smooth functions of all of them.
 
-use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use newton_euler::Scalar;
 use newton_euler::columns::{Columns, Generic, Sink, Source};
 use newton_euler::integrate::DormandPrince;
+use newton_euler::nalgebra::{UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;
 use newton_euler::private::generic;
 
@@ -37,7 +37,7 @@ pub struct Assembly<T: Scalar> {
 #[inline(always)]
 fn pull<T: Scalar>(attitude: &UnitQuaternion<T>) -> Vector3<T> {
     let q = attitude.as_ref().coords;
-    Vector3::new(q.x * q.w, q.y * q.w, q.z * q.w) * number::<T>(-3.0)
+    Vector3::new(q.x * q.w, q.y * q.w, q.z * q.w) * number(q.x, -3.0)
 }
 
 impl<T: Scalar> RigidBody for Assembly<T> {
@@ -47,7 +47,7 @@ impl<T: Scalar> RigidBody for Assembly<T> {
 
     #[inline(always)]
     fn acceleration(&self, time: T, state: &Self::State, (): &()) -> AssemblyAcceleration<T> {
-        let half = number::<T>(0.5);
+        let half = number(time, 0.5);
         let (orbit, ball, needle) = (&state.orbit, &state.ball, &state.needle);
         let (piston, gimbal) = (&state.piston, &state.gimbal);
         let (raft, tray) = (&state.raft, &state.tray);

@@ -16,8 +16,9 @@ pub use pendulum::{
 
 use newton_euler::Scalar;
 
-/// A constant as a scalar.
-fn number<T: Scalar>(value: f64) -> T {
+/// A constant as a scalar, made from one at hand.
+#[inline(always)]
+fn number<T: Scalar>(at_hand: T, value: f64) -> T {
     #[expect(clippy::cast_possible_truncation, reason = "to single precision")]
-    T::default().constant(value, value as f32)
+    at_hand.constant(value, value as f32)
 }

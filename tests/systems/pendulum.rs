@@ -48,7 +48,7 @@ pub struct DoublePendulumInput<T: Scalar> {
 impl<T: Scalar> Default for DoublePendulum<T> {
     fn default() -> Self {
         Self {
-            gravity: number(9.80665),
+            gravity: number(T::default(), 9.80665),
         }
     }
 }
@@ -70,13 +70,13 @@ impl<T: Scalar> RigidBody for DoublePendulum<T> {
         let (q, dq) = (state.shoulder.angle, state.shoulder.angular_velocity);
         let (e, de) = (state.elbow.angle, state.elbow.angular_velocity);
         let (sine, cosine) = e.sin_cos();
-        let coupling = number::<T>(m2 * LENGTH * c2);
-        let far = number::<T>(MOMENTS[1] + m2 * c2 * c2);
-        let near = number::<T>(MOMENTS[0] + m1 * c1 * c1 + m2 * LENGTH * LENGTH);
+        let coupling = number(q, m2 * LENGTH * c2);
+        let far = number(q, MOMENTS[1] + m2 * c2 * c2);
+        let near = number(q, MOMENTS[0] + m1 * c1 * c1 + m2 * LENGTH * LENGTH);
         let mixed = far + coupling * cosine;
         let all = near + mixed + coupling * cosine;
-        let lower = number::<T>(m2 * c2) * self.gravity * (q + e).sin();
-        let upper = number::<T>(m1 * c1 + m2 * LENGTH) * self.gravity * q.sin() + lower;
+        let lower = number(q, m2 * c2) * self.gravity * (q + e).sin();
+        let upper = number(q, m1 * c1 + m2 * LENGTH) * self.gravity * q.sin() + lower;
         let swing = coupling * sine;
         let first = swing * de * (dq + dq + de) - upper;
         let second = input.motor - swing * dq * dq - lower;

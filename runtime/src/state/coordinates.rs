@@ -41,6 +41,14 @@ pub trait Coordinates: State<Scalar: Scalar> {
     fn keep(_coordinates: &Self::Array, _change: &mut Self::Array) {}
 }
 
+/// The next numbers of a list, so many as belong together.
+#[inline(always)]
+pub(crate) fn group<'l, T>(list: &mut &'l [T], count: usize) -> &'l [T] {
+    let (group, rest) = list.split_at_checked(count).unwrap_or((*list, &[]));
+    *list = rest;
+    group
+}
+
 /// The lists: the fields of a state one after another, its rates, and which of its coordinates are
 /// a unit vector.
 macro_rules! plain {

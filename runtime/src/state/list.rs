@@ -16,6 +16,15 @@ use crate::numbers::scalar::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct List<T, const N: usize>(pub [T; N]);
 
+impl<T: Scalar, const N: usize> List<T, N> {
+    /// The same number in all places.
+    #[inline(always)]
+    #[must_use]
+    pub fn repeat(number: T) -> Self {
+        Self([number; N])
+    }
+}
+
 impl<T: Scalar, const N: usize> Default for List<T, N> {
     #[inline(always)]
     fn default() -> Self {

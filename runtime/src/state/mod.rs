@@ -30,6 +30,7 @@ mod translation;
 mod universal;
 
 pub use coordinates::Coordinates;
+pub(crate) use coordinates::group;
 pub use list::List;
 pub use space::State;
 

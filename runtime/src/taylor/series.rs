@@ -112,8 +112,9 @@ pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
     let square = time * time;
     let (mut even, mut odd) = (S::Array::default(), S::Array::default());
     let climb = |sum: &mut S::Array, row: &S::Array, order: f64| {
-        let sums = sum.as_mut()[place..].iter_mut();
-        for (sum, coefficient) in sums.zip(&row.as_ref()[place..]) {
+        let sums = sum.as_mut().get_mut(place..).unwrap_or_default();
+        let coefficients = row.as_ref().get(place..).unwrap_or_default();
+        for (sum, coefficient) in sums.iter_mut().zip(coefficients) {
             *sum = *sum * square + order * coefficient;
         }
     };

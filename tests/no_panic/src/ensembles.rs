@@ -3,6 +3,7 @@
 use newton_euler::ensemble::Ensemble;
 
 use crate::kinds::*;
+use crate::systems::DoublePendulum;
 
 crate::cannot_panic! {
     fn crafts(ensemble: &mut Ensemble<Craft<f64>>, start: f64, end: f64, steps: usize) -> () {
@@ -18,6 +19,10 @@ crate::cannot_panic! {
     }
 
     fn sticks(ensemble: &mut Ensemble<Stick<f64>>, start: f64, end: f64, steps: usize) -> () {
+        ensemble.cf4(start..end, steps);
+    }
+
+    fn double_pendulums(ensemble: &mut Ensemble<DoublePendulum<f64>>, start: f64, end: f64, steps: usize) -> () {
         ensemble.cf4(start..end, steps);
     }
 }

@@ -11,6 +11,8 @@ mod evaluations;
 #[path = "../../kinds/mod.rs"]
 mod kinds;
 mod motions;
+#[path = "../../systems/mod.rs"]
+mod systems;
 
 /// Functions that cannot panic, and a function that has all of them linked and says how many they are.
 macro_rules! cannot_panic {

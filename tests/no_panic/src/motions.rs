@@ -8,6 +8,7 @@ use newton_euler::integrate::{
 use newton_euler::prelude::*;
 
 use crate::kinds::*;
+use crate::systems::{Assembly, Chain, DoublePendulum, Geared};
 
 /// What ends a motion of a body.
 type Ended<B> = IntegrationError<<B as RigidBody>::State>;
@@ -121,6 +122,10 @@ steps! {
     slider: Slider<f64>;
     stick: Stick<f64>;
     stick_single: Stick<f32>;
+    double_pendulum: DoublePendulum<f64>;
+    double_pendulum_single: DoublePendulum<f32>;
+    assembly: Assembly<f64>;
+    assembly_single: Assembly<f32>;
 }
 
 motions! {
@@ -149,6 +154,12 @@ motions! {
     gyroscope_series: Gyroscope, TaylorSeries;
     stone_series: Stone, TaylorSeries;
     swing_series: Swing, TaylorSeries;
+    double_pendulum_in_equal_steps: DoublePendulum<f64>, Fixed<DormandPrince8>;
+    double_pendulum_adaptive: DoublePendulum<f64>, DormandPrince;
+    assembly_adaptive: Assembly<f64>, DormandPrince;
+    chain_exact: Chain, ClosedForm;
+    chain_series: Chain, TaylorSeries;
+    geared_projected: Geared, Projected<DormandPrince>;
 }
 
 mod others {

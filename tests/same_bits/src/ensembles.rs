@@ -8,6 +8,7 @@ use newton_euler::lanes::Width;
 use crate::bits::{Bits, Numbers};
 use crate::kinds::*;
 use crate::motions::Kept;
+use crate::systems::DoublePendulum;
 
 fn of<B: Generic<State: Kept> + Integrate>(bits: &mut Bits, body: &B, width: Width) {
     let mut numbers = Numbers(10);
@@ -50,6 +51,17 @@ pub fn all() -> Vec<(Width, Bits)> {
         of(&mut bits, &Plank::<f64>::default(), width);
         of(&mut bits, &Pendulum::<f64>::default(), width);
         of(&mut bits, &Stick::<f64>::default(), width);
+        (width, bits)
+    });
+    each.collect()
+}
+
+/// Systems, the same in each width that the processor has.
+pub fn systems() -> Vec<(Width, Bits)> {
+    let there = Width::ALL.into_iter().filter(|width| width.is_there());
+    let each = there.map(|width| {
+        let mut bits = Bits::new();
+        of(&mut bits, &DoublePendulum::<f64>::default(), width);
         (width, bits)
     });
     each.collect()

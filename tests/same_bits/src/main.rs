@@ -11,6 +11,8 @@ mod evaluations;
 #[path = "../../kinds/mod.rs"]
 mod kinds;
 mod motions;
+#[path = "../../systems/mod.rs"]
+mod systems;
 
 use bits::Bits;
 use newton_euler::integrate::{Classical4, DormandPrince8, Midpoint, Tsitouras5, Verner9};
@@ -145,6 +147,19 @@ fn motions_by_tolerance() {
     ]);
 }
 
+/// States with a field for each joint.
+#[test]
+fn motions_of_systems() {
+    check([
+        ("by steps", motions::systems(), 0x3c46_4842_9c2f_bc6b),
+        (
+            "by one step along a series",
+            motions::series_of_a_system(),
+            0x8a0b_1c27_85c0_5aaf,
+        ),
+    ]);
+}
+
 /// A step for itself has no fused operations.
 #[test]
 fn closed_forms_and_single_series() {
@@ -184,6 +199,15 @@ fn ensembles_in_every_width() {
     for (width, bits) in all.join().expect("ensembles") {
         println!("{width:?}");
         check([("ensembles", bits, 0x42a2_80a7_7a06_44e5)]);
+    }
+}
+
+#[cfg(feature = "ensemble")]
+#[test]
+fn ensembles_of_systems() {
+    for (width, bits) in ensembles::systems() {
+        println!("{width:?}");
+        check([("ensembles", bits, 0xde0b_9dd9_d8e6_9b83)]);
     }
 }
 

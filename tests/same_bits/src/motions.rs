@@ -11,6 +11,7 @@ use newton_euler::state::Coordinates;
 
 use crate::bits::{Bits, Numbers};
 use crate::kinds::*;
+use crate::systems::{Assembly, Chain, ChainState, DoublePendulum};
 
 /// A state that is columns, as those of all kinds are.
 pub trait Kept:
@@ -86,6 +87,33 @@ pub fn projected() -> Bits {
             bits.add(&step.expect("a step").state);
         }
     }
+    bits
+}
+
+/// Systems in equal steps, by tolerance and in closed form, over both scalars.
+pub fn systems() -> Bits {
+    let mut bits = Bits::new();
+    let (pendulum, assembly) = (DoublePendulum::<f64>::default(), Assembly { spin: 0.3 });
+    let fixed = Fixed {
+        method: DormandPrince8,
+        step: 0.04,
+    };
+    let adaptive = DormandPrince { tolerance: 1e-9 };
+    moved(&mut bits, &pendulum, fixed);
+    moved(&mut bits, &pendulum, adaptive);
+    moved(&mut bits, &assembly, fixed);
+    moved(&mut bits, &assembly, adaptive);
+    moved(&mut bits, &Chain, fixed);
+    steps(&mut bits, &pendulum);
+    steps(&mut bits, &DoublePendulum::<f32>::default());
+    steps(&mut bits, &Assembly::<f32> { spin: 0.25 });
+    bits
+}
+
+pub fn series_of_a_system() -> Bits {
+    let mut bits = Bits::new();
+    let state: ChainState = Numbers(14).state();
+    bits.add(&taylor_step::<_, 13>(&Chain, 0.25, &state, &(), 0.125));
     bits
 }
 

@@ -6,7 +6,7 @@ use super::point::Point;
 use super::size::{larger, largest_of};
 use crate::bodies::body::RigidBody;
 use crate::numbers::count::real;
-use crate::state::Coordinates;
+use crate::state::{Coordinates, group};
 use crate::taylor::{Axes, after, increment, slope};
 
 /// How many tolerances a step may go wrong if rates were off throughout by as much as at its end.
@@ -118,27 +118,30 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
         noise: Option<&<E::State as Coordinates>::Array>,
     ) -> f64 {
         let (positions, velocities) = E::State::GROUPS.split_at(E::State::GROUPS.len() / 2);
-        let mut first = positions.iter().sum();
+        let first = positions.iter().sum();
         let slopes = slope::<E::State, N>(self.coefficients, time, first);
+        let (mut rates, mut slopes) = (from(rates, first), from(&slopes, first));
+        let (mut wholes, mut noise) = (
+            from(coordinates, first),
+            noise.map(|noise| from(noise, first)),
+        );
         let mut largest = 0.0;
         for count in velocities {
-            let group = first..first + count;
-            let [rates, slopes] = [rates, &slopes].map(|list| &list.as_ref()[group.clone()]);
+            let [rates, slopes] = [&mut rates, &mut slopes].map(|list| group(list, *count));
             let mut difference = 0.0;
             for (rate, slope) in rates.iter().zip(slopes) {
                 difference += (rate - slope).abs();
             }
             let mut rounding = ROUNDING * largest_of(slopes);
-            if let Some(noise) = noise {
-                rounding += largest_of(&noise.as_ref()[group.clone()]);
+            if let Some(noise) = &mut noise {
+                rounding += largest_of(group(noise, *count));
             }
-            let whole = larger(largest_of(&coordinates.as_ref()[group]), 1.0);
+            let whole = larger(largest_of(group(&mut wholes, *count)), 1.0);
             let share = length.abs() * (difference - rounding) / whole;
             // what is not a number stays so
             if share > largest || share.is_nan() {
                 largest = share;
             }
-            first += count;
         }
         largest
     }
@@ -177,4 +180,10 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
         }
         noise
     }
+}
+
+/// A list from a place on.
+#[inline(always)]
+fn from<A: AsRef<[f64]>>(list: &A, place: usize) -> &[f64] {
+    list.as_ref().get(place..).unwrap_or_default()
 }

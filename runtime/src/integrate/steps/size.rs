@@ -1,6 +1,6 @@
 //! How large a change of a state is, and which step that permits.
 
-use crate::state::Coordinates;
+use crate::state::{Coordinates, group};
 
 /// The size of a change of coordinates: of position, attitude, velocity, angular velocity each the
 /// largest component, relative to the largest component of the quantity itself where that is above
@@ -11,14 +11,13 @@ pub(in crate::integrate) fn relative_size<S: Coordinates<Scalar = f64>>(
     change: &S::Array,
     coordinates: &S::Array,
 ) -> f64 {
-    let (mut largest, mut first) = (0.0, 0);
+    let mut largest = 0.0;
+    let (mut changes, mut wholes) = (change.as_ref(), coordinates.as_ref());
     for count in S::GROUPS {
-        let group = first..first + count;
-        let size = largest_of(&change.as_ref()[group.clone()]);
-        let whole = largest_of(&coordinates.as_ref()[group]);
+        let size = largest_of(group(&mut changes, *count));
+        let whole = largest_of(group(&mut wholes, *count));
         // the quotient is there before the size is
         largest = larger(largest, size * (1.0 / larger(whole, 1.0)));
-        first += count;
     }
     largest
 }

@@ -4,7 +4,7 @@ mod parts;
 #[cfg(feature = "serde")]
 mod written;
 
-pub use parts::{Parts, PartsMut, axes, coordinates, count, freedoms, groups, positions};
+pub use parts::{Parts, PartsMut, any, axes, coordinates, count, freedoms, groups, positions};
 #[cfg(feature = "serde")]
 pub use written::{Name, bare, fill, found, ignore, next};
 
@@ -109,12 +109,14 @@ macro_rules! __system_state {
     ) => {
         $($on_state)*
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[allow(clippy::struct_field_names)]
         pub struct $state<$($generic: $crate::private::Scalar)?> {
             $($($on_field)* pub $field: $first,)+
         }
 
         $($on_acceleration)*
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[allow(clippy::struct_field_names)]
         pub struct $acceleration<$($generic: $crate::private::Scalar)?> {
             $($($on_second)* pub $field: $second,)+
         }
@@ -136,8 +138,11 @@ macro_rules! __system_state {
 
             #[inline(always)]
             fn rate(&self, acceleration: &Self::Acceleration) -> Self::Rate {
-                let mut rate = <Self::Rate as ::core::default::Default>::default();
-                let mut parts = $crate::private::system::PartsMut::halves(&mut rate);
+                const FREEDOMS: usize =
+                    0 $(+ $crate::private::system::freedoms::<$crate::private::$kind>())+;
+                let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
+                let mut rate = $crate::private::List([any; 2 * FREEDOMS]);
+                let mut parts = $crate::private::system::PartsMut::of(&mut rate, FREEDOMS);
                 $(parts.put(
                     $crate::private::State::rate(&self.$field, &acceleration.$field).as_slice(),
                     $crate::private::system::freedoms::<$crate::private::$kind>(),
@@ -147,17 +152,16 @@ macro_rules! __system_state {
 
             #[inline(always)]
             fn moved(&self, displacement: &Self::Rate) -> Self {
-                let mut parts = $crate::private::system::Parts::halves(displacement);
+                const FREEDOMS: usize =
+                    0 $(+ $crate::private::system::freedoms::<$crate::private::$kind>())+;
+                let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
+                let mut parts = $crate::private::system::Parts::of(displacement, FREEDOMS, any);
                 Self {
                     $($field: {
-                        let mut part =
-                            <<$first as $crate::private::State>::Rate as ::core::default::Default>
-                            ::default();
-                        parts.take(
-                            part.as_mut_slice(),
-                            $crate::private::system::freedoms::<$crate::private::$kind>(),
-                        );
-                        $crate::private::State::moved(&self.$field, &part)
+                        let part = parts.take::<
+                            { 2 * $crate::private::system::freedoms::<$crate::private::$kind>() },
+                        >($crate::private::system::freedoms::<$crate::private::$kind>());
+                        $crate::private::State::moved(&self.$field, &part.into())
                     },)+
                 }
             }
@@ -187,43 +191,54 @@ macro_rules! __system_state {
 
             #[inline(always)]
             fn coordinates(&self) -> Self::Array {
-                let mut list = <Self::Array as ::core::default::Default>::default();
-                let mut parts = $crate::private::system::PartsMut::of::<Self>(&mut list);
-                $(parts.put_state(&self.$field);)+
+                let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
+                let mut list = $crate::private::List::repeat(any);
+                let place = const { $crate::private::system::positions::<Self>() };
+                let mut parts = $crate::private::system::PartsMut::of(&mut list, place);
+                $(parts.put(
+                    &$crate::private::Coordinates::coordinates(&self.$field),
+                    $crate::private::system::positions::<$first>(),
+                );)+
                 list
             }
 
             #[inline(always)]
             fn from_coordinates(coordinates: &Self::Array) -> Self {
-                let mut parts = $crate::private::system::Parts::of::<Self>(coordinates);
+                let [any, ..] = coordinates.0;
+                let place = const { $crate::private::system::positions::<Self>() };
+                let mut parts = $crate::private::system::Parts::of(coordinates, place, any);
                 Self {
                     $($field: $crate::private::Coordinates::from_coordinates(
-                        &parts.take_list::<$first>(),
+                        &parts.take($crate::private::system::positions::<$first>()),
                     ),)+
                 }
             }
 
             #[inline(always)]
             fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array {
-                let mut rates = <Self::Array as ::core::default::Default>::default();
-                let mut parts = $crate::private::system::PartsMut::of::<Self>(&mut rates);
-                $(parts.put_list::<$first>(
+                let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
+                let mut rates = $crate::private::List::repeat(any);
+                let place = const { $crate::private::system::positions::<Self>() };
+                let mut parts = $crate::private::system::PartsMut::of(&mut rates, place);
+                $(parts.put(
                     &$crate::private::Coordinates::rates(&self.$field, &acceleration.$field),
+                    $crate::private::system::positions::<$first>(),
                 );)+
                 rates
             }
 
             #[inline(always)]
             fn keep(coordinates: &Self::Array, change: &mut Self::Array) {
-                let before = *change;
-                let mut starts = $crate::private::system::Parts::of::<Self>(coordinates);
-                let mut changes = $crate::private::system::Parts::of::<Self>(&before);
-                let mut parts = $crate::private::system::PartsMut::of::<Self>(change);
+                let (before, [any, ..]) = (*change, coordinates.0);
+                let place = const { $crate::private::system::positions::<Self>() };
+                let mut starts = $crate::private::system::Parts::of(coordinates, place, any);
+                let mut changes = $crate::private::system::Parts::of(&before, place, any);
+                let mut parts = $crate::private::system::PartsMut::of(change, place);
                 $({
-                    let start = starts.take_list::<$first>();
-                    let mut change = changes.take_list::<$first>();
+                    let first = const { $crate::private::system::positions::<$first>() };
+                    let (start, mut change) = (starts.take(first), changes.take(first));
                     <$first as $crate::private::Coordinates>::keep(&start, &mut change);
-                    parts.put_list::<$first>(&change);
+                    parts.put(&change, first);
                 })+
             }
         }

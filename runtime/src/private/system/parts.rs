@@ -3,6 +3,7 @@
 
 use core::slice;
 
+use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
 /// How many of the coordinates of a state are no rates.
@@ -88,59 +89,49 @@ pub const fn axes(parts: &[(&[usize], Option<[usize; 2]>)]) -> Option<[usize; 2]
     }
 }
 
+/// Any number of a state: from it a list begins, which no number can be made for from nothing.
+#[inline(always)]
+#[must_use]
+pub fn any<S: Coordinates>(state: &S) -> S::Scalar {
+    let list = state.coordinates();
+    list.as_ref().first().copied().unwrap_or_default()
+}
+
 /// A list that is read joint by joint.
 #[derive(Debug)]
 pub struct Parts<'a, T> {
     first: slice::Iter<'a, T>,
     second: slice::Iter<'a, T>,
+    /// What there would be behind the end.
+    any: T,
 }
 
-impl<'a, T: Copy> Parts<'a, T> {
-    /// Of coordinates.
+impl<'a, T: Scalar> Parts<'a, T> {
+    /// A list whose first half has so many numbers.
     #[inline(always)]
     #[must_use]
-    pub fn of<S: Coordinates<Scalar = T>>(list: &'a S::Array) -> Self {
-        Self::split(list.as_ref(), positions::<S>())
-    }
-
-    /// Of a displacement.
-    #[inline(always)]
-    #[must_use]
-    pub fn halves(list: &'a impl AsRef<[T]>) -> Self {
-        Self::split(list.as_ref(), list.as_ref().len() / 2)
-    }
-
-    #[inline(always)]
-    fn split(list: &'a [T], place: usize) -> Self {
+    pub fn of(list: &'a impl AsRef<[T]>, place: usize, any: T) -> Self {
+        let list = list.as_ref();
         let (first, second) = list.split_at_checked(place).unwrap_or_default();
         Self {
             first: first.iter(),
             second: second.iter(),
+            any,
         }
     }
 
-    /// The part of the next joint, so many numbers of which belong to the first half.
+    /// The part of the next joint, so many numbers of which are of the first half.
     #[inline(always)]
-    pub fn take(&mut self, part: &mut [T], first: usize) {
-        for (k, number) in part.iter_mut().enumerate() {
+    #[must_use]
+    pub fn take<const N: usize>(&mut self, first: usize) -> [T; N] {
+        core::array::from_fn(|k| {
             let half = if k < first {
                 &mut self.first
             } else {
                 &mut self.second
             };
-            if let Some(next) = half.next() {
-                *number = *next;
-            }
-        }
-    }
-
-    /// The coordinates of the next joint.
-    #[inline(always)]
-    #[must_use]
-    pub fn take_list<S: Coordinates<Scalar = T>>(&mut self) -> S::Array {
-        let mut list = S::Array::default();
-        self.take(list.as_mut(), positions::<S>());
-        list
+            half.next().copied().unwrap_or(self.any)
+        })
     }
 }
 
@@ -151,25 +142,12 @@ pub struct PartsMut<'a, T> {
     second: slice::IterMut<'a, T>,
 }
 
-impl<'a, T: Copy> PartsMut<'a, T> {
-    /// Of coordinates.
+impl<'a, T: Scalar> PartsMut<'a, T> {
+    /// A list whose first half has so many numbers.
     #[inline(always)]
     #[must_use]
-    pub fn of<S: Coordinates<Scalar = T>>(list: &'a mut S::Array) -> Self {
-        Self::split(list.as_mut(), positions::<S>())
-    }
-
-    /// Of a displacement.
-    #[inline(always)]
-    #[must_use]
-    pub fn halves(list: &'a mut impl AsMut<[T]>) -> Self {
+    pub fn of(list: &'a mut impl AsMut<[T]>, place: usize) -> Self {
         let list = list.as_mut();
-        let place = list.len() / 2;
-        Self::split(list, place)
-    }
-
-    #[inline(always)]
-    fn split(list: &'a mut [T], place: usize) -> Self {
         let (first, second) = list.split_at_mut_checked(place).unwrap_or_default();
         Self {
             first: first.iter_mut(),
@@ -177,7 +155,7 @@ impl<'a, T: Copy> PartsMut<'a, T> {
         }
     }
 
-    /// The part of the next joint, so many numbers of which belong to the first half.
+    /// The part of the next joint, so many numbers of which are of the first half.
     #[inline(always)]
     pub fn put(&mut self, part: &[T], first: usize) {
         for (k, number) in part.iter().enumerate() {
@@ -190,17 +168,5 @@ impl<'a, T: Copy> PartsMut<'a, T> {
                 *place = *number;
             }
         }
-    }
-
-    /// The coordinates of the next joint.
-    #[inline(always)]
-    pub fn put_list<S: Coordinates<Scalar = T>>(&mut self, list: &S::Array) {
-        self.put(list.as_ref(), positions::<S>());
-    }
-
-    /// The coordinates of the state of the next joint.
-    #[inline(always)]
-    pub fn put_state<S: Coordinates<Scalar = T>>(&mut self, state: &S) {
-        self.put_list::<S>(&state.coordinates());
     }
 }

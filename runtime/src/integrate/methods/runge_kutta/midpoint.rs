@@ -4,7 +4,7 @@ use super::{RungeKutta, change, moved, number};
 use crate::bodies::body::RigidBody;
 use crate::integrate::steps::equations::Equations;
 use crate::numbers::scalar::Scalar;
-use crate::state::Coordinates;
+use crate::state::{Coordinates, group};
 
 /// The implicit midpoint rule, of order 2: `k = f(t + h/2, y + h k/2)`, `y₁ = y + h k`, for games
 /// and whatever else runs for long in steps that are not small.
@@ -97,16 +97,17 @@ fn agree<S: Coordinates>(
 ) -> <S::Scalar as Scalar>::Truth {
     let rounding = number(step, 4.0 * S::Scalar::EPSILON);
     let mut truth = step.equal(step);
-    let mut first = 0;
+    let (mut coordinates, mut rates) = (coordinates.as_ref(), rates.as_ref());
+    let mut next = next.as_ref();
     for count in S::GROUPS {
+        let lists = [&mut coordinates, &mut rates, &mut next];
+        let [coordinates, rates, next] = lists.map(|list| group(list, *count));
         let (mut size, mut difference) = (S::Scalar::default(), S::Scalar::default());
-        for place in first..first + count {
-            let [y, k, l] = [coordinates, rates, next].map(|list| list.as_ref()[place]);
-            size = size + y.abs() + (step * l).abs();
-            difference += (step * (l - k)).abs();
+        for ((y, k), l) in coordinates.iter().zip(rates).zip(next) {
+            size = size + y.abs() + (step * *l).abs();
+            difference += (step * (*l - *k)).abs();
         }
         truth = truth & difference.less_or_equal(rounding * size);
-        first += count;
     }
     truth
 }

@@ -1,7 +1,7 @@
 //! The balances as they are written, for inspection: given loads, resultants, residuals.
 
-use crate::families::{Family, LoadKind};
-use crate::mechanics::balances::{arm, moments_about, resultant};
+use crate::families::Family;
+use crate::mechanics::balances::{about_pole, arm, moments_about, resultant};
 use crate::model::{Frame, Inertia, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
@@ -112,20 +112,11 @@ fn with_reactions(
     moment: Vector,
 ) -> (Vector, Vector) {
     let center = model.state.mass_center(work);
-    let reactions: Vec<(LoadKind, Point, Vector)> = model
-        .reactions
-        .iter()
-        .map(|reaction| (reaction.kind, reaction.point, reaction.symbols))
-        .collect();
     let (mut forces, mut moments) = (vec![force], vec![moment]);
-    for (kind, point, vector) in reactions {
-        if kind == LoadKind::Force {
-            let arm = arm(model, work, point, center);
-            forces.push(vector);
-            moments.push(work.cross(arm, vector));
-        } else {
-            moments.push(vector);
-        }
+    for reaction in &model.reactions {
+        let (force, moment) = about_pole(model, work, reaction, reaction.symbols, center);
+        forces.push(force);
+        moments.push(moment);
     }
     (work.sum(forces), work.sum(moments))
 }

@@ -4,13 +4,13 @@
 //! error: `F(R) = F(known) + sum of u_j dF/dR . e_j`.
 
 use crate::errors::{Errors, Extent};
-use crate::families::{Family, LoadKind};
+use crate::families::Family;
 use crate::mechanics::balances::{free_moment, response};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Load, Meaning, Model, Pair, Point, Reaction, Vector, Workspace};
+use crate::model::{Frame, Load, Meaning, Model, Pair, Point, Reaction, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
-use super::unit::{Acting, Unit};
+use super::unit::Unit;
 
 /// One unit of an unknown, and what it does under constraints.
 pub struct Push<'m> {
@@ -33,31 +33,18 @@ pub fn known_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
         let known = work.vector(reaction.frame, reaction.known);
         let in_world = work.components(known, Frame::WORLD);
         values.extend(symbols(work, reaction).into_iter().zip(in_world));
-        let zero = Vector::ZERO;
-        let (force, moment) = match reaction.kind {
-            LoadKind::Force => (known, zero),
-            LoadKind::Moment => (zero, known),
-        };
-        loads.push(Load {
-            name: reaction.name.clone(),
-            family: Family::Reaction,
-            force,
-            point: reaction.point,
-            moment,
-            pull: None,
-            potential: None,
-            extent: reaction.name.span().into(),
-            mention: None,
-        });
+        let (name, family) = (reaction.name.clone(), Family::Reaction);
+        loads.push(Load::new(
+            name,
+            family,
+            reaction.kind,
+            known,
+            reaction.point,
+        ));
     }
     for load in &model.loads {
         let mut without = |vector| work.map(vector, |graph, part| graph.replaced(part, &values));
-        loads.push(Load {
-            name: load.name.clone(),
-            force: without(load.force),
-            moment: without(load.moment),
-            ..*load
-        });
+        loads.push(load.with(without(load.force), without(load.moment)));
     }
     loads
 }
@@ -90,7 +77,7 @@ fn push<'m>(
     unknown: (usize, Extent),
 ) -> Push<'m> {
     let followers = followers(model, work, reaction, unknown.0);
-    let mut pushed = |followers: &[Acting]| {
+    let mut pushed = |followers: &[Load]| {
         let unit = Unit::new(model, work, reaction, reaction.frame, unknown, followers);
         let free = free_load(model, work, &unit);
         (unit, free, response(model, work, free))
@@ -127,7 +114,7 @@ fn free_load(model: &Model, work: &mut Workspace, unit: &Unit<'_>) -> Pair {
 }
 
 /// The loads that depend on a reaction, for one unit along an axis of it.
-fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usize) -> Vec<Acting> {
+fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usize) -> Vec<Load> {
     let direction = reaction.direction(work, reaction.frame, axis);
     let unit = work.components(direction, Frame::WORLD);
     let symbols = symbols(work, reaction);
@@ -150,7 +137,7 @@ fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
             let mut change = |id: Id| changes.next().unwrap_or(id);
             let [force, moment] = [load.force, load.moment]
                 .map(|vector| work.map(vector, |_, part| part.map(&mut change)));
-            followers.push((force, load.point, moment));
+            followers.push(load.with(force, moment));
         }
     }
     followers

@@ -13,7 +13,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::families::Family;
+use crate::families::{Family, LoadKind};
 use crate::model::{Attitude, Form, Frame, Load, Model, Turn, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
@@ -69,15 +69,10 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
     }
     let center = model.state.center(work);
     Load {
-        extent: name.span().into(),
-        name,
-        family: Family::Field,
-        force: derived.force,
-        point: center,
         moment: work.vector(model.state.axes, derived.moment),
         pull: model.state.axis.map(|_| derived.pull),
         potential: Some(derived.energy),
-        mention: None,
+        ..Load::new(name, Family::Field, LoadKind::Force, derived.force, center)
     }
 }
 

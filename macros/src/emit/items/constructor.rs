@@ -117,7 +117,7 @@ impl Constructor {
             }
         }
         let private = &writer.shapes.private;
-        let (given, statements) = (finite_checks(outline, model), code.statements);
+        let (finite, statements) = (finite_checks(outline, model), code.statements);
         let possible = check_possible(model, mass, inertia, private);
         let derived = check_derived(work, roots, fields, private);
         let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
@@ -125,7 +125,7 @@ impl Constructor {
             .iter()
             .map(|axes| quote!(let #axes = #private::principal_axes([#(#tensor),*]);));
         let body = quote! {
-            #private::check_finite(&[#(#given),*])?;
+            #private::check_finite(&[#(#finite),*])?;
             #statements
             #possible
             #rest

@@ -14,7 +14,7 @@
 use crate::errors::{Errors, Extent};
 use crate::mechanics::balances::{known_parts, moments_about};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Inertia, Model, Pair, Vector, Workspace};
+use crate::model::{Frame, Inertia, Model, Orientation, Pair, Vector, Workspace};
 use crate::symbolic::Components;
 
 use super::about_axis::about_axis;
@@ -114,11 +114,12 @@ pub fn rotation(
     contributions: &[Contribution],
     obstacles: &mut Vec<String>,
 ) -> Option<Rotation> {
-    if !model.motion.has_attitude() {
-        return Some(Rotation::None);
-    }
-    if model.motion.has_angle() {
-        return about_axis(model, work, angular[2], contributions, obstacles);
+    match model.motion.orientation {
+        Orientation::Fixed => return Some(Rotation::None),
+        Orientation::Angle => {
+            return about_axis(model, work, angular[2], contributions, obstacles);
+        }
+        Orientation::Quaternion | Orientation::Line => {}
     }
     let moments: Vec<Components> = contributions.iter().map(|load| load.moment).collect();
     let zeros = work.graph.zeros();

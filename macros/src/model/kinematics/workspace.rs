@@ -73,14 +73,6 @@ impl Workspace {
         }
     }
 
-    /// The angle of a body that turns about an axis.
-    pub fn angle(&self, body: Frame) -> Option<Id> {
-        match self.attitude(body) {
-            Attitude::Axis { angle, .. } => Some(angle),
-            _ => None,
-        }
-    }
-
     /// Whether expressions depend on one of these variables of a motion.
     pub fn depend_on(&self, roots: &[Id], variables: &[Variable]) -> bool {
         self.graph.depends_on(roots, |id| match self.meaning(id) {

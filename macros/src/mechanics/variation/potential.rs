@@ -156,15 +156,7 @@ fn moment_along(work: &mut Workspace, turn: &Turn, slope: Components) -> Compone
 fn symbols_of_place(work: &Workspace, body: Frame, form: &Form) -> HashSet<Id> {
     let mut symbols: HashSet<Id> = form.displacement.into_iter().collect();
     symbols.extend(form.turns.iter().flat_map(|turn| turn.turned));
-    match work.attitude(body) {
-        Attitude::Fixed => {}
-        Attitude::Axis { angle, .. } => symbols.extend([angle]),
-        Attitude::Quaternion { scalar, vector } => {
-            symbols.extend([scalar]);
-            symbols.extend(vector);
-        }
-        Attitude::Line { axis, .. } => symbols.extend(axis),
-    }
+    symbols.extend(work.attitude(body).coordinates());
     symbols
 }
 

@@ -69,26 +69,21 @@ pub fn derive_flow(
 fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
     let center = model.state.center(work);
     let moments = moments_about(model, work, &model.loads, center);
-    let loads = model.loads.iter().zip(moments);
-    let loads: Vec<(String, Vector, Vector)> = loads
-        .map(|(load, moment)| (load.name.to_string(), load.force, moment))
-        .collect();
-    let known = if model.motion.has_attitude() {
-        known_parts(model, work, center)
-    } else {
-        Vec::new()
-    };
-    let reactions = model.reactions.iter().zip(known);
-    let reactions: Vec<(String, Vector, Vector)> = reactions
-        .map(|(reaction, (force, moment))| (reaction.name.to_string(), force, moment))
-        .collect();
-    let all = loads.into_iter().chain(reactions);
-    all.map(|(name, force, moment)| Contribution {
-        name,
-        force: work.components(force, Frame::WORLD),
-        moment: work.components(moment, model.state.axes),
-    })
-    .collect()
+    let forces = model.loads.iter().map(|load| load.force);
+    let mut parts: Vec<(Vector, Vector)> = forces.zip(moments).collect();
+    if model.motion.has_attitude() {
+        parts.extend(known_parts(model, work, center));
+    }
+    let loads = model.loads.iter().map(|load| &load.name);
+    let names = loads.chain(model.reactions.iter().map(|reaction| &reaction.name));
+    let all = names
+        .zip(parts)
+        .map(|(name, (force, moment))| Contribution {
+            name: name.to_string(),
+            force: work.components(force, Frame::WORLD),
+            moment: work.components(moment, model.state.axes),
+        });
+    all.collect()
 }
 
 /// The forces that are not constant in world axes.

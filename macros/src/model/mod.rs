@@ -62,9 +62,7 @@ impl Model {
         component: Option<usize>,
     ) -> Option<Id> {
         let rate = Meaning::Input(input + 1, component);
-        let known = work.meanings.symbol_of(rate);
-        let symbol = known.filter(|_| self.moves(input))?;
-        Some(work.graph.symbol_id(symbol))
+        work.symbol_of(rate).filter(|_| self.moves(input))
     }
 
     /// The mass, if G has coordinates of its own.

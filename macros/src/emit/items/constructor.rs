@@ -6,7 +6,7 @@ use quote::quote;
 
 use crate::emit::code::{Fields, PRINCIPAL_AXES, Writer, local, to_text, unique};
 use crate::model::{AXES, Inertia, Meaning, Model, Outline, Workspace};
-use crate::symbolic::{Cost, Id, Node, Stage};
+use crate::symbolic::{Cost, Id, Stage};
 
 /// All expressions that code is generated for.
 pub struct Roots {
@@ -65,10 +65,7 @@ fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
     let graph = &work.graph;
     let mut words: Vec<String> = Vec::new();
     for symbol in graph.reachable(&[id], |_| true) {
-        let Node::Symbol(symbol) = graph.node(symbol) else {
-            continue;
-        };
-        if let Meaning::Param(index, _) = work.meanings.of(*symbol) {
+        if let Some(Meaning::Param(index, _)) = work.meaning(symbol) {
             words.push(outline.params[index].name.to_string());
         }
     }

@@ -165,24 +165,22 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
 fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
     let center = model.state.mass_center(work);
     let about_center = moments_about(model, work, &model.loads, center);
-    let mut list = Vec::new();
-    for (index, about_center) in about_center.into_iter().enumerate() {
-        let load = &model.loads[index];
-        let (name, family, force) = (load.name.to_string(), load.family, load.force);
+    let loads = model.loads.iter().zip(about_center);
+    let list = loads.map(|(load, about_center)| {
         let (point, moment) = if load.potential.is_some() {
             (center, about_center)
         } else {
             (load.point, load.moment)
         };
-        list.push(LoadExpressions {
-            name,
-            family,
-            force: work.components(force, Frame::WORLD),
+        LoadExpressions {
+            name: load.name.to_string(),
+            family: load.family,
+            force: work.components(load.force, Frame::WORLD),
             point: position(model, work, point),
             moment: work.components(moment, Frame::WORLD),
-        });
-    }
-    list
+        }
+    });
+    list.collect()
 }
 
 fn position(model: &Model, work: &mut Workspace, point: Point) -> Components {

@@ -137,12 +137,8 @@ fn check_held(
 ) -> Option<()> {
     let graph = &work.graph;
     let rates: Vec<Id> = coordinates.iter().map(|one| one.rate).collect();
-    let moves = |id: Id| match graph.node(id) {
-        Node::Symbol(symbol) => {
-            matches!(work.meanings.of(*symbol), Meaning::Input(input, _) if model.moves(input))
-        }
-        _ => false,
-    };
+    let moves =
+        |id: Id| matches!(work.meaning(id), Some(Meaning::Input(input, _)) if model.moves(input));
     if graph.depends_on(&rates, moves) {
         errors.push(
             asked,

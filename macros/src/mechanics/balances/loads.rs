@@ -3,7 +3,7 @@
 use crate::errors::Errors;
 use crate::families::{Family, LoadKind};
 use crate::model::{Frame, Load, Meaning, Model, Point, Reaction, Vector, Workspace};
-use crate::symbolic::{Components, Graph, Id, Node};
+use crate::symbolic::{Components, Graph, Id};
 
 /// The sum of all forces.
 pub fn resultant(work: &mut Workspace, loads: &[Load]) -> Vector {
@@ -101,12 +101,9 @@ pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vec
 /// and is the same for every position, attitude and velocity.
 pub fn uniform_field(model: &Model, work: &Workspace, load: &Load) -> Option<Components> {
     let graph: &Graph = &work.graph;
-    let of_state = |id: Id| match graph.node(id) {
-        Node::Symbol(symbol) => !matches!(
-            work.meanings.of(*symbol),
-            Meaning::Time | Meaning::Param(..) | Meaning::Input(..)
-        ),
-        _ => false,
+    let of_state = |id: Id| match work.meaning(id) {
+        Some(Meaning::Time | Meaning::Param(..) | Meaning::Input(..)) | None => false,
+        Some(_) => true,
     };
     let offset = load.point.offset(model.state.body)?;
     let force = load.force;

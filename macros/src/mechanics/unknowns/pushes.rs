@@ -147,8 +147,7 @@ fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
 /// make of them, proved in all states.
 fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let mut linear = true;
-    for index in 0..model.loads.len() {
-        let load = &model.loads[index];
+    for load in &model.loads {
         let place = load.mention.unwrap_or(load.extent);
         let name = load.name.to_string();
         let roots = work.entries(&[load.force, load.moment]);
@@ -162,7 +161,7 @@ fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Opt
                 format!("where `{name}` acts cannot depend on an unknown reaction"),
             );
             linear = false;
-        } else if model.loads[index].mention.is_some() && !is_linear(work, &roots) {
+        } else if load.mention.is_some() && !is_linear(work, &roots) {
             errors.push(
                 place,
                 format!(
@@ -178,12 +177,8 @@ fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Opt
 
 /// The symbols of unknown reactions that expressions contain.
 fn reactions_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
-    let graph = &work.graph;
-    let is_reaction = |id: &Id| match graph.node(*id) {
-        Node::Symbol(symbol) => matches!(work.meanings.of(*symbol), Meaning::Reaction(..)),
-        _ => false,
-    };
-    let mut symbols = graph.reachable(roots, |_| true);
+    let is_reaction = |id: &Id| matches!(work.meaning(*id), Some(Meaning::Reaction(..)));
+    let mut symbols = work.graph.reachable(roots, |_| true);
     symbols.retain(is_reaction);
     symbols
 }

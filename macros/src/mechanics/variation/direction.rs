@@ -38,9 +38,9 @@ impl Direction {
         }
         for input in 0..model.derivatives.len() {
             for part in [None, Some(0), Some(1), Some(2)] {
-                let symbol = work.meanings.symbol_of(Meaning::Input(input, part));
+                let symbol = work.symbol_of(Meaning::Input(input, part));
                 let rate = model.input_rate(work, input, part);
-                changes.extend(symbol.map(|symbol| graph.symbol_id(symbol)).zip(rate));
+                changes.extend(symbol.zip(rate));
             }
         }
         motion

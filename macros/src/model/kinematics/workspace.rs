@@ -65,6 +65,12 @@ impl Workspace {
         })
     }
 
+    /// The symbol that stands for this, if there is one.
+    pub fn symbol_of(&self, meaning: Meaning) -> Option<Id> {
+        let known = self.meanings.symbol_of(meaning);
+        known.map(|symbol| self.graph.symbol_id(symbol))
+    }
+
     /// What a symbol stands for; none if the expression is no symbol.
     pub fn meaning(&self, id: Id) -> Option<Meaning> {
         match self.graph.node(id) {

@@ -13,11 +13,13 @@ pub use body::{
     Level, Load, Mass, Matrix, Outline, Potential, Potentials, Reaction, SOLIDS, Solid, Substance,
     Violation, displaced, is_flat, is_possible, is_solid, least_moment, matrix, thinnest, words,
 };
-pub use joints::{Joint, MOTIONS, Motion, Orientation, PLANAR, SPATIAL};
+pub use joints::{
+    Coordinate, Field, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
+};
 pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use system::{Coordinate, Field, JointKind, Member, Part, Rates, Shape, System, TreeJoint};
+pub use system::{JointKind, Member, Part, System, TreeJoint};
 pub use words::{
     AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
 };
@@ -62,9 +64,7 @@ impl Model {
         component: Option<usize>,
     ) -> Option<Id> {
         let rate = Meaning::Input(input + 1, component);
-        let known = work.meanings.symbol_of(rate);
-        let symbol = known.filter(|_| self.moves(input))?;
-        Some(work.graph.symbol_id(symbol))
+        work.symbol_of(rate).filter(|_| self.moves(input))
     }
 
     /// The mass, if G has coordinates of its own.

@@ -69,17 +69,17 @@ fn emit_struct(
 fn emit_generic(outline: &Outline) -> TokenStream {
     let (name, private) = (&outline.name, private(outline));
     let with = format_ident!("{name}Scalar");
-    let (params, given, build, parameters) = if outline.params.is_empty() {
+    let (params, argument, build, parameters) = if outline.params.is_empty() {
         let build = quote!(::core::result::Result::Ok(
             ::core::default::Default::default()
         ));
         (quote!(()), quote!((): ()), build, None)
     } else {
         let params = format_ident!("{name}Params");
-        let (given, build) = (quote!(params: Self::Params), quote!(Self::new(params)));
+        let (argument, build) = (quote!(params: Self::Params), quote!(Self::new(params)));
         (
             quote!(#params<f64>),
-            given,
+            argument,
             build,
             Some(quote!(self.params)),
         )
@@ -88,7 +88,7 @@ fn emit_generic(outline: &Outline) -> TokenStream {
         impl #private::Generic for #name<f64> {
             type With<#with: #private::Scalar> = #name<#with>;
             type Params = #params;
-            fn build(#given) -> ::core::result::Result<Self, #private::InvalidBody> { #build }
+            fn build(#argument) -> ::core::result::Result<Self, #private::InvalidBody> { #build }
             fn parameters(&self) -> Self::Params { #parameters }
         }
     }

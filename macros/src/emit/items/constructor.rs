@@ -6,7 +6,7 @@ use quote::quote;
 
 use crate::emit::code::{Fields, PRINCIPAL_AXES, Writer, local, to_text, unique};
 use crate::model::{AXES, Meaning, Outline, Substance, Workspace};
-use crate::symbolic::{Cost, Id, Node, Stage};
+use crate::symbolic::{Cost, Id, Stage};
 
 /// All expressions that code is generated for.
 pub struct Roots {
@@ -64,10 +64,7 @@ fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
     let graph = &work.graph;
     let mut words: Vec<String> = Vec::new();
     for symbol in graph.reachable(&[id], |_| true) {
-        let Node::Symbol(symbol) = graph.node(symbol) else {
-            continue;
-        };
-        if let Meaning::Param(index, _) = work.meanings.of(*symbol) {
+        if let Some(Meaning::Param(index, _)) = work.meaning(symbol) {
             words.push(outline.params[index].name.to_string());
         }
     }
@@ -118,7 +115,7 @@ impl Constructor {
             }
         }
         let private = &writer.shapes.private;
-        let (given, statements) = (finite_checks(outline), code.statements);
+        let (finite, statements) = (finite_checks(outline), code.statements);
         let possible = check_possible(&open, mass, inertia, private);
         let derived = check_derived(work, roots, fields, private);
         let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
@@ -126,7 +123,7 @@ impl Constructor {
             .iter()
             .map(|axes| quote!(let #axes = #private::principal_axes([#(#tensor),*]);));
         let body = quote! {
-            #private::check_finite(&[#(#given),*])?;
+            #private::check_finite(&[#(#finite),*])?;
             #statements
             #possible
             #rest

@@ -88,7 +88,7 @@ pub fn emit_items(
 ) -> TokenStream {
     let (name, scalar) = (&outline.name, Scalar::of(outline));
     let Documentation { lines, constants } = documentation;
-    let given = [
+    let beside = [
         (
             "Input",
             declared_fields(outline, &outline.inputs),
@@ -106,13 +106,13 @@ pub fn emit_items(
         ),
     ];
     let derives = quote!(#[derive(Clone, Copy, Debug, Default, PartialEq)]);
-    let given = given.iter().filter(|(_, fields, _)| !fields.is_empty());
-    let given =
-        given.map(|(suffix, fields, doc)| emit_struct(outline, suffix, doc, &derives, fields));
-    let given: TokenStream = given.chain(emit_state(outline)).collect();
+    let beside = beside.iter().filter(|(_, fields, _)| !fields.is_empty());
+    let beside =
+        beside.map(|(suffix, fields, doc)| emit_struct(outline, suffix, doc, &derives, fields));
+    let beside: TokenStream = beside.chain(emit_state(outline)).collect();
     let (declared, applied, kind) = (scalar.declared(), scalar.applied(), scalar.kind());
     if !outline.params.is_empty() {
-        return emit_built(outline, constructor, documentation, &given);
+        return emit_built(outline, constructor, documentation, &beside);
     }
     let marker = scalar.is_generic();
     let marker = marker.then(|| quote!(scalar: ::core::marker::PhantomData<#kind>));
@@ -120,7 +120,7 @@ pub fn emit_items(
         #lines
         #[derive(Clone, Debug, Default)]
         pub struct #name #declared { #marker }
-        #given
+        #beside
         impl #declared #name #applied { #constants }
     }
 }
@@ -154,12 +154,12 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
     })
 }
 
-/// A body that is built from parameters; `given` are the structs beside them.
+/// A body that is built from parameters; `beside` are the structs beside them.
 fn emit_built(
     outline: &Outline,
     constructor: &Constructor,
     documentation: &Documentation,
-    given: &TokenStream,
+    beside: &TokenStream,
 ) -> TokenStream {
     let (name, scalar, private) = (&outline.name, Scalar::of(outline), private(outline));
     let (declared, applied, kind) = (scalar.declared(), scalar.applied(), scalar.kind());
@@ -180,7 +180,7 @@ fn emit_built(
         #[derive(Clone, Debug)]
         pub struct #name #declared { params: #params #applied, #(#stored: #kind,)* #(#axes: #private::PrincipalAxes)* }
         #param_struct
-        #given
+        #beside
         impl #declared #name #applied {
             #constants
             #[doc = #new_doc]

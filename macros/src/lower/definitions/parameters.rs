@@ -16,11 +16,10 @@ impl Lowering<'_> {
         declared: &mut Declared,
         defaults: &mut Defaults,
     ) -> Option<Value> {
+        let scalar = Meaning::Param(index, None);
         let Some(value) = &written.value else {
             declared.dimension = self.declared_unit(written)?;
-            let symbol = self
-                .work
-                .symbol(Stage::Parameter, Meaning::Param(index, None));
+            let symbol = self.work.symbol(Stage::Parameter, scalar);
             return Some(Value::Scalar(symbol, declared.dimension));
         };
         let value = value.as_ref()?;
@@ -41,9 +40,7 @@ impl Lowering<'_> {
         declared.dimension = found;
         if let Value::Scalar(id, _) = default {
             declared.default = Some(vec![self.constant(id, value)?]);
-            let symbol = self
-                .work
-                .symbol(Stage::Parameter, Meaning::Param(index, None));
+            let symbol = self.work.symbol(Stage::Parameter, scalar);
             defaults.insert(symbol, id);
             return Some(Value::Scalar(symbol, declared.dimension));
         }
@@ -65,10 +62,8 @@ impl Lowering<'_> {
             Meaning::Param(index, Some(axis))
         });
         defaults.extend(symbols.into_iter().zip(components));
-        Some(Value::Vector(
-            self.work.vector(frame, symbols),
-            declared.dimension,
-        ))
+        let vector = self.work.vector(frame, symbols);
+        Some(Value::Vector(vector, declared.dimension))
     }
 
     /// What is written of a default, of a vector in these axes.
@@ -208,17 +203,7 @@ impl Lowering<'_> {
                 ),
             );
         };
-        let axes = self.motion.axes();
-        if parts.len() != axes {
-            return self.report(
-                value.extent,
-                format!(
-                    "a vector has {axes} components under `motion: {}`, and this has {}",
-                    self.motion.word,
-                    parts.len()
-                ),
-            );
-        }
+        self.check_count(parts, value.extent)?;
         if let Some(fixed) = parts
             .iter()
             .find(|part| !matches!(part.kind, Kind::Placeholder))
@@ -228,11 +213,9 @@ impl Lowering<'_> {
                 "all components of an open vector are open: write `_`",
             );
         }
-        let symbols = self.work.symbols(stage, 0..axes, meaning);
-        Some(Value::Vector(
-            self.work.vector(frame, symbols),
-            declared.dimension,
-        ))
+        let symbols = self.work.symbols(stage, 0..self.motion.axes(), meaning);
+        let vector = self.work.vector(frame, symbols);
+        Some(Value::Vector(vector, declared.dimension))
     }
 
     fn constant(&mut self, id: Id, place: &Expression) -> Option<Number> {

@@ -5,7 +5,6 @@ mod along_axis;
 mod arithmetic;
 mod built_in;
 mod choice;
-mod domains;
 mod functions;
 mod lowering;
 mod members;

@@ -117,23 +117,29 @@ impl Lowering<'_> {
         }
     }
 
+    /// Whether a vector has as many components as the motion has axes.
+    pub fn check_count(&mut self, parts: &[Expression], extent: Extent) -> Option<()> {
+        let axes = self.motion.axes();
+        if parts.len() == axes {
+            return Some(());
+        }
+        self.report(
+            extent,
+            format!(
+                "a vector has {axes} components under `motion: {}`, and this has {}",
+                self.motion.word,
+                parts.len()
+            ),
+        )
+    }
+
     /// The components of a vector: as many as the motion has axes, all of one dimension.
     pub fn component_list(
         &mut self,
         parts: &[Expression],
         extent: Extent,
     ) -> Option<(Components, Dimension)> {
-        let axes = self.motion.axes();
-        if parts.len() != axes {
-            return self.report(
-                extent,
-                format!(
-                    "a vector has {axes} components under `motion: {}`, and this has {}",
-                    self.motion.word,
-                    parts.len()
-                ),
-            );
-        }
+        self.check_count(parts, extent)?;
         if let Some(unknown) = parts
             .iter()
             .find(|part| matches!(part.kind, Kind::Placeholder))

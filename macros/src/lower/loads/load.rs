@@ -2,7 +2,7 @@
 
 use crate::families::LoadKind;
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Frame, Load, Point, Vector};
+use crate::model::{Dimension, Frame, Load, Point};
 use crate::syntax::{self, Written};
 
 impl Lowering<'_> {
@@ -18,21 +18,10 @@ impl Lowering<'_> {
             LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
         });
         let point = self.point_of_load(written);
-        let (vector, zero) = (vector?, Vector::ZERO);
-        let (force, moment) = match written.kind {
-            LoadKind::Force => (vector, zero),
-            LoadKind::Moment => (zero, vector),
-        };
+        let name = written.name.clone();
         Some(Load {
-            name: written.name.clone(),
-            family: written.family,
-            force,
-            point: point?,
-            moment,
-            pull: None,
-            potential: None,
-            extent: written.name.span().into(),
             mention: value.and_then(|value| self.mentioned_reaction(value)),
+            ..Load::new(name, written.family, written.kind, vector?, point?)
         })
     }
 

@@ -5,7 +5,7 @@
 
 use crate::errors::Extent;
 use crate::lower::expressions::{Lowering, Value, dimension};
-use crate::model::{Attitude, Charges, Dimension, Frame, Vector};
+use crate::model::{Charges, Dimension, Frame, Vector};
 use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Charge, Expression, Load};
 
@@ -142,15 +142,7 @@ impl Lowering<'_> {
         let state = &self.state;
         let mut roots = self.work.entries(&[state.position, state.velocity]);
         roots.extend(state.angular_velocity);
-        match self.work.attitude(self.state.body) {
-            Attitude::Fixed => {}
-            Attitude::Axis { angle, .. } => roots.push(angle),
-            Attitude::Quaternion { scalar, vector } => {
-                roots.push(scalar);
-                roots.extend(vector);
-            }
-            Attitude::Line { axis, .. } => roots.extend(axis),
-        }
+        roots.extend(self.work.attitude(self.state.body).coordinates());
         let turns = self.work.turns.iter().flat_map(|turns| &turns.list);
         roots.extend(turns.flat_map(|turn| turn.turned));
         self.late_symbols(&roots)

@@ -249,6 +249,7 @@ fn still(body: Frame, time: Id) -> State {
         position: Vector::ZERO,
         velocity: Vector::ZERO,
         acceleration: Vector::ZERO,
+        angle: None,
         angular_velocity: zeros,
         angular_acceleration: zeros,
         axis: None,

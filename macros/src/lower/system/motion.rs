@@ -159,7 +159,9 @@ impl Reader<'_> {
             let mut angles = Vec::new();
             let mut frame = draft.frame;
             while frame != Frame::WORLD {
-                angles.extend(self.work.angle(frame));
+                if let Attitude::Axis { angle, .. } = self.work.attitude(frame) {
+                    angles.push(angle);
+                }
                 frame = self.work.carrier(frame);
             }
             Value::Scalar(self.work.graph.sum(&angles), Dimension::NONE)

@@ -1,7 +1,7 @@
 //! The balances as they are written, for inspection: given loads, resultants, residuals.
 
-use crate::families::{Family, LoadKind};
-use crate::mechanics::balances::{arm, moments_about, resultant};
+use crate::families::Family;
+use crate::mechanics::balances::{about_pole, arm, moments_about, resultant};
 use crate::model::{Frame, Inertia, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
@@ -112,20 +112,11 @@ fn with_reactions(
     moment: Vector,
 ) -> (Vector, Vector) {
     let center = model.state.mass_center(work);
-    let reactions: Vec<(LoadKind, Point, Vector)> = model
-        .reactions
-        .iter()
-        .map(|reaction| (reaction.kind, reaction.point, reaction.symbols))
-        .collect();
     let (mut forces, mut moments) = (vec![force], vec![moment]);
-    for (kind, point, vector) in reactions {
-        if kind == LoadKind::Force {
-            let arm = arm(model, work, point, center);
-            forces.push(vector);
-            moments.push(work.cross(arm, vector));
-        } else {
-            moments.push(vector);
-        }
+    for reaction in &model.reactions {
+        let (force, moment) = about_pole(model, work, reaction, reaction.symbols, center);
+        forces.push(force);
+        moments.push(moment);
     }
     (work.sum(forces), work.sum(moments))
 }
@@ -174,24 +165,22 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
 fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
     let center = model.state.mass_center(work);
     let about_center = moments_about(model, work, &model.loads, center);
-    let mut list = Vec::new();
-    for (index, about_center) in about_center.into_iter().enumerate() {
-        let load = &model.loads[index];
-        let (name, family, force) = (load.name.to_string(), load.family, load.force);
+    let loads = model.loads.iter().zip(about_center);
+    let list = loads.map(|(load, about_center)| {
         let (point, moment) = if load.potential.is_some() {
             (center, about_center)
         } else {
             (load.point, load.moment)
         };
-        list.push(LoadExpressions {
-            name,
-            family,
-            force: work.components(force, Frame::WORLD),
+        LoadExpressions {
+            name: load.name.to_string(),
+            family: load.family,
+            force: work.components(load.force, Frame::WORLD),
             point: position(model, work, point),
             moment: work.components(moment, Frame::WORLD),
-        });
-    }
-    list
+        }
+    });
+    list.collect()
 }
 
 fn position(model: &Model, work: &mut Workspace, point: Point) -> Components {

@@ -74,12 +74,9 @@ pub fn derive_switches(
     if order.binary_search(&time).is_err() {
         return Vec::new();
     }
-    let is_held = |symbol: Id| match graph.node(symbol) {
-        Node::Symbol(known) => match work.meanings.of(*known) {
-            Meaning::Param(..) => true,
-            Meaning::Input(input, _) => derivatives.get(input).is_none_or(|count| *count == 0),
-            _ => false,
-        },
+    let is_held = |symbol: Id| match work.meaning(symbol) {
+        Some(Meaning::Param(..)) => true,
+        Some(Meaning::Input(input, _)) => derivatives.get(input).is_none_or(|count| *count == 0),
         _ => false,
     };
     let mut held: HashMap<Id, bool> = HashMap::new();

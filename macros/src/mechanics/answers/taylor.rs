@@ -13,7 +13,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
-use crate::model::{Attitude, Frame, Meaning, Model, Pair, Variable, Workspace};
+use crate::model::{Attitude, Frame, Meaning, Model, Pair, Workspace};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
 
 use super::axes::{self, Axes};
@@ -81,11 +81,10 @@ fn coordinates(
     Pair { linear, angular }: Pair,
     axes_rate: Components,
 ) -> Vec<Coordinate> {
-    let motion = model.motion;
-    let (axes, state) = (motion.axes(), &model.state);
+    let state = &model.state;
+    let moving = model.motion.linear_axes();
     let [position, velocity] =
         [state.position, state.velocity].map(|vector| work.part(vector, Frame::WORLD));
-    let angular_velocity = state.angular_velocity;
     let mut list = Vec::new();
     let mut push = |symbols: &[Id], rates: &[Id]| {
         let pairs = symbols.iter().zip(rates);
@@ -94,38 +93,27 @@ fn coordinates(
             rate: *rate,
         }));
     };
-    let rate = one(work, state.body, Variable::AngularVelocity, 2);
-    if motion.translates() {
-        push(&position[..axes], &velocity[..axes]);
+    let (angle, rate): (Vec<Id>, Vec<Id>) = state.angle.into_iter().unzip();
+    push(&position[moving.clone()], &velocity[moving.clone()]);
+    match work.attitude(state.body) {
+        Attitude::Fixed => {}
+        Attitude::Axis { .. } => push(&angle, &rate),
+        Attitude::Quaternion { scalar, vector } => {
+            let rates = quaternion_rate(work, scalar, vector, axes_rate);
+            let [x, y, z] = vector;
+            push(&[x, y, z, scalar], &rates);
+        }
+        Attitude::Line { axis, .. } => push(&axis, &state.turn_rate()),
     }
-    if let Some(axis) = model.state.axis {
-        push(&axis.unit, &axis.rate);
-    } else if let Attitude::Quaternion { scalar, vector } = work.attitude(model.state.body) {
-        let [x, y, z] = vector;
-        let rates = quaternion_rate(work, scalar, vector, axes_rate);
-        push(&[x, y, z, scalar], &rates);
-    } else if motion.has_angle() {
-        push(&one(work, state.body, Variable::Angle, 0), &rate);
-    }
-    if motion.translates() {
-        push(&velocity[..axes], &linear[..axes]);
-    }
-    if let Some(axis) = model.state.axis {
-        push(&axis.rate, &angular);
-    } else if motion.has_angle() {
-        push(&rate, &angular[2..]);
-    } else if motion.has_attitude() {
-        push(&angular_velocity, &angular);
+    push(&velocity[moving.clone()], &linear[moving]);
+    match work.attitude(state.body) {
+        Attitude::Fixed => {}
+        Attitude::Axis { .. } => push(&rate, &angular[2..]),
+        Attitude::Quaternion { .. } | Attitude::Line { .. } => push(&state.turn_rate(), &angular),
     }
     let unit = work.graph.one();
     push(&[model.state.time], &[unit]);
     list
-}
-
-fn one(work: &Workspace, body: Frame, variable: Variable, part: usize) -> Vec<Id> {
-    let symbol = work.meanings.symbol_of(Meaning::Of(body, variable, part));
-    let id = symbol.map(|symbol| work.graph.symbol_id(symbol));
-    id.into_iter().collect()
 }
 
 /// `q' = q (0, w) / 2`, the scalar last.
@@ -149,12 +137,8 @@ fn check_held(
 ) -> Option<()> {
     let graph = &work.graph;
     let rates: Vec<Id> = coordinates.iter().map(|one| one.rate).collect();
-    let moves = |id: Id| match graph.node(id) {
-        Node::Symbol(symbol) => {
-            matches!(work.meanings.of(*symbol), Meaning::Input(input, _) if model.moves(input))
-        }
-        _ => false,
-    };
+    let moves =
+        |id: Id| matches!(work.meaning(id), Some(Meaning::Input(input, _)) if model.moves(input));
     if graph.depends_on(&rates, moves) {
         errors.push(
             asked,

@@ -2,8 +2,8 @@
 
 use crate::errors::Errors;
 use crate::families::{Family, LoadKind};
-use crate::model::{Frame, Load, Meaning, Model, Point, Vector, Workspace};
-use crate::symbolic::{Components, Graph, Id, Node};
+use crate::model::{Frame, Load, Meaning, Model, Point, Reaction, Vector, Workspace};
+use crate::symbolic::{Components, Graph, Id};
 
 /// The sum of all forces.
 pub fn resultant(work: &mut Workspace, loads: &[Load]) -> Vector {
@@ -71,22 +71,28 @@ pub fn check_moment_free(
     None
 }
 
+/// The force of a load of this kind, at its point, and its moment about `pole`.
+pub fn about_pole(
+    model: &Model,
+    work: &mut Workspace,
+    Reaction { kind, point, .. }: &Reaction,
+    vector: Vector,
+    pole: Point,
+) -> (Vector, Vector) {
+    match kind {
+        LoadKind::Moment => (Vector::ZERO, vector),
+        LoadKind::Force => {
+            let arm = arm(model, work, *point, pole);
+            (vector, work.cross(arm, vector))
+        }
+    }
+}
+
 /// What is known of each reaction: its force, and its moment about `pole`.
 pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vector, Vector)> {
-    let written: Vec<_> = model
-        .reactions
-        .iter()
-        .map(|load| (load.kind, load.point, load.frame, load.known))
-        .collect();
-    let parts = written.into_iter().map(|(kind, point, frame, known)| {
-        let known = work.vector(frame, known);
-        match kind {
-            LoadKind::Moment => (Vector::ZERO, known),
-            LoadKind::Force => {
-                let arm = arm(model, work, point, pole);
-                (known, work.cross(arm, known))
-            }
-        }
+    let parts = model.reactions.iter().map(|reaction| {
+        let known = work.vector(reaction.frame, reaction.known);
+        about_pole(model, work, reaction, known, pole)
     });
     parts.collect()
 }
@@ -95,12 +101,9 @@ pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vec
 /// and is the same for every position, attitude and velocity.
 pub fn uniform_field(model: &Model, work: &Workspace, load: &Load) -> Option<Components> {
     let graph: &Graph = &work.graph;
-    let of_state = |id: Id| match graph.node(id) {
-        Node::Symbol(symbol) => !matches!(
-            work.meanings.of(*symbol),
-            Meaning::Time | Meaning::Param(..) | Meaning::Input(..)
-        ),
-        _ => false,
+    let of_state = |id: Id| match work.meaning(id) {
+        Some(Meaning::Time | Meaning::Param(..) | Meaning::Input(..)) | None => false,
+        Some(_) => true,
     };
     let offset = load.point.offset(model.state.body)?;
     let force = load.force;

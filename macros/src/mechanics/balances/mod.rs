@@ -12,7 +12,9 @@ pub mod rod;
 pub use dyadic::{quadratic, transform};
 pub use euler_equations::{EulerForm, is_diagonal};
 pub use kinetic::twice_kinetic;
-pub use loads::{arm, check_moment_free, known_parts, moments_about, resultant, uniform_field};
+pub use loads::{
+    about_pole, arm, check_moment_free, known_parts, moments_about, resultant, uniform_field,
+};
 pub use moments::inertia_about_center;
 pub use newton_euler::{derive_accelerations, solve_balances};
 pub use response::{free_moment, response};

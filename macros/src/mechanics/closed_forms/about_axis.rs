@@ -86,7 +86,7 @@ pub fn about_axis(
 
 /// `(a, b)` of `a sin theta + b cos theta`.
 fn swinging(model: &Model, work: &mut Workspace, expression: Id) -> Option<(Id, Id)> {
-    let angle = work.angle(model.state.body)?;
+    let (angle, _) = model.state.angle?;
     let graph = &mut work.graph;
     let of_late = |id: Id| !graph.is_early(id) && id != angle;
     if graph.depends_on(&[expression], of_late) {

@@ -14,7 +14,7 @@
 use crate::errors::{Errors, Extent};
 use crate::mechanics::balances::{known_parts, moments_about};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Inertia, Model, Pair, Vector, Workspace};
+use crate::model::{Frame, Inertia, Model, Orientation, Pair, Vector, Workspace};
 use crate::symbolic::Components;
 
 use super::about_axis::about_axis;
@@ -69,26 +69,21 @@ pub fn derive_flow(
 fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
     let center = model.state.center(work);
     let moments = moments_about(model, work, &model.loads, center);
-    let loads = model.loads.iter().zip(moments);
-    let loads: Vec<(String, Vector, Vector)> = loads
-        .map(|(load, moment)| (load.name.to_string(), load.force, moment))
-        .collect();
-    let known = if model.motion.has_attitude() {
-        known_parts(model, work, center)
-    } else {
-        Vec::new()
-    };
-    let reactions = model.reactions.iter().zip(known);
-    let reactions: Vec<(String, Vector, Vector)> = reactions
-        .map(|(reaction, (force, moment))| (reaction.name.to_string(), force, moment))
-        .collect();
-    let all = loads.into_iter().chain(reactions);
-    all.map(|(name, force, moment)| Contribution {
-        name,
-        force: work.components(force, Frame::WORLD),
-        moment: work.components(moment, model.state.axes),
-    })
-    .collect()
+    let forces = model.loads.iter().map(|load| load.force);
+    let mut parts: Vec<(Vector, Vector)> = forces.zip(moments).collect();
+    if model.motion.has_attitude() {
+        parts.extend(known_parts(model, work, center));
+    }
+    let loads = model.loads.iter().map(|load| &load.name);
+    let names = loads.chain(model.reactions.iter().map(|reaction| &reaction.name));
+    let all = names
+        .zip(parts)
+        .map(|(name, (force, moment))| Contribution {
+            name: name.to_string(),
+            force: work.components(force, Frame::WORLD),
+            moment: work.components(moment, model.state.axes),
+        });
+    all.collect()
 }
 
 /// The forces that are not constant in world axes.
@@ -114,11 +109,12 @@ pub fn rotation(
     contributions: &[Contribution],
     obstacles: &mut Vec<String>,
 ) -> Option<Rotation> {
-    if !model.motion.has_attitude() {
-        return Some(Rotation::None);
-    }
-    if model.motion.has_angle() {
-        return about_axis(model, work, angular[2], contributions, obstacles);
+    match model.motion.orientation {
+        Orientation::Fixed => return Some(Rotation::None),
+        Orientation::Angle => {
+            return about_axis(model, work, angular[2], contributions, obstacles);
+        }
+        Orientation::Quaternion | Orientation::Line => {}
     }
     let moments: Vec<Components> = contributions.iter().map(|load| load.moment).collect();
     let zeros = work.graph.zeros();

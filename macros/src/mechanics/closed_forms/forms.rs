@@ -1,7 +1,7 @@
 //! The closed forms that there are, and what a load may depend on in each.
 
 use crate::model::{Meaning, Motion, Variable, Workspace};
-use crate::symbolic::{Components, Id, Node};
+use crate::symbolic::{Components, Id};
 
 use super::axial_torque::AxialTorque;
 use super::free_rotation::Free;
@@ -102,10 +102,7 @@ pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
     let causes = graph
         .reachable(roots, |_| true)
         .into_iter()
-        .filter_map(|id| match graph.node(id) {
-            Node::Symbol(symbol) => cause(work.meanings.of(*symbol)),
-            _ => None,
-        });
+        .filter_map(|id| cause(work.meaning(id)?));
     causes.min().map_or("the state", |(_, word)| word)
 }
 

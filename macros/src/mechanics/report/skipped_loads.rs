@@ -40,8 +40,7 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
         Some(support) => (support.offset, "the point that is held"),
         None => (work.graph.zeros(), "G"),
     };
-    for index in 0..model.loads.len() {
-        let load = &model.loads[index];
+    for load in &model.loads {
         let force = load.force;
         let Some(offset) = load.point.offset(model.state.body) else {
             continue;
@@ -65,7 +64,7 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
         } else {
             continue;
         };
-        let name = &model.loads[index].name;
+        let name = &load.name;
         skipped.push(format!("the moment of `{name}`: {reason}"));
     }
 }

@@ -131,11 +131,8 @@ fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
     }
     let center = model.state.center(work);
     let mut moments = moments_about(model, work, &model.loads, center);
-    moments.extend(
-        known_parts(model, work, center)
-            .into_iter()
-            .map(|(_, moment)| moment),
-    );
+    let known = known_parts(model, work, center).into_iter();
+    moments.extend(known.map(|(_, moment)| moment));
     let total = work.sum(moments);
     let entries = work.entries(&[total]);
     all_vanish(work, &entries)

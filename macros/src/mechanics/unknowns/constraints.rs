@@ -72,12 +72,7 @@ pub fn derive_constrained(
     check_kept(model, &constraints, &left, &pushes, &elimination, errors)?;
     determined?;
     name_values(work, &names, &elimination);
-    let linear = pushed(work, free.linear, &pushes, &elimination.values, |push| {
-        push.accelerations.linear
-    });
-    let angular = pushed(work, free.angular, &pushes, &elimination.values, |push| {
-        push.accelerations.angular
-    });
+    let Pair { linear, angular } = pushed(work, free, &pushes, &elimination.values);
     let angular = match model.state.axis {
         Some(axis) => rod::of_angular(work, axis, angular),
         None => angular,
@@ -203,19 +198,20 @@ fn are_parallel(a: &[Sample], b: &[Sample]) -> bool {
 }
 
 /// `q''_0 + sum of u_j D_j`
-fn pushed(
-    work: &mut Workspace,
-    free: Components,
-    pushes: &[Push<'_>],
-    values: &[Id],
-    part: fn(&Push<'_>) -> Components,
-) -> Components {
+fn pushed(work: &mut Workspace, free: Pair, pushes: &[Push<'_>], values: &[Id]) -> Pair {
     let graph = &mut work.graph;
-    let sum = pushes.iter().zip(values).fold(free, |sum, (push, value)| {
-        let change = graph.scale_vector(*value, part(push));
-        graph.add_vectors(sum, change)
-    });
-    graph.results(sum)
+    let mut sum = |of: fn(Pair) -> Components| {
+        let pushes = pushes.iter().zip(values);
+        let sum = pushes.fold(of(free), |sum, (push, value)| {
+            let change = graph.scale_vector(*value, of(push.accelerations));
+            graph.add_vectors(sum, change)
+        });
+        graph.results(sum)
+    };
+    Pair {
+        linear: sum(|pair| pair.linear),
+        angular: sum(|pair| pair.angular),
+    }
 }
 
 fn name_accelerations(
@@ -224,12 +220,11 @@ fn name_accelerations(
     linear: Components,
     angular: Components,
 ) {
-    let scalar = model.motion.has_angle();
     let labels = &mut work.labels;
     labels.describe("linear", "(1.3) with the reactions, world axes");
     labels.vector("linear", linear);
     labels.describe("angular", "(1.4) with the reactions, body axes");
-    if scalar {
+    if model.motion.has_angle() {
         labels.name(angular[2], "angular");
     }
     labels.vector("angular", angular);

@@ -2,33 +2,19 @@
 
 use crate::mechanics::balances::{inertia_about_center, known_parts, moments_about, resultant};
 use crate::model::{Frame, Inertia, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
-use crate::symbolic::Id;
+use crate::symbolic::{Components, Id};
 
 /// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
 pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Vector, Vector) {
-    let angular = accelerations.angular;
-    let hinge = model.hinge(&mut work.graph);
-    let graph = &mut work.graph;
-    let rate = match hinge {
-        Some(d) => graph.scale_vector(angular[2], d),
-        None => angular,
-    };
+    let rate = spatial(model, work, accelerations.angular);
     let symbols = acceleration_symbols(model, work).into_iter();
     let symbols = symbols.map(|(id, variable, axis)| match variable {
         Variable::LinearAcceleration => (id, accelerations.linear[axis]),
-        _ => (id, angular[axis]),
+        _ => (id, accelerations.angular[axis]),
     });
     let symbols: Vec<(Id, Id)> = symbols.collect();
     let acceleration = model.state.acceleration;
     let acceleration = work.map(acceleration, |graph, part| graph.replaced(part, &symbols));
-    let zero = Vector::ZERO;
-    let force = match model.mass {
-        Some(mass) => {
-            let rate = work.scale(mass, acceleration);
-            work.negate(rate)
-        }
-        None => zero,
-    };
     let w = model.state.angular_velocity;
     let inertia = inertia_about_center(model, work);
     let graph = &mut work.graph;
@@ -42,9 +28,31 @@ pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Ve
             graph.add_vectors(driven, gyroscopic)
         }
     };
-    let change = graph.negate_vector(change);
-    let moment = work.vector(model.state.axes, change);
-    (force, moment)
+    resistance(model, work, acceleration, change)
+}
+
+/// An angular acceleration by all its components; about a hinge there is one.
+fn spatial(model: &Model, work: &mut Workspace, angular: Components) -> Components {
+    let graph = &mut work.graph;
+    match model.hinge(graph) {
+        Some(d) => graph.scale_vector(angular[2], d),
+        None => angular,
+    }
+}
+
+/// `-m a`, and minus the change of the angular momentum.
+fn resistance(
+    model: &Model,
+    work: &mut Workspace,
+    acceleration: Vector,
+    change: Components,
+) -> (Vector, Vector) {
+    let change = work.graph.negate_vector(change);
+    let force = model.mass.map_or(Vector::ZERO, |mass| {
+        let rate = work.scale(mass, acceleration);
+        work.negate(rate)
+    });
+    (force, work.vector(model.state.axes, change))
 }
 
 /// The symbols of the accelerations: each with its variable, and its component.
@@ -70,13 +78,9 @@ pub fn inertial_change(
     work: &mut Workspace,
     Pair { linear, angular }: Pair,
 ) -> (Vector, Vector) {
-    let hinge = model.hinge(&mut work.graph);
+    let rate = spatial(model, work, angular);
     let inertia = inertia_about_center(model, work);
     let graph = &mut work.graph;
-    let rate = match hinge {
-        Some(d) => graph.scale_vector(angular[2], d),
-        None => angular,
-    };
     let swept = match model.state.support {
         Some(support) => graph.cross(support.offset, rate),
         None => graph.zeros(),
@@ -86,20 +90,10 @@ pub fn inertial_change(
         Inertia::Scalar(moment) => graph.scale_vector(moment, rate),
         Inertia::Spatial(rows) => graph.transform(&rows, rate),
     };
-    let change = graph.negate_vector(change);
-    let (swept, linear) = (
-        work.vector(model.state.body, swept),
-        work.vector(Frame::WORLD, linear),
-    );
+    let swept = work.vector(model.state.body, swept);
+    let linear = work.vector(Frame::WORLD, linear);
     let acceleration = work.add(swept, linear);
-    let force = match model.mass {
-        Some(mass) => {
-            let rate = work.scale(mass, acceleration);
-            work.negate(rate)
-        }
-        None => Vector::ZERO,
-    };
-    (force, work.vector(model.state.axes, change))
+    resistance(model, work, acceleration, change)
 }
 
 /// Sum of the given forces and their moment about the center, less the inertial ones.

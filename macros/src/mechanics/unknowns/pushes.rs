@@ -4,13 +4,13 @@
 //! error: `F(R) = F(known) + sum of u_j dF/dR . e_j`.
 
 use crate::errors::{Errors, Extent};
-use crate::families::{Family, LoadKind};
+use crate::families::Family;
 use crate::mechanics::balances::{free_moment, response};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Load, Meaning, Model, Pair, Point, Reaction, Vector, Workspace};
+use crate::model::{Frame, Load, Meaning, Model, Pair, Point, Reaction, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
-use super::unit::{Acting, Unit};
+use super::unit::Unit;
 
 /// One unit of an unknown, and what it does under constraints.
 pub struct Push<'m> {
@@ -33,31 +33,18 @@ pub fn known_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
         let known = work.vector(reaction.frame, reaction.known);
         let in_world = work.components(known, Frame::WORLD);
         values.extend(symbols(work, reaction).into_iter().zip(in_world));
-        let zero = Vector::ZERO;
-        let (force, moment) = match reaction.kind {
-            LoadKind::Force => (known, zero),
-            LoadKind::Moment => (zero, known),
-        };
-        loads.push(Load {
-            name: reaction.name.clone(),
-            family: Family::Reaction,
-            force,
-            point: reaction.point,
-            moment,
-            pull: None,
-            potential: None,
-            extent: reaction.name.span().into(),
-            mention: None,
-        });
+        let (name, family) = (reaction.name.clone(), Family::Reaction);
+        loads.push(Load::new(
+            name,
+            family,
+            reaction.kind,
+            known,
+            reaction.point,
+        ));
     }
     for load in &model.loads {
         let mut without = |vector| work.map(vector, |graph, part| graph.replaced(part, &values));
-        loads.push(Load {
-            name: load.name.clone(),
-            force: without(load.force),
-            moment: without(load.moment),
-            ..*load
-        });
+        loads.push(load.with(without(load.force), without(load.moment)));
     }
     loads
 }
@@ -90,7 +77,7 @@ fn push<'m>(
     unknown: (usize, Extent),
 ) -> Push<'m> {
     let followers = followers(model, work, reaction, unknown.0);
-    let mut pushed = |followers: &[Acting]| {
+    let mut pushed = |followers: &[Load]| {
         let unit = Unit::new(model, work, reaction, reaction.frame, unknown, followers);
         let free = free_load(model, work, &unit);
         (unit, free, response(model, work, free))
@@ -127,7 +114,7 @@ fn free_load(model: &Model, work: &mut Workspace, unit: &Unit<'_>) -> Pair {
 }
 
 /// The loads that depend on a reaction, for one unit along an axis of it.
-fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usize) -> Vec<Acting> {
+fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usize) -> Vec<Load> {
     let direction = reaction.direction(work, reaction.frame, axis);
     let unit = work.components(direction, Frame::WORLD);
     let symbols = symbols(work, reaction);
@@ -150,7 +137,7 @@ fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
             let mut change = |id: Id| changes.next().unwrap_or(id);
             let [force, moment] = [load.force, load.moment]
                 .map(|vector| work.map(vector, |_, part| part.map(&mut change)));
-            followers.push((force, load.point, moment));
+            followers.push(load.with(force, moment));
         }
     }
     followers
@@ -160,8 +147,7 @@ fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
 /// make of them, proved in all states.
 fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let mut linear = true;
-    for index in 0..model.loads.len() {
-        let load = &model.loads[index];
+    for load in &model.loads {
         let place = load.mention.unwrap_or(load.extent);
         let name = load.name.to_string();
         let roots = work.entries(&[load.force, load.moment]);
@@ -175,7 +161,7 @@ fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Opt
                 format!("where `{name}` acts cannot depend on an unknown reaction"),
             );
             linear = false;
-        } else if model.loads[index].mention.is_some() && !is_linear(work, &roots) {
+        } else if load.mention.is_some() && !is_linear(work, &roots) {
             errors.push(
                 place,
                 format!(
@@ -191,12 +177,8 @@ fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Opt
 
 /// The symbols of unknown reactions that expressions contain.
 fn reactions_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
-    let graph = &work.graph;
-    let is_reaction = |id: &Id| match graph.node(*id) {
-        Node::Symbol(symbol) => matches!(work.meanings.of(*symbol), Meaning::Reaction(..)),
-        _ => false,
-    };
-    let mut symbols = graph.reachable(roots, |_| true);
+    let is_reaction = |id: &Id| matches!(work.meaning(*id), Some(Meaning::Reaction(..)));
+    let mut symbols = work.graph.reachable(roots, |_| true);
     symbols.retain(is_reaction);
     symbols
 }

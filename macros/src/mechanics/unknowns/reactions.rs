@@ -71,11 +71,11 @@ pub fn solve_unknowns<'m>(
     rows.retain(|row| {
         let loads = units.iter().map(|unit| (unit.force, unit.moment));
         let sides = row.sides(work, loads, rest, (frame, frame));
-        let is_met = unmoved == Unmoved::Ignored && all_vanish(work, &sides.0);
-        if !is_met {
+        let is_ignored = unmoved == Unmoved::Ignored && all_vanish(work, &sides.0);
+        if !is_ignored {
             system.push(sides);
         }
-        !is_met
+        !is_ignored
     });
     let mut coefficients = system.iter().flat_map(|(row, _)| row);
     let is_constant = coefficients.all(|id| work.graph.is_early(*id));

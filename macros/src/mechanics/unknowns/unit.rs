@@ -1,13 +1,9 @@
 //! The unknown components of loads: what one unit of each does.
 
 use crate::errors::Extent;
-use crate::families::LoadKind;
-use crate::mechanics::balances::arm;
-use crate::model::{Frame, Model, Point, Reaction, Vector, Workspace};
+use crate::mechanics::balances::{about_pole, moments_about, resultant};
+use crate::model::{Frame, Load, Model, Reaction, Vector, Workspace};
 use crate::symbolic::{Components, Elimination, Id};
-
-/// A force with the point at which it acts, and a moment.
-pub type Acting = (Vector, Point, Vector);
 
 /// One unit of an unknown component of a load.
 pub struct Unit<'m> {
@@ -30,14 +26,15 @@ impl<'m> Unit<'m> {
         load: &'m Reaction,
         frame: Frame,
         (axis, place): (usize, Extent),
-        followers: &[Acting],
+        followers: &[Load],
     ) -> Self {
         let direction = load.direction(work, frame, axis);
-        let own = match load.kind {
-            LoadKind::Force => (direction, load.point, Vector::ZERO),
-            LoadKind::Moment => (Vector::ZERO, load.point, direction),
-        };
-        let (force, moment) = about_center(model, work, &[&[own], followers].concat());
+        let center = model.state.center(work);
+        let (force, moment) = about_pole(model, work, load, direction, center);
+        let following = resultant(work, followers);
+        let mut moments = moments_about(model, work, followers, center);
+        moments.insert(0, moment);
+        let (force, moment) = (work.add(force, following), work.sum(moments));
         Self {
             load,
             axis,
@@ -68,21 +65,6 @@ impl<'m> Unit<'m> {
     pub fn name(&self, model: &Model) -> String {
         self.load.component_name(model.motion, self.axis)
     }
-}
-
-/// The force of loads that act at points, and their moment about the center.
-fn about_center(model: &Model, work: &mut Workspace, loads: &[Acting]) -> (Vector, Vector) {
-    let center = model.state.center(work);
-    let (mut forces, mut moments) = (Vec::new(), Vec::new());
-    for &(force, point, moment) in loads {
-        moments.push(moment);
-        if !force.is_zero() {
-            let arm = arm(model, work, point, center);
-            moments.push(work.cross(arm, force));
-            forces.push(force);
-        }
-    }
-    (work.sum(forces), work.sum(moments))
 }
 
 /// What messages call unknowns, and their places.

@@ -9,7 +9,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::model::{Attitude, Frame, Meaning, Model, Variable, Vector, Workspace};
+use crate::model::{Attitude, Frame, Meaning, Model, Vector, Workspace};
 use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 /// A direction in the space of states.
@@ -31,21 +31,16 @@ impl Direction {
         let [place, velocity] = world_parts(work, [state.position, state.velocity]);
         let (graph, changes) = (&work.graph, &mut motion.changes);
         changes.insert(state.time, graph.one());
-        // w is known by its length, where parameters give its direction
-        let spin = work
-            .meanings
-            .symbol_of(Meaning::Of(state.body, Variable::AngularVelocity, 2));
-        let spin = spin.map(|symbol| graph.symbol_id(symbol));
-        changes.extend(work.angle(state.body).zip(spin));
+        changes.extend(state.angle);
         change(graph, changes, place, velocity);
         if let Some(axis) = state.axis {
             change(graph, changes, axis.unit, axis.rate);
         }
         for input in 0..model.derivatives.len() {
             for part in [None, Some(0), Some(1), Some(2)] {
-                let symbol = work.meanings.symbol_of(Meaning::Input(input, part));
+                let symbol = work.symbol_of(Meaning::Input(input, part));
                 let rate = model.input_rate(work, input, part);
-                changes.extend(symbol.map(|symbol| graph.symbol_id(symbol)).zip(rate));
+                changes.extend(symbol.zip(rate));
             }
         }
         motion

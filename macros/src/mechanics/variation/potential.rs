@@ -13,7 +13,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::families::Family;
+use crate::families::{Family, LoadKind};
 use crate::model::{Attitude, Form, Frame, Load, Model, Turn, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
@@ -69,15 +69,10 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
     }
     let center = model.state.center(work);
     Load {
-        extent: name.span().into(),
-        name,
-        family: Family::Field,
-        force: derived.force,
-        point: center,
         moment: work.vector(model.state.axes, derived.moment),
         pull: model.state.axis.map(|_| derived.pull),
         potential: Some(derived.energy),
-        mention: None,
+        ..Load::new(name, Family::Field, LoadKind::Force, derived.force, center)
     }
 }
 
@@ -161,15 +156,7 @@ fn moment_along(work: &mut Workspace, turn: &Turn, slope: Components) -> Compone
 fn symbols_of_place(work: &Workspace, body: Frame, form: &Form) -> HashSet<Id> {
     let mut symbols: HashSet<Id> = form.displacement.into_iter().collect();
     symbols.extend(form.turns.iter().flat_map(|turn| turn.turned));
-    match work.attitude(body) {
-        Attitude::Fixed => {}
-        Attitude::Axis { angle, .. } => symbols.extend([angle]),
-        Attitude::Quaternion { scalar, vector } => {
-            symbols.extend([scalar]);
-            symbols.extend(vector);
-        }
-        Attitude::Line { axis, .. } => symbols.extend(axis),
-    }
+    symbols.extend(work.attitude(body).coordinates());
     symbols
 }
 

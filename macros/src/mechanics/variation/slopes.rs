@@ -83,10 +83,8 @@ impl Slopes {
 
     /// Along the components of what the state is told by.
     pub fn by_variable(&self, work: &Workspace, body: Frame, variable: Variable) -> Components {
-        let (graph, zero) = (&work.graph, work.graph.zero());
-        let meaning = |i: usize| Meaning::Of(body, variable, i);
-        let symbol = |i: usize| work.meanings.symbol_of(meaning(i));
-        let symbols = [0, 1, 2].map(|i| symbol(i).map_or(zero, |known| graph.symbol_id(known)));
+        let symbol = |i: usize| work.symbol_of(Meaning::Of(body, variable, i));
+        let symbols = [0, 1, 2].map(|i| symbol(i).unwrap_or(work.graph.zero()));
         self.by(work, symbols)
     }
 

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::Extent;
-use crate::families::Family;
+use crate::families::{Family, LoadKind};
 use crate::model::kinematics::{Point, Vector};
 use crate::symbolic::{Components, Id};
 
@@ -26,4 +26,36 @@ pub struct Load {
     pub extent: Extent,
     /// Where it mentions an unknown reaction.
     pub mention: Option<Extent>,
+}
+
+impl Load {
+    /// Of one kind, at a point.
+    pub fn new(name: Ident, family: Family, kind: LoadKind, vector: Vector, point: Point) -> Self {
+        let (force, moment) = match kind {
+            LoadKind::Force => (vector, Vector::ZERO),
+            LoadKind::Moment => (Vector::ZERO, vector),
+        };
+        Self {
+            extent: name.span().into(),
+            name,
+            family,
+            force,
+            point,
+            moment,
+            pull: None,
+            potential: None,
+            mention: None,
+        }
+    }
+
+    /// The same load with another force and moment.
+    pub fn with(&self, force: Vector, moment: Vector) -> Self {
+        let name = self.name.clone();
+        Self {
+            name,
+            force,
+            moment,
+            ..*self
+        }
+    }
 }

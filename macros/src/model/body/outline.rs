@@ -4,8 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use crate::errors::Extent;
 use crate::families::LoadKind;
-use crate::model::joints::Motion;
-use crate::model::system::Shape;
+use crate::model::joints::{Motion, Shape};
 use crate::model::words::Dimension;
 use crate::model::words::{Frame, FrameWord};
 use crate::symbolic::Number;

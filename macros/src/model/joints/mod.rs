@@ -8,6 +8,7 @@ mod planar;
 mod planar_translation;
 mod rod;
 mod rotation;
+mod shape;
 mod spatial;
 mod translation;
 
@@ -19,6 +20,9 @@ pub use planar::PLANAR;
 pub use planar_translation::PLANAR_TRANSLATION;
 pub use rod::ROD;
 pub use rotation::ROTATION;
+pub use shape::{
+    BALL, CYLINDER, Coordinate, FREE, Field, HINGE, PLANE, Rates, SLIDE, Shape, UNIVERSAL,
+};
 pub use spatial::SPATIAL;
 pub use translation::TRANSLATION;
 

@@ -18,3 +18,15 @@ pub enum Attitude {
         axis: Components,
     },
 }
+
+impl Attitude {
+    /// What of it changes as the body turns.
+    pub fn coordinates(self) -> Vec<Id> {
+        match self {
+            Self::Fixed => Vec::new(),
+            Self::Axis { angle, .. } => vec![angle],
+            Self::Quaternion { scalar, vector } => [&[scalar], &vector[..]].concat(),
+            Self::Line { axis, .. } => axis.to_vec(),
+        }
+    }
+}

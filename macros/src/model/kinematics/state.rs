@@ -25,6 +25,8 @@ pub struct State {
     /// In these axes; of a rod, `u x u'` and `u x u''`.
     pub angular_velocity: Components,
     pub angular_acceleration: Components,
+    /// The angle of a body that turns about one axis, and its rate.
+    pub angle: Option<(Id, Id)>,
     /// What a rod has instead of an attitude.
     pub axis: Option<Axis>,
     /// What holds the body, once it is read.
@@ -151,11 +153,17 @@ pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
     let symbol = |work: &mut Workspace, variable: Variable, part: usize| {
         work.symbol(Stage::State, Meaning::Of(body, variable, part))
     };
+    let mut angle = None;
     match motion.orientation {
         Orientation::Angle => {
-            let angle = symbol(work, Variable::Angle, 0);
+            let own = symbol(work, Variable::Angle, 0);
+            angle = Some(own);
             let direction = work.graph.unit_vectors()[2];
-            work.set_attitude(body, Attitude::Axis { angle, direction });
+            let attitude = Attitude::Axis {
+                angle: own,
+                direction,
+            };
+            work.set_attitude(body, attitude);
         }
         Orientation::Quaternion => {
             let scalar = symbol(work, Variable::Quaternion, 0);
@@ -172,6 +180,7 @@ pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
     let velocity = components(&linear, Variable::Velocity);
     let mut angular_velocity = components(&angular, Variable::AngularVelocity);
     let acceleration = components(&linear, Variable::LinearAcceleration);
+    let angle = angle.map(|angle| (angle, angular_velocity[2]));
     let mut angular_acceleration = components(&angular, Variable::AngularAcceleration);
     let mut axis = None;
     if motion.is_line() {
@@ -191,6 +200,7 @@ pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
         acceleration: work.vector(Frame::WORLD, acceleration),
         angular_velocity,
         angular_acceleration,
+        angle,
         axis,
         support: None,
     }

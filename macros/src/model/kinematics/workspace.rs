@@ -90,18 +90,16 @@ impl Workspace {
         })
     }
 
+    /// The symbol that stands for this, if there is one.
+    pub fn symbol_of(&self, meaning: Meaning) -> Option<Id> {
+        let known = self.meanings.symbol_of(meaning);
+        known.map(|symbol| self.graph.symbol_id(symbol))
+    }
+
     /// What a symbol stands for; none if the expression is no symbol.
     pub fn meaning(&self, id: Id) -> Option<Meaning> {
         match self.graph.node(id) {
             Node::Symbol(symbol) => Some(self.meanings.of(*symbol)),
-            _ => None,
-        }
-    }
-
-    /// The angle of a body that turns about an axis.
-    pub fn angle(&self, body: Frame) -> Option<Id> {
-        match self.attitude(body) {
-            Attitude::Axis { angle, .. } => Some(angle),
             _ => None,
         }
     }

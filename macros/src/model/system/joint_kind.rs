@@ -1,6 +1,6 @@
 //! The kinds of joints of a system, a row each.
 
-use super::shape::{BALL, CYLINDER, FREE, HINGE, PLANE, SLIDE, Shape, UNIVERSAL};
+use crate::model::joints::{BALL, CYLINDER, FREE, HINGE, PLANE, SLIDE, Shape, UNIVERSAL};
 
 /// What a joint is made of, from the carrier to what it carries.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,16 +1,15 @@
 //! A system, understood: bodies, and the joints that carry them.
 
 mod joint_kind;
-mod shape;
 
 pub use joint_kind::{JointKind, Part};
-pub use shape::{Coordinate, Field, Rates, Shape};
 
 use proc_macro2::Ident;
 
 use crate::symbolic::{Components, Id};
 
 use super::body::{Defaults, Inertia, Load, Substance};
+use super::joints::Rates;
 use super::kinematics::State;
 use super::words::Frame;
 

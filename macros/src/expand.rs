@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 
 use crate::emit::code::Shapes;
-use crate::emit::items::Roots;
-use crate::emit::{Equated, Sound, emit_body};
+use crate::emit::items::{Equated, Roots};
+use crate::emit::{Sound, emit_body};
 use crate::errors::Errors;
 use crate::mechanics::{
     Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,

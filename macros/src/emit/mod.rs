@@ -10,12 +10,10 @@ pub mod series;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::mechanics::{Partial, Report, Switch};
+use crate::mechanics::Report;
 use crate::model::{Outline, Substance, Workspace};
-use crate::symbolic::Id;
-
 use code::{Site, Writer};
-use items::{Addition, Constructor, Documentation, Roots};
+use items::{Addition, Constructor, Documentation, Equated, Roots};
 
 /// What a description without mistakes has beside its outline.
 pub struct Sound {
@@ -25,13 +23,6 @@ pub struct Sound {
     pub equations: Equated,
     pub report: Report,
     pub roots: Roots,
-}
-
-/// The accelerations, and when they change; in the order in which the state has them.
-pub struct Equated {
-    pub accelerations: Vec<Id>,
-    pub switches: Vec<Switch>,
-    pub partial: Vec<Partial>,
 }
 
 /// The type of a body, its parameters and inputs, and all that it implements; `add` writes what is

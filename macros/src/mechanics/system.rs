@@ -6,6 +6,7 @@ use crate::symbolic::{Components, Id, Number};
 use super::Report;
 use super::answers::{Energy, Momentum, Partial, Switch, derive_switches, list_partial};
 use super::balances::quadratic;
+use super::tree::link::Tree;
 use super::tree::{self, Built, Pair};
 
 /// The equations of motion of a system.
@@ -15,6 +16,8 @@ pub struct SystemEquations {
     pub switches: Vec<Switch>,
     pub partial: Vec<Partial>,
     left_out: Vec<String>,
+    /// With other origins and axes, and without what joints cannot tell.
+    reduced: Tree,
     built: Built,
 }
 
@@ -52,6 +55,7 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         partial: list_partial(loads, work),
         accelerations,
         left_out: found.left_out,
+        reduced: found.reduced,
         built,
     }
 }
@@ -130,21 +134,27 @@ pub fn derive_system_inverse(
     equations: &SystemEquations,
 ) -> Vec<Vec<Id>> {
     let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
-    let loads = loads(work, equations, &given);
+    let loads = loads(work, equations, &equations.reduced, &given);
     let joints = system.joints.iter().zip(&equations.built.links);
     let drives = joints.map(|(joint, links)| {
         let mut found = Vec::new();
         for link in links.clone() {
-            for freedom in &equations.built.tree.links[link].freedoms {
+            for freedom in &equations.reduced.links[link].freedoms {
                 let needed = Pair::of(&freedom.twist).dot(&mut work.graph, loads[link]);
                 let known = joint.drives[found.len()];
-                let rest = work.graph.subtract(needed, known);
-                found.push(work.graph.result(rest));
+                found.push(work.graph.subtract(needed, known));
             }
         }
         found
     });
-    drives.collect()
+    let drives: Vec<Vec<Id>> = drives.collect();
+    let (folded, images) = work.graph.folded(&drives.concat());
+    work.labels.follow(&images);
+    let mut folded = folded.into_iter().map(|one| work.graph.result(one));
+    drives
+        .iter()
+        .map(|joint| folded.by_ref().take(joint.len()).collect())
+        .collect()
 }
 
 /// The symbols of the accelerations of a joint, by its freedoms.
@@ -162,9 +172,9 @@ fn given_accelerations(joint: &TreeJoint) -> Vec<Id> {
 fn loads(
     work: &mut Workspace,
     equations: &SystemEquations,
+    tree: &Tree,
     accelerations: &[Vec<Id>],
 ) -> Vec<Pair> {
-    let tree = &equations.built.tree;
     let mut by_link: Vec<Vec<Id>> = Vec::new();
     for (links, joint) in equations.built.links.iter().zip(accelerations) {
         let mut rest = joint.iter().copied();
@@ -182,7 +192,7 @@ pub fn derive_system_reactions(
     work: &mut Workspace,
     equations: &SystemEquations,
 ) -> Vec<[Components; 2]> {
-    let loads = loads(work, equations, &equations.accelerations);
+    let loads = loads(work, equations, &equations.built.tree, &equations.accelerations);
     let built = &equations.built;
     let reactions = (0..built.links.len()).map(|body| {
         let link = built.body(body);

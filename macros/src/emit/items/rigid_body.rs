@@ -3,10 +3,16 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::emit::Equated;
 use crate::emit::code::{COMMON, Method, Site, Source, Writer, local, number_literal};
 use crate::mechanics::{Partial, Switch};
 use crate::symbolic::{Id, Number};
+
+/// The accelerations, and when they change; in the order in which the state has them.
+pub struct Equated {
+    pub accelerations: Vec<Id>,
+    pub switches: Vec<Switch>,
+    pub partial: Vec<Partial>,
+}
 
 /// The method that integrates a body best, from the one that every body has.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]

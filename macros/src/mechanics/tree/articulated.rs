@@ -109,7 +109,12 @@ impl Articulated {
         let one = graph.one();
         let inverse = graph.divide(one, inertia);
         let inverse = graph.quantity(inverse);
-        let share = of_rate.scaled(graph, inverse).quantities(graph);
+        let mut share = of_rate.scaled(graph, inverse).quantities(graph);
+        match twist.axis(graph) {
+            Some(Along::Angular(axis)) => share.angular[axis] = twist.angular[axis],
+            Some(Along::Linear(axis)) => share.linear[axis] = twist.linear[axis],
+            None => {}
+        }
         let needed = along.dot(graph, *lacking);
         let driving = graph.subtract(drive, needed);
         let driving = graph.quantity(driving);

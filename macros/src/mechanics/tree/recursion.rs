@@ -18,6 +18,8 @@ pub struct Accelerations(Vec<Vec<Id>>);
 pub struct Solved {
     pub accelerations: Vec<Vec<Id>>,
     pub left_out: Vec<String>,
+    /// The tree as it is written with the fewest operations.
+    pub reduced: Tree,
 }
 
 /// Solves for the accelerations of all joints, and names what they are made of.
@@ -31,6 +33,7 @@ pub fn derive_tree(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Solve
     Solved {
         accelerations: solve(graph, labels, &best).0,
         left_out: left_out(graph, &tree, &best),
+        reduced: best,
     }
 }
 

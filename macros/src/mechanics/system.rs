@@ -192,7 +192,12 @@ pub fn derive_system_reactions(
     work: &mut Workspace,
     equations: &SystemEquations,
 ) -> Vec<[Components; 2]> {
-    let loads = loads(work, equations, &equations.built.tree, &equations.accelerations);
+    let loads = loads(
+        work,
+        equations,
+        &equations.built.tree,
+        &equations.accelerations,
+    );
     let built = &equations.built;
     let reactions = (0..built.links.len()).map(|body| {
         let link = built.body(body);

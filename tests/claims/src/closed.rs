@@ -1,6 +1,6 @@
 //! Closed forms: what they take for the moment and for the acceleration of G.
 
-use fuzz::mechanics::{Free, Turning};
+use fuzz::mechanics::{Free, Rotation};
 use fuzz::symbolic::Id;
 
 use crate::answer::{Answer, differs, shown};
@@ -33,14 +33,14 @@ pub fn flow(case: &Case<'_>, sample: &Sample, known: &Answer, refuted: &mut Refu
     }
     let scene = Scene::at(case.constants, &sample.given, &sample.instant);
     let layout = Layout::of(&case.body.motion);
-    match &flow.turning {
-        Turning::None => {}
-        Turning::GreatCircle => nothing("flow: great circle", known.moment, refuted),
-        Turning::Free(free) => {
+    match &flow.rotation {
+        Rotation::None => {}
+        Rotation::GreatCircle => nothing("flow: great circle", known.moment, refuted),
+        Rotation::Free(free) => {
             nothing("flow: free rotation", known.moment, refuted);
             inertia(case, free, &read, refuted);
         }
-        Turning::Top(top) => {
+        Rotation::Top(top) => {
             let couple = scene.in_body(vector(&top.couple));
             let axis = vector(&top.axis);
             same(
@@ -51,7 +51,7 @@ pub fn flow(case: &Case<'_>, sample: &Sample, known: &Answer, refuted: &mut Refu
             );
             symmetric(case, &read(&top.moments), axis, refuted);
         }
-        Turning::Axial(axial) => {
+        Rotation::Axial(axial) => {
             let axis = vector(&axial.axis);
             let torque = Number::given(read(&[axial.torque])[0]);
             same(
@@ -62,11 +62,11 @@ pub fn flow(case: &Case<'_>, sample: &Sample, known: &Answer, refuted: &mut Refu
             );
             symmetric(case, &read(&axial.moments), axis, refuted);
         }
-        Turning::Uniform(acceleration) => {
+        Rotation::Uniform(acceleration) => {
             let value = Vector::given([read(&[*acceleration])[0], 0.0, 0.0]);
             same("flow: uniform rotation", value, known.angular, refuted);
         }
-        Turning::Pendulum { rate, hanging } => {
+        Rotation::Pendulum { rate, hanging } => {
             let values = read(&[*rate, *hanging]);
             let angle = sample.instant.state[layout.attitude.start] - Wide::from(values[1]);
             let value = angle.sin_cos().0 * -(values[0] * values[0]);

@@ -30,8 +30,14 @@ impl Wide {
     /// The series of the sine within an eighth of a turn about zero.
     pub fn sin_cos(self) -> (Self, Self) {
         let quarter = Self::PI * 0.5;
-        let turns = (self.high / quarter.high).round();
-        let r = self - quarter * turns;
+        let mut turns = (self.high / quarter.high).round();
+        let mut r = self - quarter * turns;
+        // a number of turns beyond 2^53 is rounded, and leaves some of them
+        while r.high.abs() > quarter.high {
+            let further = (r.high / quarter.high).round();
+            r = r - quarter * further;
+            turns = turns.rem_euclid(4.0) + further;
+        }
         let square = r * r;
         let mut sum = Self::ZERO;
         for factor in &SINE {
@@ -209,6 +215,17 @@ mod tests {
             let computed = function(x.into());
             let error = (computed - Wide::new(high, low)).high / high;
             assert!(error.abs() < 1e-27, "at {x}: {error:e}");
+        }
+    }
+
+    /// Beyond 2^53 turns their number is rounded; that of the angle is a part in 1e32.
+    #[test]
+    fn sines_of_large_numbers() {
+        for x in [1e14, -3.7e16, 1.55e18, 9.9e20] {
+            let (sine, cosine) = Wide::from(x).sin_cos();
+            let off = [sine.high - f64::sin(x), cosine.high - f64::cos(x)];
+            let off = off[0].abs().max(off[1].abs());
+            assert!(off < 1e-31 * x.abs() + 1e-15, "at {x:e}: {off:e}");
         }
     }
 }

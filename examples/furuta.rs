@@ -32,23 +32,24 @@ rigid_system!(Furuta {
     outputs: [energy],
 });
 
-/// Pumps energy into the pole while it hangs, and holds it once it is nearly upright.
-fn motor(state: &FurutaState) -> FurutaInput {
+/// Pumps energy into the pole while it hangs, and holds it once it is nearly upright: how the arm is to
+/// accelerate, and the torque that makes it do so, since accelerations are linear in the torque.
+fn motor(furuta: &Furuta, state: &FurutaState) -> FurutaInput {
     use core::f64::consts::PI;
     let (yaw, swing) = (&state.yaw, &state.swing);
-    let tilt = (swing.angle - PI).rem_euclid(2.0 * PI);
-    let tilt = if tilt > PI { tilt - 2.0 * PI } else { tilt };
-    let (moment, weight) = (0.0036, 0.12 * 9.81 * 0.15);
-    let torque = if tilt.abs() < 0.35 {
-        0.06 * yaw.angle + 0.06 * yaw.angular_velocity + 1.6 * tilt + 0.14 * swing.angular_velocity
+    let tilt = (swing.angle + 2.0 * PI).rem_euclid(2.0 * PI) - PI;
+    let wanted = if tilt.abs() < 0.5 {
+        5.7 * yaw.angular_velocity - 180.0 * tilt - 25.7 * swing.angular_velocity
     } else {
-        let lacking =
-            weight - (0.5 * moment * swing.angular_velocity.powi(2) - weight * swing.angle.cos());
-        let pump = lacking * swing.angular_velocity * swing.angle.cos();
-        (-1.5 * pump).clamp(-0.15, 0.15) - 0.005 * yaw.angular_velocity
+        let (inertia, weight) = (0.0036, 0.12 * 9.81 * 0.15);
+        let energy = 0.5 * inertia * swing.angular_velocity.powi(2) - weight * swing.angle.cos();
+        let pump = (weight - energy) * swing.angular_velocity * swing.angle.cos();
+        (-20.0 * pump).clamp(-20.0, 20.0) - yaw.angular_velocity
     };
+    let arm = |torque| furuta.acceleration(0.0, state, &FurutaInput { torque }).yaw;
+    let torque = (wanted - arm(0.0)) / (arm(1.0) - arm(0.0));
     FurutaInput {
-        torque: torque.clamp(-0.6, 0.6),
+        torque: torque.clamp(-1.0, 1.0),
     }
 }
 
@@ -94,7 +95,7 @@ fn main() {
                 state.swing.angle
             );
         }
-        let input = motor(&state);
+        let input = motor(&furuta, &state);
         let motion = furuta.integrate(&state).input(input);
         state = motion.to(0.005).expect("nothing is out of range");
     }

@@ -1,0 +1,12 @@
+//! Systems of bodies: published numbers, another way to the same numbers, and laws.
+#![allow(missing_docs)]
+
+mod compare;
+mod described;
+mod oracle;
+mod plane;
+#[path = "../reference/mod.rs"]
+mod reference;
+mod references;
+mod shapes;
+mod spatial;

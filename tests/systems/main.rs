@@ -3,6 +3,7 @@
 
 mod compare;
 mod described;
+mod laws;
 mod oracle;
 mod plane;
 #[path = "../reference/mod.rs"]

@@ -5,6 +5,9 @@ use newton_euler::prelude::*;
 
 use super::oracle::{Kind, Link, Loads, Rates, solve};
 
+/// When the loads are compared.
+pub const TIME: f64 = 0.7;
+
 /// Numbers that look random, the same in each run.
 pub struct Random(u64);
 
@@ -142,20 +145,20 @@ pub struct Answer {
 /// Compares a system with the oracle in random states.
 ///
 /// `agree!(System, |numbers| (system, input, links), gravity, moving [a b], held [0 a, 1 b], still [],
-/// |loads, input| { .. })`: how it is made, the joints that move, in order, those that hold, with
+/// |loads, system, input| { .. })`: how it is made, the joints that move, in order, those that hold, with
 /// their numbers, the numbers of welds, and what acts.
 #[macro_export]
 macro_rules! agree {
     ($system:ty, $make:expr, $gravity:expr,
         moving [$($moving:ident)*], held [$($number:literal $held:ident)*], still [$($still:literal)*],
-        |$loads:ident, $input:ident| $load:block) => {{
+        |$loads:ident, $system_:ident, $input:ident| $load:block) => {{
         use $crate::compare::{Answer, Jointed, Listed, Random};
         let mut numbers = Random::new(line!().into());
         for _ in 0..50 {
             let (system, input, links) = $make(&mut numbers);
             let mut state = <$system as RigidBody>::State::default();
             $(state.$moving = Jointed::random(&mut numbers);)*
-            let found = system.acceleration(0.0, &state, &input);
+            let found = system.acceleration($crate::compare::TIME, &state, &input);
             let mut rates = vec![$(state.$moving.rates()),*];
             let mut accelerations = vec![$(found.$moving.list()),*];
             let still: &[usize] = &[$($still),*];
@@ -163,7 +166,7 @@ macro_rules! agree {
                 rates.insert(*place, (vec![], vec![]));
                 accelerations.insert(*place, vec![]);
             }
-            let held = system.reactions(0.0, &state, &input);
+            let held = system.reactions($crate::compare::TIME, &state, &input);
             let answer = Answer {
                 rates,
                 accelerations,
@@ -172,10 +175,10 @@ macro_rules! agree {
                 momentum: [
                     system.linear_momentum(&state).list(),
                     system.angular_momentum(&state).list(),
-                    system.angular_momentum_about_pole(0.0, &state).list(),
+                    system.angular_momentum_about_pole($crate::compare::TIME, &state).list(),
                 ],
             };
-            let $input = &input;
+            let ($system_, $input) = (&system, &input);
             $crate::compare::check(&links, $gravity, &answer, |$loads| $load);
         }
     }};
@@ -269,7 +272,9 @@ fn momenta(links: &[Link], answer: &Answer, motions: &[super::oracle::Motion]) {
 
 /// The loads on any set of bodies carry the motion of the whole set: what acts inside cancels.
 fn laws(links: &[Link], solution: &super::oracle::Solution, reactions: &[(usize, Vec<f64>)]) {
-    for set in 1_u32..(1 << links.len()) {
+    // of many bodies not all sets
+    let stride = if links.len() > 6 { 97 } else { 1 };
+    for set in (1_u32..(1 << links.len())).step_by(stride) {
         let is_in = |body: usize| set & (1 << body) != 0;
         let (mut force, mut size) = (Vector3::zeros(), 1.0_f64);
         for (body, link) in links.iter().enumerate().filter(|(body, _)| is_in(*body)) {

@@ -2,7 +2,9 @@
 #![allow(missing_docs)]
 
 mod compare;
+mod corners;
 mod described;
+mod large;
 mod laws;
 mod oracle;
 mod plane;

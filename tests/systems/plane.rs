@@ -87,7 +87,7 @@ fn a_chain_of_params() {
         )
     };
     agree!(Chain, make, [0.0, -9.81, 0.0], moving [one two three four five],
-    held [0 one 1 two 2 three 3 four 4 five], still [], |loads, _input| {
+    held [0 one 1 two 2 three 3 four 4 five], still [], |loads, _system, _input| {
         loads.drives[1] = vec![-0.2 * loads.rates[1].1[0]];
     });
 }
@@ -180,7 +180,7 @@ fn a_free_base_with_arms() {
         (Craft::default(), input, links)
     };
     agree!(Craft, make, [0.0, -9.81, 0.0], moving [base slide shoulder wrist],
-    held [1 slide 2 glue 3 shoulder 4 wrist], still [2], |loads, input| {
+    held [1 slide 2 glue 3 shoulder 4 wrist], still [2], |loads, _system, input| {
         for body in 0..5 {
             let velocity = loads.motions[body].velocity;
             loads.force(body, [0.0; 3], velocity * -0.2);
@@ -279,7 +279,7 @@ fn slides_on_slides() {
         )
     };
     agree!(Crane, make, [0.0, -9.81, 0.0], moving [rail lift swing],
-    held [0 bolts 1 rail 2 lift 3 swing], still [0], |loads, input| {
+    held [0 bolts 1 rail 2 lift 3 swing], still [0], |loads, _system, input| {
         loads.drives[1] = vec![input.push];
         loads.drives[2] = vec![-30.0];
     });

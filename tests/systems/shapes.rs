@@ -117,7 +117,7 @@ fn every_joint_turned() {
     }
     let make = |_: &mut Random| (Turned::default(), (), links);
     agree!(Turned, make, [0.0, 0.0, -9.81], moving [one two three four five six],
-    held [0 one 1 two 2 three 3 four 4 five 5 six], still [], |loads, _input| {
+    held [0 one 1 two 2 three 3 four 4 five 5 six], still [], |loads, _system, _input| {
         let moment = loads.motions[2].attitude.transpose() * Vector3::new(0.2, 0.1, -0.3);
         loads.drives[2] = moment.iter().copied().collect();
         loads.drives[1] = vec![0.5];
@@ -193,7 +193,7 @@ fn wheels_and_copies() {
         )
     };
     agree!(Wheels, make, [0.0; 3], moving [orbit spin_x spin_y spin_z hung],
-    held [1 spin_x 2 spin_y 3 spin_z 4 hung], still [], |loads, input| {
+    held [1 spin_x 2 spin_y 3 spin_z 4 hung], still [], |loads, _system, input| {
         loads.drives[1] = vec![input.torque];
         loads.drives[3] = vec![-input.torque];
         loads.drives[2] = vec![-0.1 * loads.rates[2].1[0]];
@@ -323,7 +323,7 @@ fn everything_in_one_point() {
     ];
     let make = |_: &mut Random| (Gimbal::default(), (), links);
     agree!(Gimbal, make, [0.0, 0.0, -9.81], moving [yaw tilt spin roll],
-        held [0 foot 1 yaw 2 tilt 3 spin 4 roll], still [0], |_loads, _input| {});
+        held [0 foot 1 yaw 2 tilt 3 spin 4 roll], still [0], |_loads, _system, _input| {});
 }
 
 // two free bodies, joined by loads alone, the bodies written after what they carry
@@ -389,7 +389,7 @@ fn two_free_bodies() {
         ),
     ];
     let make = |_: &mut Random| (Pair::default(), (), links);
-    agree!(Pair, make, [0.0; 3], moving [first second grip], held [2 grip], still [], |loads, _input| {
+    agree!(Pair, make, [0.0; 3], moving [first second grip], held [2 grip], still [], |loads, _system, _input| {
         loads.force(1, [0.0; 3], Vector3::new(0.0, 0.0, -6.0));
         let (tip, p) = ([0.0, -0.2, 0.1], [0.1, 0.4, 0.2]);
         let speed = (loads.velocity(2, tip) - loads.velocity(1, p)).norm();

@@ -112,7 +112,7 @@ fn joints_of_every_kind_in_a_row() {
         (Serial::default(), SerialInput { torque, push }, links)
     };
     agree!(Serial, make, [0.3, -0.2, -9.81], moving [turn slide both nut cross],
-    held [0 turn 1 slide 2 both 3 nut 4 cross], still [], |loads, input| {
+    held [0 turn 1 slide 2 both 3 nut 4 cross], still [], |loads, _system, input| {
         let (q, v): (Vec<_>, Vec<_>) = loads.rates.iter().cloned().unzip();
         loads.drives = vec![
             vec![input.torque - 0.3 * v[0][0]],
@@ -260,7 +260,7 @@ fn a_free_base_with_branches_and_loads() {
         (Craft::default(), CraftInput { wind, couple }, links)
     };
     agree!(Craft, make, [0.0, 0.0, -9.81], moving [base hinge ball root],
-    held [1 stepped 2 hinge 3 ball 4 root 5 glued], still [1 5], |loads, input| {
+    held [1 stepped 2 hinge 3 ball 4 root 5 glued], still [1 5], |loads, _system, input| {
         let (wind, couple) = (input.wind, input.couple);
         for body in 0..6 {
             let velocity = loads.motions[body].velocity;

@@ -3,7 +3,8 @@
 use nalgebra::{Matrix3, UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;
 
-use super::oracle::{Kind, Link, Loads, Rates, solve};
+use super::balances::{Solution, solve};
+use super::oracle::{Kind, Link, Loads, Motion, Rates};
 
 /// When the loads are compared.
 pub const TIME: f64 = 0.7;
@@ -243,7 +244,7 @@ pub fn check(links: &[Link], gravity: [f64; 3], answer: &Answer, load: impl Fn(&
     laws(links, &solution, &answer.reactions);
 }
 
-fn momenta(links: &[Link], answer: &Answer, motions: &[super::oracle::Motion]) {
+fn momenta(links: &[Link], answer: &Answer, motions: &[Motion]) {
     let (mut kinetic, mut mass) = (0.0, 0.0);
     let mut sums = [Vector3::zeros(); 3];
     let mut first = Vector3::zeros();
@@ -251,7 +252,8 @@ fn momenta(links: &[Link], answer: &Answer, motions: &[super::oracle::Motion]) {
         let tensor = motion.attitude * link.inertia * motion.attitude.transpose();
         let spin = tensor * motion.angular_velocity;
         let linear = motion.velocity * link.mass;
-        kinetic += (motion.velocity.dot(&linear) + motion.angular_velocity.dot(&spin)) / 2.0;
+        kinetic += motion.velocity.dot(&linear) / 2.0;
+        kinetic += motion.angular_velocity.dot(&spin) / 2.0;
         mass += link.mass;
         first += motion.position * link.mass;
         sums[0] += linear;
@@ -271,7 +273,7 @@ fn momenta(links: &[Link], answer: &Answer, motions: &[super::oracle::Motion]) {
 }
 
 /// The loads on any set of bodies carry the motion of the whole set: what acts inside cancels.
-fn laws(links: &[Link], solution: &super::oracle::Solution, reactions: &[(usize, Vec<f64>)]) {
+fn laws(links: &[Link], solution: &Solution, reactions: &[(usize, Vec<f64>)]) {
     // of many bodies not all sets
     let stride = if links.len() > 6 { 97 } else { 1 };
     for set in (1_u32..(1 << links.len())).step_by(stride) {

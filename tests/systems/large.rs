@@ -4,8 +4,9 @@ use nalgebra::Vector3;
 use newton_euler::prelude::*;
 
 use super::agree;
+use super::balances::solve;
 use super::compare::{Jointed, Random, TIME, close, link, principal, unit};
-use super::oracle::{Kind, Link, solve};
+use super::oracle::{Kind, Link};
 
 rigid_system!(Quadruped {
     params: [reach = 0.3[m]],

@@ -1,14 +1,11 @@
-//! Another way to the same numbers: each body by itself, its joint loads unknown.
-//!
-//! Poses are carried through the tree with their first and second derivatives in time, so that
-//! velocity products follow from the product rule. Unknown are the accelerations of the coordinates
-//! and six components of load for each joint; known are the balances of each body, and the power of
-//! the joint loads along the freedoms of each joint, which is that of its drives.
+//! How bodies move and what acts on them, by themselves: poses are carried through the tree with
+//! their first and second derivatives in time, so that velocity products follow from the product
+//! rule.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-type Vec3 = Vector3<f64>;
-type Mat3 = Matrix3<f64>;
+pub type Vec3 = Vector3<f64>;
+pub type Mat3 = Matrix3<f64>;
 
 /// How a joint moves, with its directions in the axes of both bodies at zero.
 #[derive(Clone, Copy)]
@@ -70,15 +67,6 @@ pub struct Loads {
     pub drives: Vec<Vec<f64>>,
     pub motions: Vec<Motion>,
     pub rates: Vec<Rates>,
-}
-
-pub struct Solution {
-    pub accelerations: Vec<Vec<f64>>,
-    /// Force and moment on the carried body at Q, world axes.
-    pub joints: Vec<[Vec3; 2]>,
-    pub loads: Loads,
-    /// At these accelerations.
-    pub motions: Vec<Motion>,
 }
 
 impl Kind {
@@ -251,174 +239,4 @@ impl Loads {
         let line = (Vec3::from(ground) - self.point(a, p)).normalize();
         self.force(a, p, line * tension);
     }
-}
-
-/// Accelerations and joint loads, by one linear system for all of them.
-pub fn solve(
-    links: &[Link],
-    rates: &[Rates],
-    gravity: Vec3,
-    load: impl Fn(&mut Loads),
-) -> Solution {
-    let still: Vec<Vec<f64>> = links
-        .iter()
-        .map(|link| vec![0.0; link.kind.freedoms()])
-        .collect();
-    let (mut first, mut freedoms) = (Vec::new(), 0);
-    for link in links {
-        first.push((freedoms, link.kind.freedoms()));
-        freedoms += link.kind.freedoms();
-    }
-    let bias = motions(links, rates, &still);
-    let mut loads = Loads {
-        on: links
-            .iter()
-            .map(|link| [gravity * link.mass, Vec3::zeros()])
-            .collect(),
-        drives: still.clone(),
-        motions: bias.clone(),
-        rates: rates.to_vec(),
-    };
-    load(&mut loads);
-    let size = freedoms + 6 * links.len();
-    let mut rows = vec![vec![0.0; size + 1]; size];
-    let tensors: Vec<Mat3> = links
-        .iter()
-        .zip(&bias)
-        .map(|(link, motion)| motion.attitude * link.inertia * motion.attitude.transpose())
-        .collect();
-    for (body, link) in links.iter().enumerate() {
-        let motion = &bias[body];
-        let spin = motion
-            .angular_velocity
-            .cross(&(tensors[body] * motion.angular_velocity));
-        let inertial = tensors[body] * motion.angular_acceleration + spin;
-        set(
-            &mut rows,
-            6 * body,
-            size,
-            &(loads.on[body][0] - motion.acceleration * link.mass),
-        );
-        set(
-            &mut rows,
-            6 * body + 3,
-            size,
-            &(loads.on[body][1] - inertial),
-        );
-        // the load of its own joint, and against it those of the joints it carries
-        for (joint, other) in links.iter().enumerate() {
-            let sign = match (joint == body, other.carrier == Some(body)) {
-                (true, _) => 1.0,
-                (_, true) => -1.0,
-                _ => continue,
-            };
-            let pin = bias[joint].position + bias[joint].attitude * other.pin;
-            let arm = (pin - motion.position).cross_matrix();
-            let column = freedoms + 6 * joint;
-            for axis in 0..3 {
-                rows[6 * body + axis][column + axis] -= sign;
-                rows[6 * body + 3 + axis][column + 3 + axis] -= sign;
-                for other in 0..3 {
-                    rows[6 * body + 3 + axis][column + other] -= sign * arm[(axis, other)];
-                }
-            }
-        }
-    }
-    let zero: Vec<Rates> = rates
-        .iter()
-        .map(|(q, v)| (q.clone(), vec![0.0; v.len()]))
-        .collect();
-    for (joint, (start, count)) in first.iter().enumerate() {
-        for freedom in 0..*count {
-            let mut unit = still.clone();
-            unit[joint][freedom] = 1.0;
-            let along = motions(links, &zero, &unit);
-            for (body, link) in links.iter().enumerate() {
-                let column = start + freedom;
-                set(
-                    &mut rows,
-                    6 * body,
-                    column,
-                    &(along[body].acceleration * link.mass),
-                );
-                let turning = tensors[body] * along[body].angular_acceleration;
-                set(&mut rows, 6 * body + 3, column, &turning);
-            }
-            // what the joint load does along the freedom
-            let turning = along[joint].angular_acceleration;
-            let pin = bias[joint].attitude * links[joint].pin;
-            let sliding = along[joint].acceleration + turning.cross(&pin);
-            let row = &mut rows[6 * links.len() + start + freedom];
-            for axis in 0..3 {
-                row[freedoms + 6 * joint + axis] = sliding[axis];
-                row[freedoms + 6 * joint + 3 + axis] = turning[axis];
-            }
-            row[size] = loads.drives[joint][freedom];
-        }
-    }
-    let found = eliminate(rows);
-    let list = |(start, count): &(usize, usize)| found[*start..start + count].to_vec();
-    let accelerations: Vec<Vec<f64>> = first.iter().map(list).collect();
-    let joints = (0..links.len()).map(|joint| {
-        let at = |k: usize| found[freedoms + 6 * joint + k];
-        [
-            Vec3::new(at(0), at(1), at(2)),
-            Vec3::new(at(3), at(4), at(5)),
-        ]
-    });
-    Solution {
-        joints: joints.collect(),
-        motions: motions(links, rates, &accelerations),
-        accelerations,
-        loads,
-    }
-}
-
-fn set(rows: &mut [Vec<f64>], row: usize, column: usize, vector: &Vec3) {
-    for axis in 0..3 {
-        rows[row + axis][column] = vector[axis];
-    }
-}
-
-/// Elimination with the largest pivot of each column, and two refinements.
-fn eliminate(rows: Vec<Vec<f64>>) -> Vec<f64> {
-    let size = rows.len();
-    let mut found = vec![0.0; size];
-    for _ in 0..3 {
-        let mut left: Vec<Vec<f64>> = rows.clone();
-        for row in &mut left {
-            row[size] -= row.iter().zip(&found).map(|(a, x)| a * x).sum::<f64>();
-        }
-        let change = once(left);
-        for (x, change) in found.iter_mut().zip(change) {
-            *x += change;
-        }
-    }
-    found
-}
-
-fn once(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
-    let size = rows.len();
-    for column in 0..size {
-        let largest =
-            |a: &usize, b: &usize| rows[*a][column].abs().total_cmp(&rows[*b][column].abs());
-        let pivot = (column..size).max_by(largest).unwrap();
-        rows.swap(column, pivot);
-        let (above, below) = rows.split_at_mut(column + 1);
-        let pivot = &above[column];
-        for row in below {
-            let factor = row[column] / pivot[column];
-            if factor != 0.0 {
-                for k in column..=size {
-                    row[k] -= factor * pivot[k];
-                }
-            }
-        }
-    }
-    let mut found = vec![0.0; size];
-    for row in (0..size).rev() {
-        let rest: f64 = (row + 1..size).map(|k| rows[row][k] * found[k]).sum();
-        found[row] = (rows[row][size] - rest) / rows[row][row];
-    }
-    found
 }

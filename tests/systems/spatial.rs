@@ -288,3 +288,78 @@ fn a_free_base_with_branches_and_loads() {
         loads.drives[4] = vec![0.4 * root];
     });
 }
+
+// two free bodies, joined by loads alone, the bodies written after what they carry
+rigid_system!(Pair {
+    bodies: [
+        finger {
+            mass: 0.5[kg],
+            inertia: principal(0.04, 0.05, 0.03)[kg * m ^ 2],
+            points: [p = (0.1, 0.2, 0), tip = (0, -0.2, 0.1)],
+        },
+        left {
+            mass: 2[kg],
+            inertia: principal(0.3, 0.4, 0.35)[kg * m ^ 2],
+            points: [p = (0.3, 0.1, 0.2)],
+        },
+        right {
+            mass: 3[kg],
+            inertia: principal(0.5, 0.4, 0.6)[kg * m ^ 2],
+            points: [p = (0.1, 0.4, 0.2)],
+            fields: [own = mass * world(0, 0, -2[m / s ^ 2])],
+        },
+    ],
+    joints: [
+        grip = universal(left.p, finger.p, body(1, 0, 0), body(0, 1, 0)),
+        first = free(left),
+        second = free(right),
+    ],
+    forces: [
+        damper = (-2[N * s / m] * (finger.tip.velocity() - right.p.velocity()).norm())
+            .between(finger.tip, right.p),
+    ],
+    moments: [
+        twist = moment(0.3[N * m * s] * (left.angular_velocity - right.angular_velocity))
+            .between(left, right)
+    ],
+    drives: [a = (-0.2[N * m] * grip.angle_1).on(grip.angle_1)],
+    outputs: [energy, momentum, reactions],
+});
+
+#[test]
+fn two_free_bodies() {
+    let links = [
+        link(
+            (2.0, principal(0.3, 0.4, 0.35)),
+            None,
+            [0.0; 3],
+            [0.0; 3],
+            Kind::Free,
+        ),
+        link(
+            (3.0, principal(0.5, 0.4, 0.6)),
+            None,
+            [0.0; 3],
+            [0.0; 3],
+            Kind::Free,
+        ),
+        link(
+            (0.5, principal(0.04, 0.05, 0.03)),
+            Some(0),
+            [0.3, 0.1, 0.2],
+            [0.1, 0.2, 0.0],
+            Kind::Universal(Vector3::x(), Vector3::y()),
+        ),
+    ];
+    let make = |_: &mut Random| (Pair::default(), (), links);
+    agree!(Pair, make, [0.0; 3], moving [first second grip], held [2 grip], still [], |loads, _system, _input| {
+        loads.force(1, [0.0; 3], Vector3::new(0.0, 0.0, -6.0));
+        let (tip, p) = ([0.0, -0.2, 0.1], [0.1, 0.4, 0.2]);
+        let speed = (loads.velocity(2, tip) - loads.velocity(1, p)).norm();
+        loads.tension(-2.0 * speed, (2, tip), (1, p));
+        let twist = (loads.motions[0].angular_velocity - loads.motions[1].angular_velocity) * 0.3;
+        loads.moment(1, twist);
+        loads.moment(0, -twist);
+        loads.drives[2] = vec![-0.2 * loads.rates[2].0[0], 0.0];
+    });
+}

@@ -13,7 +13,7 @@ use newton_euler::{columns::Columns, integrate, prelude::*};
 
 mod bodies;
 mod integration;
-#[path = "../systems/mod.rs"]
+#[path = "../handwritten/mod.rs"]
 mod systems;
 
 /// Numbers between -1 and 1, the same at each run.

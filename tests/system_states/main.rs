@@ -6,7 +6,7 @@ mod dual;
 mod lists;
 mod motions;
 mod scalars;
-#[path = "../systems/mod.rs"]
+#[path = "../handwritten/mod.rs"]
 mod systems;
 mod written;
 

@@ -4,7 +4,9 @@ use crate::model::{Frame, Member, Rates, System, TreeJoint, Variable, Vector, Wo
 use crate::symbolic::{Components, Id, Number};
 
 use super::Report;
-use super::answers::{Energy, Momentum, Partial, Switch, derive_switches, list_partial};
+use super::answers::{
+    Energy, Momentum, Partial, Switch, derive_switches, done_by_field, list_partial,
+};
 use super::balances::quadratic;
 use super::tree::link::Tree;
 use super::tree::{self, Built, Pair};
@@ -60,7 +62,7 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     }
 }
 
-/// `sum of (m v^2 + w . J w) / 2`, and `-m g . r` of the field that acts on all mass.
+/// `sum of (m v^2 + w . J w) / 2`, and `-F . x` of every uniform field, `x` where it acts.
 pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
     let (mut twice, mut potential) = (work.graph.zero(), work.graph.zero());
     let gravity = work.vector(Frame::WORLD, system.gravity);
@@ -75,6 +77,11 @@ pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
         let weight = work.scale(body.mass, gravity);
         let done = work.dot(weight, body.state.position);
         potential = work.graph.subtract(potential, done);
+        for load in &body.loads {
+            if let Some(done) = done_by_field(work, &body.state, true, load) {
+                potential = work.graph.subtract(potential, done);
+            }
+        }
     }
     let half = work.graph.number(Number::ratio(1, 2));
     Energy {

@@ -38,8 +38,10 @@ impl Output for Energy {
     }
 
     fn describe(&self, model: &Model, work: &Workspace, report: &mut Report) {
-        let has_energy =
-            |load: &Load| load.potential.is_some() || uniform_field(model, work, load).is_some();
+        let (body, turns) = (model.state.body, model.motion.has_attitude());
+        let has_energy = |load: &Load| {
+            load.potential.is_some() || uniform_field(work, body, turns, load).is_some()
+        };
         let fields = model
             .loads
             .iter()

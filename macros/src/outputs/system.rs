@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::code::{COMMON, Method, Shapes, Site, Source};
-use crate::emit::items::Addition;
+use crate::emit::items::{Addition, lints};
 use crate::errors::Errors;
 use crate::lower::Offer;
 use crate::mechanics::{
@@ -274,12 +274,14 @@ fn emit_struct(
     fields: &[(&Ident, TokenStream)],
 ) -> TokenStream {
     let declared = shapes.scalar.declared();
+    let lints = lints(fields.iter().map(|(name, _)| *name));
     let fields = fields.iter().map(|(name, kind)| {
         let doc = format!(" `{name}`");
         quote!(#[doc = #doc] pub #name: #kind)
     });
     quote! {
         #[doc = #doc]
+        #lints
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         pub struct #name #declared { #(#fields),* }
     }

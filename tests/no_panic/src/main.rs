@@ -11,7 +11,7 @@ mod evaluations;
 #[path = "../../kinds/mod.rs"]
 mod kinds;
 mod motions;
-#[path = "../../systems/mod.rs"]
+#[path = "../../handwritten/mod.rs"]
 mod systems;
 
 /// Functions that cannot panic, and a function that has all of them linked and says how many they are.

@@ -11,7 +11,7 @@ mod evaluations;
 #[path = "../../kinds/mod.rs"]
 mod kinds;
 mod motions;
-#[path = "../../systems/mod.rs"]
+#[path = "../../handwritten/mod.rs"]
 mod systems;
 
 use bits::Bits;

@@ -14,4 +14,4 @@ pub use constructor::{Constructor, Roots, stored_fields};
 pub use docs::Documentation;
 pub use open::write_open;
 pub use rigid_body::{Best, Equated, emit_integrate, emit_rigid_body, write_acceleration};
-pub use structs::{emit_checks, emit_items, with_private_fields};
+pub use structs::{emit_checks, emit_items, lints, with_private_fields};

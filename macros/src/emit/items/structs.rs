@@ -61,7 +61,7 @@ fn open_fields<'a>(outline: &Outline, open: &'a [(Ident, LoadKind)]) -> Vec<Fiel
 }
 
 /// Users may call a parameter `J`, a reaction `R_v`, and inputs `thrust_1`, `thrust_2`, ...
-fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
+pub fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
     let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
     let unusual = names.into_iter().any(has_capitals);
     let snake_case = unusual.then(|| quote!(, non_snake_case));
@@ -146,10 +146,11 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
         let doc = format!(" The joint `{name}`.");
         quote!(#[doc = #doc] #name: #kind #[doc = #doc] => #second)
     });
+    let lints = lints(outline.joints.iter().map(|joint| &joint.name));
     Some(quote! {
         #private::system_state! {
-            #[doc = #of_state] #state
-            #[doc = #of_acceleration] #acceleration #(<#scalar>)* { #(#joints),* }
+            #[doc = #of_state] #lints #state
+            #[doc = #of_acceleration] #lints #acceleration #(<#scalar>)* { #(#joints),* }
         }
     })
 }

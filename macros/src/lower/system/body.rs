@@ -164,21 +164,14 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Takes from all bodies the field in which they fall alike, and returns its acceleration.
-pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member]) -> Components {
+/// Takes from all bodies the fields in which they fall alike, and returns their acceleration; so many
+/// loads of each body are the fields of the system, in their order.
+pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member], fields: usize) -> Components {
     let mut gravity = work.graph.zeros();
-    let Some(first) = bodies.first() else {
-        return gravity;
-    };
-    let candidates: Vec<_> = first.loads.iter().map(|load| load.name.clone()).collect();
-    for name in candidates {
+    for field in (0..fields).rev() {
         let falls: Vec<Option<Components>> = bodies
             .iter()
-            .map(|body| {
-                let mut loads = body.loads.iter();
-                let load = loads.find(|load| load.name == name && load.family == Family::Field)?;
-                fall(work, body, load)
-            })
+            .map(|body| fall(work, body, &body.loads[field]))
             .collect();
         let Some(Some(fall)) = falls.first() else {
             continue;
@@ -186,8 +179,7 @@ pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member]) -> Components
         if falls.iter().all(|other| other.as_ref() == Some(fall)) {
             gravity = work.graph.add_vectors(gravity, *fall);
             for body in &mut *bodies {
-                body.loads
-                    .retain(|load| load.name != name || load.family != Family::Field);
+                body.loads.remove(field);
             }
         }
     }

@@ -78,7 +78,7 @@ pub fn lower_system(
     let Reader {
         mut work, defaults, ..
     } = reader;
-    let gravity = body::common_gravity(&mut work, &mut bodies);
+    let gravity = body::common_gravity(&mut work, &mut bodies, system.top.loads.len());
     // each body with its joint, carriers first
     let place = |body: usize| joints.iter().position(|joint| joint.carried == body);
     let mut numbered: Vec<_> = bodies.into_iter().enumerate().collect();

@@ -1,8 +1,8 @@
 //! Kinetic energy, and the energy of potentials and uniform fields.
 
 use crate::mechanics::balances::{twice_kinetic, uniform_field};
-use crate::model::{Model, Point, Vector, Workspace};
-use crate::symbolic::{Components, Id, Number};
+use crate::model::{Load, Model, Point, State, Workspace};
+use crate::symbolic::{Id, Number};
 
 /// The expressions of `outputs: [energy]`, in joules.
 pub struct Energy {
@@ -35,18 +35,24 @@ pub fn potential(model: &Model, work: &mut Workspace) -> Id {
         .filter_map(|load| load.potential)
         .collect();
     let mut potential = graph.sum(&potentials);
-    let fields: Vec<(Vector, Components)> = model
-        .loads
-        .iter()
-        .filter_map(|load| Some((load.force, uniform_field(model, work, load)?)))
-        .collect();
-    for (force, offset) in fields {
-        // where the motion of G is not modelled, positions count from G
-        let position = model
-            .state
-            .place(work, Point::Fixed(model.state.body, offset));
-        let done = work.dot(force, position);
-        potential = work.graph.subtract(potential, done);
+    let (state, turns) = (&model.state, model.motion.has_attitude());
+    for load in &model.loads {
+        if let Some(done) = done_by_field(work, state, turns, load) {
+            potential = work.graph.subtract(potential, done);
+        }
     }
     potential
+}
+
+/// `F . x` of a uniform field, `x` where it acts; where the motion of G is not modelled, positions
+/// count from G.
+pub fn done_by_field(
+    work: &mut Workspace,
+    state: &State,
+    has_attitude: bool,
+    load: &Load,
+) -> Option<Id> {
+    let offset = uniform_field(work, state.body, has_attitude, load)?;
+    let position = state.place(work, Point::Fixed(state.body, offset));
+    Some(work.dot(load.force, position))
 }

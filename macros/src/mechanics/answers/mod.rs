@@ -10,7 +10,7 @@ mod taylor;
 
 pub use axes::Axes;
 pub use balance::{Balance, LoadExpressions, Resultant, derive_balance};
-pub use energy::{Energy, derive_energy};
+pub use energy::{Energy, derive_energy, done_by_field};
 pub use momentum::{Momentum, derive_momentum};
 pub use partial::{Partial, list_partial};
 pub use switches::{Switch, derive_switches};

@@ -99,18 +99,23 @@ pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vec
 
 /// The point of the body at which a uniform field acts: a field force that is fixed in world axes
 /// and is the same for every position, attitude and velocity.
-pub fn uniform_field(model: &Model, work: &Workspace, load: &Load) -> Option<Components> {
+pub fn uniform_field(
+    work: &Workspace,
+    body: Frame,
+    has_attitude: bool,
+    load: &Load,
+) -> Option<Components> {
     let graph: &Graph = &work.graph;
     let of_state = |id: Id| match work.meaning(id) {
         Some(Meaning::Time | Meaning::Param(..) | Meaning::Input(..)) | None => false,
         Some(_) => true,
     };
-    let offset = load.point.offset(model.state.body)?;
+    let offset = load.point.offset(body)?;
     let force = load.force;
     let is_uniform = load.family == Family::Field
         && load.potential.is_none()
         && load.moment.is_zero()
-        && (work.is_in(force, Frame::WORLD) || !model.motion.has_attitude())
+        && (work.is_in(force, Frame::WORLD) || !has_attitude)
         && !graph.depends_on(&work.entries(&[force]), of_state);
     is_uniform.then_some(offset)
 }

@@ -11,15 +11,17 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::errors::Errors;
-use crate::lower::definitions::check_names;
+use crate::errors::{Errors, similar};
+use crate::lower::definitions::{
+    Definition as Defined, INVERSE, check_distinct, check_names, definition_order,
+};
 use crate::lower::expressions::{Lowering, Members, Scope, Value};
 use crate::model::{
-    Declared, Defaults, Frame, Jointed, Meaning, Motion, Outline, PLANAR, SPATIAL, State, System,
-    Vector, Workspace,
+    Declared, Defaults, Frame, JointKind, Jointed, Meaning, Motion, Outline, PLANAR, SPATIAL,
+    State, System, Vector, Workspace,
 };
 use crate::symbolic::{Id, Stage};
-use crate::syntax::{self, Definition, Expression};
+use crate::syntax::{self, Definition, Expression, Kind};
 
 use body::Draft;
 use joints::kind_of;
@@ -31,6 +33,10 @@ struct Reader<'a> {
     scope: Scope,
     members: Members,
     motion: Motion,
+    /// Whether drives are solved for.
+    is_inverse: bool,
+    /// For each body, whether its joints let it turn.
+    turning: Vec<bool>,
     time: Id,
     defaults: Defaults,
 }
@@ -49,7 +55,12 @@ pub fn lower_system(
         system,
         work,
         scope: Scope::new(&system.top, repeated),
-        members: Members::default(),
+        members: Members {
+            declared: declared(system),
+            ..Members::default()
+        },
+        is_inverse: outline.rank(INVERSE).is_some(),
+        turning: vec![false; system.bodies.len()],
         motion: if system.is_planar { &PLANAR } else { &SPATIAL },
         time,
         defaults: Defaults::new(),
@@ -59,18 +70,26 @@ pub fn lower_system(
     });
     reader.locals(errors, false);
     let mut drafts: Vec<Draft<'_>> = Vec::new();
-    for body in &system.bodies {
-        let draft = reader.points(body, errors);
+    let mut wrong = HashSet::new();
+    for (number, body) in system.bodies.iter().enumerate() {
+        let draft = for_copy(
+            system.firsts[number],
+            number,
+            &mut wrong,
+            errors,
+            |errors| reader.points(body, errors),
+        );
         drafts.push(draft);
     }
     let joints = reader.joints(errors);
     let order = reader.tree(&joints, errors);
     let joints = reader.motions(order, joints, &mut drafts);
+    reader.members.are_moving = true;
     reader.locals(errors, true);
-    let bodies = reader.bodies(drafts, errors);
+    let bodies = reader.bodies(&mut drafts, &mut wrong, errors);
     let joints = reader.drives(joints, errors);
     let loads = reader.loads_between(errors);
-    outline.unused = reader.unused();
+    outline.unused = reader.unused(&drafts);
     let (mut bodies, joints) = (bodies?, joints?);
     for (body, load) in loads? {
         bodies[body].loads.push(load);
@@ -102,24 +121,87 @@ pub fn lower_system(
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         defaults,
     };
+    if errors.is_empty() && outline.joints.is_empty() {
+        let message = "nothing moves: all joints are welds";
+        errors.push(outline.name.span(), message);
+    }
     errors.is_empty().then_some((system, work))
 }
 
-/// The joints of a system as far as their words tell: the fields of its state.
-pub fn outline_joints(system: &syntax::System) -> Vec<Jointed> {
+/// What the words of a system tell, whatever is wrong with it: the joints are the fields of its
+/// state.
+pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
+    outline.is_system = true;
+    outline.body_keys.clone_from(&system.keys);
     let mut seen = HashSet::new();
     let joints = system.joints.iter();
-    joints
+    let joints = joints
         .filter(|joint| seen.insert(joint.name.to_string()))
         .filter_map(|joint| {
-            let kind = kind_of(joint.value.as_ref()?, system.is_planar)?;
             Some(Jointed {
                 name: joint.name.clone(),
-                shape: kind.shape?,
+                shape: likely_kind(joint, system.is_planar)?.shape?,
                 frame: None,
             })
+        });
+    outline.joints = joints.collect();
+    let open = system.drives.iter().filter(|drive| {
+        let load = drive
+            .value
+            .as_ref()
+            .and_then(|value| drives::behind(value, "on"));
+        load.is_some_and(|(load, _)| matches!(load.kind, Kind::Placeholder))
+    });
+    let open = open.filter(|drive| seen.insert(format!("drive {}", drive.name)));
+    outline.open = open.map(|drive| drive.name.clone()).collect();
+}
+
+/// The kind of a joint, or of one that cannot be read, what it may be.
+fn likely_kind(joint: &Definition, is_planar: bool) -> Option<&'static JointKind> {
+    let kinds = JointKind::all(is_planar);
+    let Some(value) = &joint.value else {
+        return kinds.first();
+    };
+    kind_of(value, is_planar)
+        .or_else(|| kind_of(value, false))
+        .or_else(|| {
+            let word = joints::call(value).map(|(word, ..)| word.to_string());
+            let meant = similar(
+                &word.unwrap_or_default(),
+                kinds.iter().map(|kind| kind.word),
+            );
+            let similar = kinds.iter().find(|kind| meant == Some(kind.word));
+            similar.or_else(|| kinds.first())
         })
-        .collect()
+}
+
+/// The names of all bodies, and then of all joints.
+fn declared(system: &syntax::System) -> Vec<String> {
+    let bodies = system.bodies.iter().map(|body| &body.name);
+    let names = bodies.chain(system.joints.iter().map(|joint| &joint.name));
+    names.map(ToString::to_string).collect()
+}
+
+/// Reads a body; what is wrong with one of several copies is said once.
+fn for_copy<T>(
+    first: usize,
+    number: usize,
+    wrong: &mut HashSet<usize>,
+    errors: &mut Errors,
+    read: impl FnOnce(&mut Errors) -> T,
+) -> T {
+    if first != number && wrong.contains(&first) {
+        let mut repeated = Errors::default();
+        let found = read(&mut repeated);
+        let _ = repeated.finish();
+        return found;
+    }
+    let before = errors.count();
+    let found = read(errors);
+    if errors.count() > before {
+        wrong.insert(first);
+    }
+    found
 }
 
 /// Reports names of bodies and joints that mean two things, and returns them.
@@ -145,6 +227,57 @@ fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<String
             repeated.insert(name.to_string());
         } else {
             seen.push((name, what));
+        }
+    }
+    let fields = || top.loads.iter().map(|load| &load.name);
+    let loads = system
+        .forces
+        .iter()
+        .chain(&system.moments)
+        .chain(&system.drives);
+    check_distinct("load", fields().chain(loads.map(|load| &load.name)), errors);
+    for body in system
+        .bodies
+        .iter()
+        .enumerate()
+        .filter(|(number, _)| system.firsts[*number] == *number)
+    {
+        let loads = body.1.loads.iter().map(|load| &load.name);
+        let mut known = HashSet::new();
+        let fields: HashSet<&Ident> = fields().collect();
+        for load in loads.filter(|load| known.insert(*load) && fields.contains(load)) {
+            let message = format!(
+                "there is a load `{load}` already, which acts on all bodies: loads are told apart by their names"
+            );
+            errors.push(load.span(), message);
+        }
+    }
+    repeated
+}
+
+/// Reports names of a body that mean something for the whole system, and returns them.
+fn check_own_names(
+    system: &syntax::System,
+    body: &syntax::Description,
+    errors: &mut Errors,
+) -> HashSet<String> {
+    let top = &system.top;
+    let declared = top
+        .params
+        .iter()
+        .chain(&top.inputs)
+        .map(|one| (&one.name, "param or input"));
+    let all: Vec<(&Ident, &str)> = declared
+        .chain(top.locals.iter().map(|local| (&local.name, "local")))
+        .collect();
+    let mut repeated = HashSet::new();
+    for own in body.points.iter().chain(&body.locals) {
+        if let Some((name, what)) = all.iter().find(|(name, _)| **name == own.name) {
+            let message = format!(
+                "`{name}` is the name of a {what} of the system already: choose another name"
+            );
+            errors.push(own.name.span(), message);
+            repeated.insert(name.to_string());
         }
     }
     repeated
@@ -173,29 +306,24 @@ impl Reader<'_> {
     fn locals(&mut self, errors: &mut Errors, is_late: bool) {
         let locals = &self.system.top.locals;
         let moves = moving_locals(self.system);
-        // each after those it refers to; what is left goes in a circle
-        let mut left: Vec<&Definition> = locals
-            .iter()
-            .filter(|local| moves.contains(&local.name.to_string()) == is_late)
-            .collect();
-        while !left.is_empty() {
-            let waits = |local: &Definition, left: &[&Definition]| {
-                let names = local.value.iter().flat_map(Expression::names);
-                names
-                    .into_iter()
-                    .any(|name| left.iter().any(|other| other.name == *name))
+        let mut circles = Errors::default();
+        let (order, circular) = definition_order(
+            &self.system.top,
+            if is_late { errors } else { &mut circles },
+        );
+        let _ = circles.finish();
+        for definition in circular {
+            self.scope.define(&definition.of(&self.system.top).0, None);
+        }
+        for definition in order {
+            let Defined::Local(index) = definition else {
+                continue;
             };
-            let ready = left.iter().position(|local| !waits(local, &left));
-            let Some(ready) = ready else {
-                for local in left {
-                    let message = format!("`{}` is defined in a circle", local.name);
-                    errors.push(local.name.span(), message);
-                    self.scope.define(&local.name.to_string(), None);
-                }
-                return;
-            };
-            let local = left.remove(ready);
+            let local = &locals[index];
             let name = local.name.to_string();
+            if moves.contains(&name) != is_late {
+                continue;
+            }
             let value = self.at_top(errors, |lowering| {
                 let value = lowering.value(local.value.as_ref()?)?;
                 Some(lowering.named(value, &name))
@@ -205,15 +333,40 @@ impl Reader<'_> {
     }
 
     /// The names of the system that nothing refers to.
-    fn unused(&self) -> Vec<Ident> {
+    fn unused(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
         let top = &self.system.top;
         let inputs = top.inputs.iter().filter(|input| input.order == 0);
         let declared = top.params.iter().chain(inputs).map(|one| &one.name);
         let names = declared.chain(top.locals.iter().map(|local| &local.name));
-        names
-            .filter(|name| !self.scope.is_used(name))
-            .cloned()
-            .collect()
+        let unused = names.filter(|name| !self.scope.is_used(name)).cloned();
+        unused.chain(self.unused_of_bodies(drafts)).collect()
+    }
+
+    /// The points and locals of bodies that nothing refers to, of copies no copy.
+    fn unused_of_bodies(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
+        let used = self.members.used.borrow();
+        let is_used = |number: usize, name: &Ident| {
+            let of_others = used.contains(&(number, name.to_string()));
+            of_others || drafts[number].scope.is_used(name)
+        };
+        let mut unused = Vec::new();
+        for (first, draft) in drafts.iter().enumerate() {
+            if self.system.firsts[first] != first {
+                continue;
+            }
+            let copies: Vec<usize> = (0..drafts.len())
+                .filter(|number| self.system.firsts[*number] == first)
+                .collect();
+            let own = draft
+                .description
+                .points
+                .iter()
+                .chain(&draft.description.locals);
+            let own = own.map(|definition| &definition.name);
+            let left = own.filter(|name| !copies.iter().any(|copy| is_used(*copy, name)));
+            unused.extend(left.cloned());
+        }
+        unused
     }
 }
 
@@ -268,7 +421,7 @@ fn points(
         .filter_map(|name| match scope.peek(&name) {
             Some(Value::Point(point)) => point.offset(frame).map(|offset| (name, Some(offset))),
             None => Some((name, None)),
-            Some(_) => None,
+            Some(_) => Some((name, None)),
         })
         .collect()
 }

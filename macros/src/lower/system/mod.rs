@@ -5,26 +5,28 @@ mod body;
 mod drives;
 mod joints;
 mod motion;
+mod names;
+mod outline;
 mod tree;
 
 use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, similar};
-use crate::lower::definitions::{
-    Definition as Defined, INVERSE, check_distinct, check_names, definition_order,
-};
+use crate::errors::Errors;
+use crate::lower::definitions::{Definition, INVERSE, check_names, definition_order};
 use crate::lower::expressions::{Lowering, Members, Scope, Value};
 use crate::model::{
-    Declared, Defaults, Frame, JointKind, Jointed, Meaning, Motion, Outline, PLANAR, SPATIAL,
-    State, System, Vector, Workspace,
+    Declared, Defaults, Frame, Meaning, Motion, Outline, PLANAR, SPATIAL, State, System, Vector,
+    Workspace,
 };
 use crate::symbolic::{Id, Stage};
-use crate::syntax::{self, Definition, Expression, Kind};
+use crate::syntax;
 
 use body::Draft;
-use joints::kind_of;
+use names::{check_members, check_own_names, declared, for_copy, moving_locals};
+
+pub use outline::outline_system;
 
 /// What the parts of a system are read with.
 struct Reader<'a> {
@@ -128,161 +130,6 @@ pub fn lower_system(
     errors.is_empty().then_some((system, work))
 }
 
-/// What the words of a system tell, whatever is wrong with it: the joints are the fields of its
-/// state.
-pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
-    outline.is_system = true;
-    outline.body_keys.clone_from(&system.keys);
-    let mut seen = HashSet::new();
-    let joints = system.joints.iter();
-    let joints = joints
-        .filter(|joint| seen.insert(joint.name.to_string()))
-        .filter_map(|joint| {
-            Some(Jointed {
-                name: joint.name.clone(),
-                shape: likely_kind(joint, system.is_planar)?.shape?,
-                frame: None,
-            })
-        });
-    outline.joints = joints.collect();
-    let open = system.drives.iter().filter(|drive| {
-        let load = drive
-            .value
-            .as_ref()
-            .and_then(|value| drives::behind(value, "on"));
-        load.is_some_and(|(load, _)| matches!(load.kind, Kind::Placeholder))
-    });
-    let open = open.filter(|drive| seen.insert(format!("drive {}", drive.name)));
-    outline.open = open.map(|drive| drive.name.clone()).collect();
-}
-
-/// The kind of a joint, or of one that cannot be read, what it may be.
-fn likely_kind(joint: &Definition, is_planar: bool) -> Option<&'static JointKind> {
-    let kinds = JointKind::all(is_planar);
-    let Some(value) = &joint.value else {
-        return kinds.first();
-    };
-    kind_of(value, is_planar)
-        .or_else(|| kind_of(value, false))
-        .or_else(|| {
-            let word = joints::call(value).map(|(word, ..)| word.to_string());
-            let meant = similar(
-                &word.unwrap_or_default(),
-                kinds.iter().map(|kind| kind.word),
-            );
-            let similar = kinds.iter().find(|kind| meant == Some(kind.word));
-            similar.or_else(|| kinds.first())
-        })
-}
-
-/// The names of all bodies, and then of all joints.
-fn declared(system: &syntax::System) -> Vec<String> {
-    let bodies = system.bodies.iter().map(|body| &body.name);
-    let names = bodies.chain(system.joints.iter().map(|joint| &joint.name));
-    names.map(ToString::to_string).collect()
-}
-
-/// Reads a body; what is wrong with one of several copies is said once.
-fn for_copy<T>(
-    first: usize,
-    number: usize,
-    wrong: &mut HashSet<usize>,
-    errors: &mut Errors,
-    read: impl FnOnce(&mut Errors) -> T,
-) -> T {
-    if first != number && wrong.contains(&first) {
-        let mut repeated = Errors::default();
-        let found = read(&mut repeated);
-        let _ = repeated.finish();
-        return found;
-    }
-    let before = errors.count();
-    let found = read(errors);
-    if errors.count() > before {
-        wrong.insert(first);
-    }
-    found
-}
-
-/// Reports names of bodies and joints that mean two things, and returns them.
-fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<String> {
-    let mut repeated = HashSet::new();
-    let mut seen: Vec<(&Ident, &str)> = Vec::new();
-    let top = &system.top;
-    let declared = top.params.iter().chain(&top.inputs);
-    let declared = declared.map(|declaration| (&declaration.name, "param or input"));
-    let locals = top.locals.iter().map(|local| (&local.name, "local"));
-    seen.extend(declared.chain(locals));
-    let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
-    let joints = system.joints.iter().map(|joint| (&joint.name, "joint"));
-    for (name, what) in bodies.chain(joints) {
-        if crate::lower::expressions::BUILT_IN.contains(&name.to_string().as_str()) {
-            let message = format!("`{name}` is built in: choose another name for this {what}");
-            errors.push(name.span(), message);
-        } else if let Some((_, first)) = seen.iter().find(|(other, _)| *other == name) {
-            let message = format!(
-                "`{name}` is the name of a {first} already: params, inputs, locals, bodies and joints need different names"
-            );
-            errors.push(name.span(), message);
-            repeated.insert(name.to_string());
-        } else {
-            seen.push((name, what));
-        }
-    }
-    let fields = || top.loads.iter().map(|load| &load.name);
-    let loads = system
-        .forces
-        .iter()
-        .chain(&system.moments)
-        .chain(&system.drives);
-    check_distinct("load", fields().chain(loads.map(|load| &load.name)), errors);
-    for body in system
-        .bodies
-        .iter()
-        .enumerate()
-        .filter(|(number, _)| system.firsts[*number] == *number)
-    {
-        let loads = body.1.loads.iter().map(|load| &load.name);
-        let mut known = HashSet::new();
-        let fields: HashSet<&Ident> = fields().collect();
-        for load in loads.filter(|load| known.insert(*load) && fields.contains(load)) {
-            let message = format!(
-                "there is a load `{load}` already, which acts on all bodies: loads are told apart by their names"
-            );
-            errors.push(load.span(), message);
-        }
-    }
-    repeated
-}
-
-/// Reports names of a body that mean something for the whole system, and returns them.
-fn check_own_names(
-    system: &syntax::System,
-    body: &syntax::Description,
-    errors: &mut Errors,
-) -> HashSet<String> {
-    let top = &system.top;
-    let declared = top
-        .params
-        .iter()
-        .chain(&top.inputs)
-        .map(|one| (&one.name, "param or input"));
-    let all: Vec<(&Ident, &str)> = declared
-        .chain(top.locals.iter().map(|local| (&local.name, "local")))
-        .collect();
-    let mut repeated = HashSet::new();
-    for own in body.points.iter().chain(&body.locals) {
-        if let Some((name, what)) = all.iter().find(|(name, _)| **name == own.name) {
-            let message = format!(
-                "`{name}` is the name of a {what} of the system already: choose another name"
-            );
-            errors.push(own.name.span(), message);
-            repeated.insert(name.to_string());
-        }
-    }
-    repeated
-}
-
 impl Reader<'_> {
     /// Reads what stands beside the bodies.
     fn at_top<T>(&mut self, errors: &mut Errors, read: impl FnOnce(&mut Lowering<'_>) -> T) -> T {
@@ -316,7 +163,7 @@ impl Reader<'_> {
             self.scope.define(&definition.of(&self.system.top).0, None);
         }
         for definition in order {
-            let Defined::Local(index) = definition else {
+            let Definition::Local(index) = definition else {
                 continue;
             };
             let local = &locals[index];
@@ -367,28 +214,6 @@ impl Reader<'_> {
             unused.extend(left.cloned());
         }
         unused
-    }
-}
-
-/// The locals that depend on how the system moves.
-fn moving_locals(system: &syntax::System) -> HashSet<String> {
-    let bodies = system.bodies.iter().map(|body| body.name.to_string());
-    let joints = system.joints.iter().map(|joint| joint.name.to_string());
-    let mut moving: HashSet<String> = bodies.chain(joints).chain(["t".to_owned()]).collect();
-    loop {
-        let before = moving.len();
-        for local in &system.top.locals {
-            let names = local.value.iter().flat_map(Expression::names);
-            if names
-                .into_iter()
-                .any(|name| moving.contains(&name.to_string()))
-            {
-                moving.insert(local.name.to_string());
-            }
-        }
-        if moving.len() == before {
-            return moving;
-        }
     }
 }
 

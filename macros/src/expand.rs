@@ -71,7 +71,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
         return errors.finish().unwrap_or_default();
     };
     let mut outline = lower::outline(&description.top, &system_offers(), &mut errors);
-    outline.joints = lower::outline_joints(&description);
+    lower::outline_system(&description, &mut outline);
     let system = lower::lower_system(&description, &mut outline, &mut errors);
     let solved = system
         .filter(|_| errors.is_empty())
@@ -122,6 +122,10 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
             };
             Some((sound, outputs))
         });
+    if errors.is_empty() && solved.is_none() {
+        let message = "no meaning was found for this description, and no mistake in it either";
+        errors.push(outline.name.span(), message);
+    }
     match (errors.finish(), solved) {
         (None, Some((sound, outputs))) => {
             emit_body(&outline, Some(&sound), |site| outputs.emit(site, true))

@@ -234,7 +234,12 @@ impl SystemOutputs {
         let kind = site.own_type("Drives");
         let name = format_ident!("{}Drives", outline.name);
         let scalar = shapes.scalar.kind();
-        let names: Vec<&Ident> = self.drives.iter().map(|(name, _)| name).collect();
+        let open = self.drives.iter().map(|(name, _)| name);
+        let names: Vec<&Ident> = if is_sound {
+            open.collect()
+        } else {
+            outline.open.iter().collect()
+        };
         let fields: Vec<(&Ident, TokenStream)> =
             names.iter().map(|name| (*name, scalar.clone())).collect();
         let doc = format!(" The open drives of [`{}`], in N * m or N.", outline.name);

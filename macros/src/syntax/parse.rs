@@ -78,7 +78,7 @@ pub fn parse_keys(description: &mut Description, body: TokenStream, errors: &mut
 }
 
 /// The key that `word` is, or was probably meant to be.
-fn key_meant(word: &str) -> Option<&'static str> {
+pub fn key_meant(word: &str) -> Option<&'static str> {
     let known = || LISTS.iter().map(|(key, _)| *key).chain(VALUES).chain(LATER);
     known()
         .find(|key| *key == word)
@@ -153,7 +153,7 @@ pub fn parse_key(
 }
 
 /// What follows the colon, if anything does.
-fn key_value<'t>(key: &Ident, rest: &'t [TokenTree], errors: &mut Errors) -> &'t [TokenTree] {
+pub fn key_value<'t>(key: &Ident, rest: &'t [TokenTree], errors: &mut Errors) -> &'t [TokenTree] {
     let example = key_meant(&key.to_string())
         .and_then(|meant| LISTS.iter().find(|(list, _)| *list == meant))
         .map_or_else(|| format!("{key}: .."), |_| format!("{key}: [..]"));

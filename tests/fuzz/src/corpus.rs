@@ -33,6 +33,15 @@ pub fn descriptions() -> Vec<Vec<Token>> {
     found
 }
 
+/// Whether this is the description of a system, or was one: it lists bodies or joints.
+#[must_use]
+pub fn is_system(tokens: &[Token]) -> bool {
+    let is_list = |word: &Ident| word == "bodies" || word == "joints";
+    tokens
+        .iter()
+        .any(|token| matches!(token, Token::Leaf(TokenTree::Ident(word)) if is_list(word)))
+}
+
 /// The sources in a folder and below, in order.
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a readable folder");
@@ -52,7 +61,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// Shows what stands behind `rigid_body!`, and each `Name { .. }` that a `quote!` holds alone.
+/// Shows what stands behind `rigid_body!` and `rigid_system!`, and each `Name { .. }` that a `quote!` holds alone.
 fn collect(stream: TokenStream, show: &mut impl FnMut(&TokenStream)) {
     let tokens: Vec<TokenTree> = stream.into_iter().collect();
     for (index, token) in tokens.iter().enumerate() {
@@ -65,7 +74,8 @@ fn collect(stream: TokenStream, show: &mut impl FnMut(&TokenStream)) {
             }
             _ => false,
         };
-        if is_call("rigid_body") || is_call("quote") && is_description(&group.stream()) {
+        let is_described = is_call("rigid_body") || is_call("rigid_system");
+        if is_described || is_call("quote") && is_description(&group.stream()) {
             show(&group.stream());
         }
         collect(group.stream(), show);

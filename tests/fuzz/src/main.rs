@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         executions: number("--executions", 100_000),
         seed: number("--seed", 1),
         mutants: number("--mutants", 32),
+        of_systems: words.iter().any(|word| word == "--systems"),
         stack: STACK,
         is_traced: words.iter().any(|word| word == "--trace"),
         is_shown: true,
@@ -63,7 +64,7 @@ fn main() -> ExitCode {
         }
         _ => {
             eprintln!(
-                "fuzz expander|runtime|show [--executions N] [--seed N] [--first N] [--mutants N] [--trace]"
+                "fuzz expander|runtime|show [--executions N] [--seed N] [--first N] [--mutants N] [--systems] [--trace]"
             );
             ExitCode::FAILURE
         }

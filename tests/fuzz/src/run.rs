@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use fastrand::Rng;
 
-use crate::corpus::descriptions;
+use crate::corpus::{descriptions, is_system};
 use crate::flat::{Token, unflatten};
 use crate::generate::stream;
 use crate::mutate::mutant;
@@ -36,6 +36,8 @@ pub struct Plan {
     pub seed: u64,
     /// One of so many is a mutated description, the others are arbitrary streams.
     pub mutants: u64,
+    /// Only descriptions of systems are mutated.
+    pub of_systems: bool,
     /// Of each thread \[bytes\].
     pub stack: usize,
     /// Print the number of each execution before it.
@@ -48,6 +50,19 @@ pub struct Plan {
 struct Material {
     words: Words,
     corpus: Vec<Vec<Token>>,
+}
+
+impl Material {
+    fn of(plan: &Plan) -> Self {
+        let mut corpus = descriptions();
+        if plan.of_systems {
+            corpus.retain(|description| is_system(description));
+        }
+        Self {
+            words: Words::default(),
+            corpus,
+        }
+    }
 }
 
 /// Where a stream came from.
@@ -89,10 +104,7 @@ fn input(plan: &Plan, material: &Material, number: u64) -> (Origin, Vec<Token>) 
 /// The text of one execution.
 #[must_use]
 pub fn shown(plan: &Plan) -> String {
-    let material = Material {
-        words: Words::default(),
-        corpus: descriptions(),
-    };
+    let material = Material::of(plan);
     unflatten(&input(plan, &material, plan.first).1).to_string()
 }
 
@@ -136,10 +148,7 @@ fn batches(
     let name = format!("executions {numbers:?} of seed {}", plan.seed);
     let thread = thread::Builder::new().name(name).stack_size(plan.stack);
     let run = move || {
-        let material = Material {
-            words: Words::default(),
-            corpus: descriptions(),
-        };
+        let material = Material::of(&plan);
         for number in numbers {
             current.store(number, Ordering::Relaxed);
             if plan.is_traced {

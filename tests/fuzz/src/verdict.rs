@@ -9,7 +9,8 @@ use cpu_time::ThreadTime;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
-use crate::expand::expand;
+use crate::corpus::is_system;
+use crate::expand::{expand, expand_system};
 use crate::flat::{Token, unflatten};
 
 /// An answer, and the time of the processor that it took.
@@ -49,6 +50,9 @@ impl Failure {
 pub fn ask(tokens: &[Token]) -> Result<(Answer, Duration), Failure> {
     let description = unflatten(tokens);
     let input = quote!((::newton_euler) #description);
+    if is_system(tokens) {
+        return answer(|| expand_system(input));
+    }
     answer(|| expand(input))
 }
 

@@ -12,6 +12,7 @@ fn plan(seed: u64, executions: u64, mutants: u64) -> Plan {
         executions,
         seed,
         mutants,
+        of_systems: false,
         stack: STACK,
         is_traced: false,
         is_shown: false,
@@ -27,6 +28,16 @@ fn arbitrary_streams_are_answered() {
 #[test]
 fn mutated_descriptions_are_answered() {
     let report = run(plan(2, 400, 1));
+    assert!(report.failures.is_empty(), "{:?}", report.failures);
+    assert!(report.mutants_accepted.count() > 5 && report.mutants_rejected.count() > 100);
+}
+
+#[test]
+fn mutated_systems_are_answered() {
+    let report = run(Plan {
+        of_systems: true,
+        ..plan(3, 3000, 1)
+    });
     assert!(report.failures.is_empty(), "{:?}", report.failures);
     assert!(report.mutants_accepted.count() > 5 && report.mutants_rejected.count() > 100);
 }

@@ -21,7 +21,7 @@ type Place = (Source, TokenStream, Vec<String>, Component);
 
 /// Where the parts of a state and of an acceleration are.
 fn places(outline: &Outline) -> Vec<Place> {
-    if outline.is_system() {
+    if outline.has_joints() {
         return outline.joints.iter().flat_map(places_of_joint).collect();
     }
     let places = places_of_body(outline.motion).into_iter();

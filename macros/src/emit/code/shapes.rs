@@ -29,7 +29,7 @@ impl Shapes {
     pub fn of(outline: &Outline) -> Self {
         Self {
             motion: outline.motion,
-            system: outline.is_system().then(|| {
+            system: outline.has_joints().then(|| {
                 let joints = outline.joints.iter();
                 let joints = joints.map(|joint| (joint.name.clone(), joint.shape));
                 (outline.name.clone(), joints.collect())

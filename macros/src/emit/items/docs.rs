@@ -77,7 +77,7 @@ fn lines(
 ) -> TokenStream {
     let motion = outline.motion.word;
     let title = if outline.doc.is_empty() {
-        vec![match outline.is_system() {
+        vec![match outline.has_joints() {
             true => "A system of rigid bodies.".to_owned(),
             false => format!("A rigid body in `{motion}` motion."),
         }]

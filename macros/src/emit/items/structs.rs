@@ -127,7 +127,7 @@ pub fn emit_items(
 
 /// The state of a system and its acceleration, joint by joint.
 fn emit_state(outline: &Outline) -> Option<TokenStream> {
-    if !outline.is_system() {
+    if !outline.has_joints() {
         return None;
     }
     let (name, shapes) = (&outline.name, Shapes::of(outline));
@@ -207,8 +207,8 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream) -> TokenStream
     let name = &outline.name;
     let module = format_ident!("equations_of_{name}");
     let others = [
-        ("State", outline.is_system()),
-        ("Acceleration", outline.is_system()),
+        ("State", outline.has_joints()),
+        ("Acceleration", outline.has_joints()),
         ("Params", true),
         ("Input", !outline.inputs.is_empty()),
         ("Reactions", !outline.reactions.is_empty()),
@@ -259,19 +259,23 @@ fn emit_default(outline: &Outline) -> TokenStream {
 pub fn emit_checks(outline: &Outline) -> TokenStream {
     let runtime = &outline.runtime;
     let body = Ident::new("body", Span::mixed_site());
-    let lines = outline
-        .keys
-        .chunks(5)
-        .map(|keys| quote!(let _ = [#(&#body.#keys),*];));
-    let kind = Ident::new(
-        if outline.is_system() {
-            "System"
-        } else {
-            "Body"
-        },
-        Span::call_site(),
-    );
-    let schema = quote!(const _: fn(&#runtime::schema::#kind) = |#body| { #(#lines)* };);
+    let check = |kind: &str, keys: &[Ident]| {
+        let kind = Ident::new(kind, Span::call_site());
+        let lines = keys
+            .chunks(5)
+            .map(|keys| quote!(let _ = [#(&#body.#keys),*];));
+        quote!(const _: fn(&#runtime::schema::#kind) = |#body| { #(#lines)* };)
+    };
+    let schema = if outline.is_system {
+        [
+            check("System", &outline.keys),
+            check("Body", &outline.body_keys),
+        ]
+        .into_iter()
+        .collect()
+    } else {
+        check("Body", &outline.keys)
+    };
     let unused = (!outline.unused.is_empty()).then(|| {
         let names = outline
             .unused

@@ -64,7 +64,7 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
     repeated
 }
 
-fn check_distinct<'n>(what: &str, names: impl Iterator<Item = &'n Ident>, errors: &mut Errors) {
+pub fn check_distinct<'n>(what: &str, names: impl Iterator<Item = &'n Ident>, errors: &mut Errors) {
     let mut seen = HashSet::new();
     for name in names {
         if !seen.insert(name) {

@@ -15,7 +15,15 @@ use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
 /// Outputs of later versions.
-const LATER: [&str; 2] = ["linearization", "sensitivity"];
+const LATER: [&str; 7] = [
+    "linearization",
+    "sensitivity",
+    "mass_matrix",
+    "jacobian",
+    "taylor",
+    "balance",
+    "flow",
+];
 
 /// The output that solves for drives: without it, none may be unknown.
 pub const INVERSE: &str = "inverse";
@@ -70,6 +78,7 @@ pub fn outline(
         runtime: description.runtime.clone(),
         doc: description.doc.clone(),
         motion,
+        is_system: false,
         joints: Vec::new(),
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
@@ -87,6 +96,8 @@ pub fn outline(
             .count()
             + description.potentials.len(),
         keys: description.keys.clone(),
+        body_keys: Vec::new(),
+        open: Vec::new(),
         unused: Vec::new(),
     }
 }

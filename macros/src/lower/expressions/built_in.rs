@@ -70,8 +70,8 @@ impl Lowering<'_> {
         if !self.is_whole || !of_body {
             return Some(());
         }
-        let body = self.members.bodies.first();
-        let body = body.map_or("arm", |body| body.name.as_str());
+        let body = self.members.declared.first();
+        let body = body.map_or("arm", String::as_str);
         let call = if word == "body" { "(..)" } else { "" };
         let message = format!("of which body? write for example `{body}.{word}{call}`");
         self.report(name.span(), message)
@@ -96,7 +96,16 @@ impl Lowering<'_> {
                 "`{word}` is an unknown reaction, and only given loads of a body with `constraints` \
                  can depend on one"
             ),
-            _ => format!("nothing here is called `{word}`{}", self.scope.hint(&word)),
+            _ if self.members.declared.contains(&word) => format!(
+                "this is fixed, and `{word}` moves: it cannot depend on how the system moves"
+            ),
+            _ => match self.members.with_body(&word).filter(|_| self.is_whole) {
+                Some(named) => format!("of which body? write for example `{named}`"),
+                None => {
+                    let hint = self.members.hint(&word, self.scope.known());
+                    format!("nothing here is called `{word}`{hint}")
+                }
+            },
         };
         self.report(name.span(), message)
     }

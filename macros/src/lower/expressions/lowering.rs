@@ -51,6 +51,19 @@ impl Lowering<'_> {
         None
     }
 
+    /// Under which motion: of a system, whether it is in the plane or in space.
+    pub fn under(&self) -> String {
+        if !self.members.is_system() {
+            return format!("under `motion: {}`", self.motion.word);
+        }
+        let place = if self.motion.is_planar {
+            "in the plane"
+        } else {
+            "in space"
+        };
+        place.to_owned()
+    }
+
     /// A scalar that fits `dimension`.
     pub fn scalar(
         &mut self,

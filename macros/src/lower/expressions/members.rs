@@ -1,5 +1,8 @@
 //! What the names of bodies and joints stand for in a system: `upper.tip`, `elbow.angle`.
 
+use std::cell::RefCell;
+use std::collections::HashSet;
+
 use proc_macro2::Ident;
 
 use crate::errors::hint;
@@ -13,8 +16,14 @@ use super::value::Value;
 /// The bodies and joints of a system, by their names.
 #[derive(Default)]
 pub struct Members {
+    /// The names of all bodies, and then of all joints, whether they are read yet or not.
+    pub declared: Vec<String>,
     pub bodies: Vec<BodyNames>,
     pub joints: Vec<JointNames>,
+    /// Whether it is known how they move.
+    pub are_moving: bool,
+    /// What was asked of bodies: points, by the number of the body.
+    pub used: RefCell<HashSet<(usize, String)>>,
 }
 
 /// A body, as others see it.
@@ -60,6 +69,39 @@ impl Members {
     pub fn has(&self, name: &str) -> bool {
         self.body(name).is_some() || self.joint(name).is_some()
     }
+
+    /// Whether there is a system at all.
+    pub fn is_system(&self) -> bool {
+        !self.declared.is_empty()
+    }
+
+    /// The end of a message about a name that nothing has: its copies, or a similar one of `others`.
+    pub fn hint<'a>(&'a self, name: &str, others: impl Iterator<Item = &'a str>) -> String {
+        let copies = self.declared.iter().filter(|known| {
+            known
+                .strip_prefix(name)
+                .is_some_and(|rest| rest.starts_with('_'))
+        });
+        let copies: Vec<&str> = copies.map(String::as_str).take(3).collect();
+        if !copies.is_empty() && !name.is_empty() {
+            return format!("; its copies are called `{}`", copies.join("`, `"));
+        }
+        let mut known: Vec<&str> = self
+            .declared
+            .iter()
+            .map(String::as_str)
+            .chain(others)
+            .collect();
+        known.sort_unstable();
+        hint(name, known)
+    }
+
+    /// `upper.tip`, if the body `upper` has a point `tip`.
+    pub fn with_body(&self, point: &str) -> Option<String> {
+        let mut bodies = self.bodies.iter();
+        let body = bodies.find(|body| body.points.iter().any(|(name, _)| name == point))?;
+        Some(format!("{}.{point}", body.name))
+    }
 }
 
 impl Lowering<'_> {
@@ -71,8 +113,9 @@ impl Lowering<'_> {
     )]
     pub fn of_member(&mut self, expression: &Expression) -> Option<Option<Value>> {
         let members = self.members;
+        let is_own = |name: &Ident| !self.is_whole && self.scope.knows(&name.to_string());
         let (receiver, word, arguments) = match &expression.kind {
-            Kind::Name(name) if members.has(&name.to_string()) => {
+            Kind::Name(name) if members.has(&name.to_string()) && !is_own(name) => {
                 let (word, form) = if members.body(&name.to_string()).is_some() {
                     ("body", "position")
                 } else {
@@ -89,6 +132,9 @@ impl Lowering<'_> {
         let Kind::Name(name) = &receiver.kind else {
             return None;
         };
+        if is_own(name) {
+            return None;
+        }
         let named = name.to_string();
         if let Some(body) = members.body(&named) {
             return Some(match arguments {
@@ -105,6 +151,12 @@ impl Lowering<'_> {
             });
         }
         let joint = members.joint(&named)?;
+        if !members.are_moving {
+            let message = format!(
+                "this is fixed, and `{named}` moves: it cannot depend on how the system moves"
+            );
+            return Some(self.report(name.span(), message));
+        }
         if !joint.is_known {
             return Some(None);
         }
@@ -153,6 +205,7 @@ impl Lowering<'_> {
             return Some(*value);
         }
         if let Some((_, offset)) = known.points.iter().find(|(name, _)| *name == written) {
+            self.members.used.borrow_mut().insert((body, written));
             return offset.map(|offset| Value::Carried(body, offset));
         }
         let of_state = [
@@ -219,7 +272,11 @@ impl Lowering<'_> {
         };
         match self.members.body(&name.to_string()) {
             Some(body) => Some(self.members.bodies[body].frame),
-            None => self.report(name.span(), format!("there is no body `{name}`")),
+            None if self.scope.is_lost(&name.to_string()) => None,
+            None => {
+                let hint = self.members.hint(&name.to_string(), core::iter::empty());
+                self.report(name.span(), format!("there is no body `{name}`{hint}"))
+            }
         }
     }
 }

@@ -54,6 +54,14 @@ impl Lowering<'_> {
                     Some(frame) => self.fixed_point(frame, part, found, expression),
                 }
             }
+            Value::Carried(body, offset) if self.members.bodies[body].frame == self.state.body => {
+                Some(Point::Fixed(self.state.body, offset))
+            }
+            Value::Carried(..) => self.report(
+                expression.extent,
+                "this point is on another body: what stands in the braces of a body acts on that \
+                 body alone",
+            ),
             other => self.report(
                 expression.extent,
                 format!("expected a point, and this is {}", other.kind()),
@@ -126,8 +134,8 @@ impl Lowering<'_> {
         self.report(
             extent,
             format!(
-                "a vector has {axes} components under `motion: {}`, and this has {}",
-                self.motion.word,
+                "a vector has {axes} components {}, and this has {}",
+                self.under(),
                 parts.len()
             ),
         )

@@ -5,7 +5,6 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::errors::hint;
 use crate::syntax::Description;
 
 use super::value::Value;
@@ -100,6 +99,16 @@ impl Scope {
         self.defined.contains(name) || CHANGING.contains(&name) || name == "mass"
     }
 
+    /// Whether a name has a value, or had one that was reported.
+    pub fn knows(&self, name: &str) -> bool {
+        self.values.contains_key(name)
+    }
+
+    /// Whether the definition of a name could not be read.
+    pub fn is_lost(&self, name: &str) -> bool {
+        self.lost.contains(name)
+    }
+
     /// The value of a name, without saying that it is used.
     pub fn peek(&self, name: &str) -> Option<Value> {
         self.values.get(name).copied().flatten()
@@ -110,12 +119,9 @@ impl Scope {
         CHANGING.contains(&name)
     }
 
-    /// The end of a message about an unknown name.
-    pub fn hint(&self, name: &str) -> String {
-        let defined = self.values.keys().map(String::as_str);
-        let mut known: Vec<&str> = defined.chain(BUILT_IN).collect();
-        known.sort_unstable();
-        hint(name, known)
+    /// The names that mean something.
+    pub fn known(&self) -> impl Iterator<Item = &str> {
+        self.values.keys().map(String::as_str).chain(BUILT_IN)
     }
 
     /// Whether anybody looked it up.

@@ -212,7 +212,9 @@ impl Lowering<'_> {
             }
             Value::Vector(..) if !VECTOR_METHODS.contains(&word.as_str()) => self.report(
                 field.span(),
-                if self.motion.is_line() {
+                if self.motion.is_planar && word == "z" {
+                    "in the plane a vector has no `z`".to_owned()
+                } else if self.motion.is_line() {
                     format!("a component in which axes? write `.in_world().{word}`")
                 } else {
                     format!(
@@ -240,7 +242,9 @@ impl Lowering<'_> {
                     || ["position", "velocity"].contains(&word);
                 self.report(
                     field.span(),
-                    if is_method {
+                    if matches!(other, Value::Carried(..)) {
+                        "a point has `.position()` and `.velocity()`, which are vectors".to_owned()
+                    } else if is_method {
                         format!("parentheses are missing: write `.{word}()`")
                     } else {
                         format!("{} has no field `{word}`", other.kind())

@@ -52,12 +52,12 @@ impl Lowering<'_> {
         match &base(value).kind {
             Kind::Call(word, _) if word == "rod" && !self.motion.has_one_moment() => {
                 if turns {
-                    let motion = self.motion.word;
+                    let under = self.under();
                     return self.report(
                         word.span(),
                         format!(
-                            "a rod has no moment of inertia about its own axis, and under \
-                             `motion: {motion}` it could turn about it: give it a radius, \
+                            "a rod has no moment of inertia about its own axis, and {under} \
+                             it could turn about it: give it a radius, \
                              `cylinder(r, l)`"
                         ),
                     );

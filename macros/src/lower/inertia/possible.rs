@@ -71,12 +71,12 @@ impl Lowering<'_> {
         if least >= thinnest() {
             return Some(());
         }
-        let (least, motion) = (least.to_f64(), self.motion.word);
+        let (least, under) = (least.to_f64(), self.under());
         self.report(
             place,
             format!(
                 "this body is all but a rod: its least moment of inertia is {least:.0e} of the largest, \
-                 and under `motion: {motion}` it could turn about that axis, with less than 7 \
+                 and {under} it could turn about that axis, with less than 7 \
                  correct digits; make it thicker, or write `motion: rod(axis)`"
             ),
         )
@@ -142,7 +142,7 @@ impl Lowering<'_> {
             },
             _ => return Some(()),
         };
-        let motion = self.motion.word;
+        let under = self.under();
         self.report(
             word.span(),
             if has_holes {
@@ -152,12 +152,12 @@ impl Lowering<'_> {
                 )
             } else if self.motion.has_one_moment() {
                 format!(
-                    "all mass of this body is at one point, and under `motion: {motion}` it could \
+                    "all mass of this body is at one point, and {under} it could \
                      turn about it: give a part some extent"
                 )
             } else {
                 format!(
-                    "all mass of this body lies on one line, and under `motion: {motion}` it could \
+                    "all mass of this body lies on one line, and {under} it could \
                      turn about it: give a part some extent"
                 )
             },

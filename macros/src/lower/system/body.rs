@@ -1,14 +1,18 @@
 //! The bodies of a system: their points first, and when their motion is known, all the rest.
 
+use std::collections::HashSet;
+
 use crate::errors::Errors;
 use crate::families::Family;
 use crate::lower::definitions::{check_names, definition_order, split_at_points};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
-use crate::model::{Composed, Dimension, Frame, Load, Mass, Meaning, Member, State, Workspace};
+use crate::model::{
+    Composed, Dimension, Frame, Inertia, Load, Mass, Meaning, Member, State, Workspace,
+};
 use crate::symbolic::{Components, Stage};
 use crate::syntax::Description;
 
-use super::{Reader, points, still};
+use super::{Reader, check_own_names, for_copy, points, still};
 
 /// A body of which the points are read.
 pub struct Draft<'a> {
@@ -25,10 +29,12 @@ impl<'a> Reader<'a> {
     /// Reads the points and the mass of a body, and tells others of them.
     pub fn points(&mut self, body: &'a Description, errors: &mut Errors) -> Draft<'a> {
         let frame = self.work.new_frame(Frame::WORLD);
+        let mut repeated = check_names(body, errors);
+        repeated.extend(check_own_names(self.system, body, errors));
         let mut draft = Draft {
             description: body,
             frame,
-            scope: Scope::new(body, check_names(body, errors)),
+            scope: Scope::new(body, repeated),
             mass: Mass::Reported,
             composed: None,
             state: Some(self.unknown_state(frame)),
@@ -113,10 +119,25 @@ impl<'a> Reader<'a> {
     }
 
     /// All that depends on how the bodies move: their other definitions, inertia and loads.
-    pub fn bodies(&mut self, drafts: Vec<Draft<'_>>, errors: &mut Errors) -> Option<Vec<Member>> {
+    pub fn bodies(
+        &mut self,
+        drafts: &mut [Draft<'_>],
+        wrong: &mut HashSet<usize>,
+        errors: &mut Errors,
+    ) -> Option<Vec<Member>> {
         let mut bodies = Some(Vec::new());
-        for mut draft in drafts {
-            let read = self.body(&mut draft, errors);
+        let mut reported = HashSet::new();
+        for (number, draft) in drafts.iter_mut().enumerate() {
+            let first = self.system.firsts[number];
+            // mistakes in the points of a copy hide none in the rest of the first one
+            let silent = if wrong.contains(&first) && first != number {
+                &mut *wrong
+            } else {
+                &mut reported
+            };
+            let read = for_copy(first, number, silent, errors, |errors| {
+                self.body(number, draft, errors)
+            });
             match (read, &mut bodies) {
                 (Some(body), Some(all)) => all.push(body),
                 _ => bodies = None,
@@ -125,7 +146,12 @@ impl<'a> Reader<'a> {
         bodies
     }
 
-    fn body(&mut self, draft: &mut Draft<'_>, errors: &mut Errors) -> Option<Member> {
+    fn body(
+        &mut self,
+        number: usize,
+        draft: &mut Draft<'_>,
+        errors: &mut Errors,
+    ) -> Option<Member> {
         let body = draft.description;
         // circles are reported already
         let mut reported = Errors::default();
@@ -133,13 +159,19 @@ impl<'a> Reader<'a> {
         let _ = reported.finish();
         let (_, rest) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
-        let (is_planar, fields) = (self.system.is_planar, &self.system.top.loads);
+        let fields = &self.system.top.loads;
+        let turns = self.turning[number];
         let known = draft.state.is_some();
         let (inertia, loads, mass) = self.in_body(draft, errors, |lowering, mass| {
             for definition in rest {
                 lowering.definition(definition, body, &defaults, mass);
             }
-            let inertia = lowering.inertia(body, *mass, &defaults);
+            let is_idle = !turns && body.inertia.is_none() && body.composition.is_none();
+            let inertia = if is_idle {
+                Some(Inertia::Absent)
+            } else {
+                lowering.inertia(body, *mass, &defaults)
+            };
             let written = fields.iter().chain(&body.loads);
             let loads: Vec<Option<Load>> = written
                 .filter(|_| known)
@@ -153,7 +185,6 @@ impl<'a> Reader<'a> {
                 .collect();
             (inertia, loads, *mass)
         });
-        let _ = is_planar;
         Some(Member {
             name: body.name.clone(),
             state: draft.state.take().filter(|_| known)?,

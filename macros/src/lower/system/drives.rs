@@ -11,7 +11,10 @@ use super::Reader;
 use super::motion::freedoms;
 
 /// `value.method(arguments)`
-fn behind<'e>(value: &'e Expression, method: &str) -> Option<(&'e Expression, &'e [Expression])> {
+pub fn behind<'e>(
+    value: &'e Expression,
+    method: &str,
+) -> Option<(&'e Expression, &'e [Expression])> {
     match &value.kind {
         Kind::Method(receiver, word, arguments) if word == method => Some((receiver, arguments)),
         _ => None,
@@ -41,7 +44,13 @@ impl Reader<'_> {
         let value = drive.value.as_ref()?;
         let Some((load, [target])) = behind(value, "on") else {
             let message = "a drive acts on a joint: write `torque.on(elbow)`";
-            errors.push(value.extent, message);
+            let place = match &value.kind {
+                Kind::Method(_, word, arguments) if word != "on" && arguments.len() == 1 => {
+                    word.span().into()
+                }
+                _ => value.extent,
+            };
+            errors.push(place, message);
             return None;
         };
         let (name, word) = match &target.kind {
@@ -58,9 +67,17 @@ impl Reader<'_> {
             .iter()
             .find(|joint| *name == joint.name.as_str());
         let Some(known) = known else {
+            if self.scope.is_lost(&name.to_string()) {
+                return None;
+            }
             let names = self.members.joints.iter().map(|joint| joint.name.as_str());
             let hint = crate::errors::hint(&name.to_string(), names);
-            errors.push(name.span(), format!("there is no joint `{name}`{hint}"));
+            let message = if self.members.declared.contains(&name.to_string()) {
+                format!("`{name}` is a body, and a drive acts on a joint")
+            } else {
+                format!("there is no joint `{name}`{hint}")
+            };
+            errors.push(name.span(), message);
             return None;
         };
         if !known.is_known {
@@ -127,6 +144,13 @@ impl Reader<'_> {
             return None;
         }
         if matches!(load.kind, Kind::Placeholder) {
+            if !self.is_inverse {
+                errors.push(
+                    load.extent,
+                    "an unknown drive is for `outputs: [inverse]`: ask for that, or write a value",
+                );
+                return None;
+            }
             if is_ball {
                 errors.push(load.extent, "an open drive is on one coordinate, and a ball joint has three: prescribe its moments by inputs");
                 return None;
@@ -230,6 +254,13 @@ impl Reader<'_> {
         let line = self.work.add(places[1], back);
         let line = self.work.components(line, Frame::WORLD);
         let line = self.work.graph.quantities(line);
+        if self.work.graph.is_zero_vector(&line) {
+            errors.push(
+                q.extent,
+                "the ends of a tension are at the same place: it has no direction",
+            );
+            return None;
+        }
         let length = self.work.graph.norm(line);
         let length = self.work.graph.quantity(length);
         let share = self.work.graph.divide(size, length);
@@ -277,6 +308,15 @@ impl Reader<'_> {
         let is_planar = self.system.is_planar;
         let vector = self.at_top(errors, |lowering| read_moment(lowering, moment, is_planar));
         let numbers: Vec<usize> = numbers.into_iter().collect::<Option<_>>()?;
+        if let ([first, second], [_, again]) = (numbers.as_slice(), bodies)
+            && first == second
+        {
+            errors.push(
+                again.extent,
+                "a moment between two bodies, and both are one: it cancels",
+            );
+            return None;
+        }
         let vector = vector?;
         let zeros = self.work.graph.zeros();
         let center = |body: usize| Point::Fixed(self.members.bodies[body].frame, zeros);
@@ -300,7 +340,26 @@ impl Reader<'_> {
                 return Some(found);
             }
         }
-        errors.push(written.extent, "expected the name of a body");
+        let name = super::joints::first_name_of(written)
+            .map(ToString::to_string)
+            .unwrap_or_default();
+        if self.scope.is_lost(&name) {
+            return None;
+        }
+        let bodies = self.members.bodies.iter().map(|body| body.name.as_str());
+        let message = if name == "world" {
+            "the ground does not move, and needs no moment: write `moment(v).on(body)`".to_owned()
+        } else if self.members.joints.iter().any(|joint| joint.name == name) {
+            format!(
+                "`{name}` is a joint, and a moment acts on bodies: write `v.on({name})` in `drives`"
+            )
+        } else {
+            format!(
+                "expected the name of a body{}",
+                self.members.hint(&name, bodies)
+            )
+        };
+        errors.push(written.extent, message);
         None
     }
 }

@@ -25,6 +25,17 @@ pub struct Written {
     pub mention: proc_macro2::Span,
 }
 
+/// Joints that are not there yet.
+const LATER: [&str; 7] = [
+    "cable",
+    "planar",
+    "link",
+    "rotation",
+    "translation",
+    "planar_translation",
+    "rod",
+];
+
 /// The kind of joint that an expression begins with, and what is written behind it.
 pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
     let word = call(value)?.0.to_string();
@@ -34,7 +45,7 @@ pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind
 }
 
 /// `kind(arguments)`, with the methods behind it.
-fn call(value: &Expression) -> Option<(&Ident, &[Expression], Vec<(&Ident, &[Expression])>)> {
+pub fn call(value: &Expression) -> Option<(&Ident, &[Expression], Vec<(&Ident, &[Expression])>)> {
     let mut methods = Vec::new();
     let mut inner = value;
     loop {
@@ -81,6 +92,13 @@ impl Reader<'_> {
             let is_spatial =
                 self.system.is_planar && JointKind::all(false).iter().any(|kind| word == kind.word);
             let plane = if is_spatial { " in the plane" } else { "" };
+            if LATER.contains(&word.to_string().as_str()) {
+                let message = format!(
+                    "`{word}` is a joint of the language, but this version does not have it yet"
+                );
+                errors.push(word.span(), message);
+                return None;
+            }
             errors.push(
                 word.span(),
                 format!(
@@ -201,6 +219,9 @@ impl Reader<'_> {
             let written = first_name_of(body)
                 .map(ToString::to_string)
                 .unwrap_or_default();
+            if self.scope.is_lost(&written) {
+                return None;
+            }
             let hint = hint(&written, names);
             errors.push(
                 body.extent,
@@ -229,6 +250,20 @@ impl Reader<'_> {
         written: &Expression,
         errors: &mut Errors,
     ) -> Option<(Option<usize>, Components)> {
+        if let Kind::Name(name) = &written.kind
+            && let Some(body) = self
+                .members
+                .bodies
+                .iter()
+                .find(|body| *name == body.name.as_str())
+        {
+            let point = body.points.first().map_or("G", |(point, _)| point.as_str());
+            errors.push(
+                name.span(),
+                format!("`{name}` is a body: write one of its points, such as `{name}.{point}`"),
+            );
+            return None;
+        }
         self.at_top(errors, |lowering| {
             let found = match lowering.value(written)? {
                 Value::Carried(body, offset) => return Some((Some(body), offset)),
@@ -343,7 +378,7 @@ impl Reader<'_> {
     }
 }
 
-fn first_name_of(value: &Expression) -> Option<&Ident> {
+pub fn first_name_of(value: &Expression) -> Option<&Ident> {
     value.names().into_iter().next()
 }
 

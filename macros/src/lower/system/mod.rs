@@ -5,6 +5,8 @@ mod body;
 mod drives;
 mod joints;
 mod motion;
+mod names;
+mod outline;
 mod tree;
 
 use std::collections::HashSet;
@@ -12,17 +14,19 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::lower::definitions::check_names;
+use crate::lower::definitions::{Definition, INVERSE, check_names, definition_order};
 use crate::lower::expressions::{Lowering, Members, Scope, Value};
 use crate::model::{
-    Declared, Defaults, Frame, Jointed, Meaning, Motion, Outline, PLANAR, SPATIAL, State, System,
-    Vector, Workspace,
+    Declared, Defaults, Frame, Meaning, Motion, Outline, PLANAR, SPATIAL, State, System, Vector,
+    Workspace,
 };
 use crate::symbolic::{Id, Stage};
-use crate::syntax::{self, Definition, Expression};
+use crate::syntax;
 
 use body::Draft;
-use joints::kind_of;
+use names::{check_members, check_own_names, declared, for_copy, moving_locals};
+
+pub use outline::outline_system;
 
 /// What the parts of a system are read with.
 struct Reader<'a> {
@@ -31,6 +35,10 @@ struct Reader<'a> {
     scope: Scope,
     members: Members,
     motion: Motion,
+    /// Whether drives are solved for.
+    is_inverse: bool,
+    /// For each body, whether its joints let it turn.
+    turning: Vec<bool>,
     time: Id,
     defaults: Defaults,
 }
@@ -49,7 +57,12 @@ pub fn lower_system(
         system,
         work,
         scope: Scope::new(&system.top, repeated),
-        members: Members::default(),
+        members: Members {
+            declared: declared(system),
+            ..Members::default()
+        },
+        is_inverse: outline.rank(INVERSE).is_some(),
+        turning: vec![false; system.bodies.len()],
         motion: if system.is_planar { &PLANAR } else { &SPATIAL },
         time,
         defaults: Defaults::new(),
@@ -59,18 +72,26 @@ pub fn lower_system(
     });
     reader.locals(errors, false);
     let mut drafts: Vec<Draft<'_>> = Vec::new();
-    for body in &system.bodies {
-        let draft = reader.points(body, errors);
+    let mut wrong = HashSet::new();
+    for (number, body) in system.bodies.iter().enumerate() {
+        let draft = for_copy(
+            system.firsts[number],
+            number,
+            &mut wrong,
+            errors,
+            |errors| reader.points(body, errors),
+        );
         drafts.push(draft);
     }
     let joints = reader.joints(errors);
     let order = reader.tree(&joints, errors);
     let joints = reader.motions(order, joints, &mut drafts);
+    reader.members.are_moving = true;
     reader.locals(errors, true);
-    let bodies = reader.bodies(drafts, errors);
+    let bodies = reader.bodies(&mut drafts, &mut wrong, errors);
     let joints = reader.drives(joints, errors);
     let loads = reader.loads_between(errors);
-    outline.unused = reader.unused();
+    outline.unused = reader.unused(&drafts);
     let (mut bodies, joints) = (bodies?, joints?);
     for (body, load) in loads? {
         bodies[body].loads.push(load);
@@ -102,52 +123,11 @@ pub fn lower_system(
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         defaults,
     };
-    errors.is_empty().then_some((system, work))
-}
-
-/// The joints of a system as far as their words tell: the fields of its state.
-pub fn outline_joints(system: &syntax::System) -> Vec<Jointed> {
-    let mut seen = HashSet::new();
-    let joints = system.joints.iter();
-    joints
-        .filter(|joint| seen.insert(joint.name.to_string()))
-        .filter_map(|joint| {
-            let kind = kind_of(joint.value.as_ref()?, system.is_planar)?;
-            Some(Jointed {
-                name: joint.name.clone(),
-                shape: kind.shape?,
-                frame: None,
-            })
-        })
-        .collect()
-}
-
-/// Reports names of bodies and joints that mean two things, and returns them.
-fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<String> {
-    let mut repeated = HashSet::new();
-    let mut seen: Vec<(&Ident, &str)> = Vec::new();
-    let top = &system.top;
-    let declared = top.params.iter().chain(&top.inputs);
-    let declared = declared.map(|declaration| (&declaration.name, "param or input"));
-    let locals = top.locals.iter().map(|local| (&local.name, "local"));
-    seen.extend(declared.chain(locals));
-    let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
-    let joints = system.joints.iter().map(|joint| (&joint.name, "joint"));
-    for (name, what) in bodies.chain(joints) {
-        if crate::lower::expressions::BUILT_IN.contains(&name.to_string().as_str()) {
-            let message = format!("`{name}` is built in: choose another name for this {what}");
-            errors.push(name.span(), message);
-        } else if let Some((_, first)) = seen.iter().find(|(other, _)| *other == name) {
-            let message = format!(
-                "`{name}` is the name of a {first} already: params, inputs, locals, bodies and joints need different names"
-            );
-            errors.push(name.span(), message);
-            repeated.insert(name.to_string());
-        } else {
-            seen.push((name, what));
-        }
+    if errors.is_empty() && outline.joints.is_empty() {
+        let message = "nothing moves: all joints are welds";
+        errors.push(outline.name.span(), message);
     }
-    repeated
+    errors.is_empty().then_some((system, work))
 }
 
 impl Reader<'_> {
@@ -173,29 +153,24 @@ impl Reader<'_> {
     fn locals(&mut self, errors: &mut Errors, is_late: bool) {
         let locals = &self.system.top.locals;
         let moves = moving_locals(self.system);
-        // each after those it refers to; what is left goes in a circle
-        let mut left: Vec<&Definition> = locals
-            .iter()
-            .filter(|local| moves.contains(&local.name.to_string()) == is_late)
-            .collect();
-        while !left.is_empty() {
-            let waits = |local: &Definition, left: &[&Definition]| {
-                let names = local.value.iter().flat_map(Expression::names);
-                names
-                    .into_iter()
-                    .any(|name| left.iter().any(|other| other.name == *name))
+        let mut circles = Errors::default();
+        let (order, circular) = definition_order(
+            &self.system.top,
+            if is_late { errors } else { &mut circles },
+        );
+        let _ = circles.finish();
+        for definition in circular {
+            self.scope.define(&definition.of(&self.system.top).0, None);
+        }
+        for definition in order {
+            let Definition::Local(index) = definition else {
+                continue;
             };
-            let ready = left.iter().position(|local| !waits(local, &left));
-            let Some(ready) = ready else {
-                for local in left {
-                    let message = format!("`{}` is defined in a circle", local.name);
-                    errors.push(local.name.span(), message);
-                    self.scope.define(&local.name.to_string(), None);
-                }
-                return;
-            };
-            let local = left.remove(ready);
+            let local = &locals[index];
             let name = local.name.to_string();
+            if moves.contains(&name) != is_late {
+                continue;
+            }
             let value = self.at_top(errors, |lowering| {
                 let value = lowering.value(local.value.as_ref()?)?;
                 Some(lowering.named(value, &name))
@@ -205,37 +180,40 @@ impl Reader<'_> {
     }
 
     /// The names of the system that nothing refers to.
-    fn unused(&self) -> Vec<Ident> {
+    fn unused(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
         let top = &self.system.top;
         let inputs = top.inputs.iter().filter(|input| input.order == 0);
         let declared = top.params.iter().chain(inputs).map(|one| &one.name);
         let names = declared.chain(top.locals.iter().map(|local| &local.name));
-        names
-            .filter(|name| !self.scope.is_used(name))
-            .cloned()
-            .collect()
+        let unused = names.filter(|name| !self.scope.is_used(name)).cloned();
+        unused.chain(self.unused_of_bodies(drafts)).collect()
     }
-}
 
-/// The locals that depend on how the system moves.
-fn moving_locals(system: &syntax::System) -> HashSet<String> {
-    let bodies = system.bodies.iter().map(|body| body.name.to_string());
-    let joints = system.joints.iter().map(|joint| joint.name.to_string());
-    let mut moving: HashSet<String> = bodies.chain(joints).chain(["t".to_owned()]).collect();
-    loop {
-        let before = moving.len();
-        for local in &system.top.locals {
-            let names = local.value.iter().flat_map(Expression::names);
-            if names
-                .into_iter()
-                .any(|name| moving.contains(&name.to_string()))
-            {
-                moving.insert(local.name.to_string());
+    /// The points and locals of bodies that nothing refers to, of copies no copy.
+    fn unused_of_bodies(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
+        let used = self.members.used.borrow();
+        let is_used = |number: usize, name: &Ident| {
+            let of_others = used.contains(&(number, name.to_string()));
+            of_others || drafts[number].scope.is_used(name)
+        };
+        let mut unused = Vec::new();
+        for (first, draft) in drafts.iter().enumerate() {
+            if self.system.firsts[first] != first {
+                continue;
             }
+            let copies: Vec<usize> = (0..drafts.len())
+                .filter(|number| self.system.firsts[*number] == first)
+                .collect();
+            let own = draft
+                .description
+                .points
+                .iter()
+                .chain(&draft.description.locals);
+            let own = own.map(|definition| &definition.name);
+            let left = own.filter(|name| !copies.iter().any(|copy| is_used(*copy, name)));
+            unused.extend(left.cloned());
         }
-        if moving.len() == before {
-            return moving;
-        }
+        unused
     }
 }
 
@@ -268,7 +246,7 @@ fn points(
         .filter_map(|name| match scope.peek(&name) {
             Some(Value::Point(point)) => point.offset(frame).map(|offset| (name, Some(offset))),
             None => Some((name, None)),
-            Some(_) => None,
+            Some(_) => Some((name, None)),
         })
         .collect()
 }

@@ -111,6 +111,12 @@ impl Reader<'_> {
         self.tell_of(written.carried, &state);
         drafts[written.carried].state = Some(state);
         self.define_attitude(&mut drafts[written.carried], kind.is_free());
+        let turns = kind
+            .parts
+            .iter()
+            .any(|part| !matches!(part, Part::Slide(_)));
+        let is_carried = written.carrier.is_some_and(|carrier| self.turning[carrier]);
+        self.turning[written.carried] = turns || is_carried;
         let freedoms = freedoms(kind.parts, self.system.is_planar).len();
         TreeJoint {
             name: written.name,

@@ -10,7 +10,8 @@ impl Reader<'_> {
     pub fn tree(&self, joints: &[Option<Written>], errors: &mut Errors) -> Vec<usize> {
         let bodies = &self.system.bodies;
         let mut carried_by: Vec<Option<usize>> = vec![None; bodies.len()];
-        let mut is_sound = joints.iter().all(Option::is_some);
+        let is_lost = self.system.has_lost_joints || self.system.has_lost_bodies;
+        let mut is_sound = joints.iter().all(Option::is_some) && !is_lost;
         for (index, joint) in joints.iter().enumerate() {
             let Some(joint) = joint else { continue };
             let body = &bodies[joint.carried].name;

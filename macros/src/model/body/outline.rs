@@ -25,6 +25,8 @@ pub struct Outline {
     pub runtime: TokenStream,
     pub doc: Vec<String>,
     pub motion: Motion,
+    /// It is a system, and not a body alone.
+    pub is_system: bool,
     /// Of a system: its joints that move, each a field of its state.
     pub joints: Vec<Jointed>,
     pub params: Vec<Declared>,
@@ -41,6 +43,10 @@ pub struct Outline {
     /// Number of given loads.
     pub loads: usize,
     pub keys: Vec<Ident>,
+    /// Of a system: those in the braces of its bodies.
+    pub body_keys: Vec<Ident>,
+    /// Of a system: its open drives, by name.
+    pub open: Vec<Ident>,
     /// Names that nothing in the description refers to.
     pub unused: Vec<Ident>,
 }
@@ -54,8 +60,8 @@ pub struct Jointed {
 }
 
 impl Outline {
-    /// It is a system, and not a body alone.
-    pub fn is_system(&self) -> bool {
+    /// Its state is made of those of joints.
+    pub fn has_joints(&self) -> bool {
         !self.joints.is_empty()
     }
 

@@ -1,0 +1,53 @@
+//! What the words of a system tell, whatever is wrong with it.
+
+use std::collections::HashSet;
+
+use crate::errors::similar;
+use crate::model::{JointKind, Jointed, Outline};
+use crate::syntax::{self, Definition, Kind};
+
+use super::drives::behind;
+use super::joints::{call, kind_of};
+
+/// The joints that move are the fields of its state.
+pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
+    outline.is_system = true;
+    outline.body_keys.clone_from(&system.keys);
+    let mut seen = HashSet::new();
+    let joints = system.joints.iter();
+    let joints = joints
+        .filter(|joint| seen.insert(joint.name.to_string()))
+        .filter_map(|joint| {
+            Some(Jointed {
+                name: joint.name.clone(),
+                shape: likely_kind(joint, system.is_planar)?.shape?,
+                frame: None,
+            })
+        });
+    outline.joints = joints.collect();
+    let open = system.drives.iter().filter(|drive| {
+        let load = drive.value.as_ref().and_then(|value| behind(value, "on"));
+        load.is_some_and(|(load, _)| matches!(load.kind, Kind::Placeholder))
+    });
+    let open = open.filter(|drive| seen.insert(format!("drive {}", drive.name)));
+    outline.open = open.map(|drive| drive.name.clone()).collect();
+}
+
+/// The kind of a joint, or of one that cannot be read, what it may be.
+fn likely_kind(joint: &Definition, is_planar: bool) -> Option<&'static JointKind> {
+    let kinds = JointKind::all(is_planar);
+    let Some(value) = &joint.value else {
+        return kinds.first();
+    };
+    kind_of(value, is_planar)
+        .or_else(|| kind_of(value, false))
+        .or_else(|| {
+            let word = call(value).map(|(word, ..)| word.to_string());
+            let meant = similar(
+                &word.unwrap_or_default(),
+                kinds.iter().map(|kind| kind.word),
+            );
+            let similar = kinds.iter().find(|kind| meant == Some(kind.word));
+            similar.or_else(|| kinds.first())
+        })
+}

@@ -1,0 +1,239 @@
+//! The bodies of a system, each in its braces.
+
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenTree};
+use quote::format_ident;
+
+use crate::errors::{Errors, Extent, similar};
+use crate::syntax::entries::{parse_name, parse_value};
+use crate::syntax::expression::{Expression, Kind};
+use crate::syntax::parse::{key_meant, key_value, parse_keys};
+use crate::syntax::tokens::{Entry, is_punct, split, start, stream, without_attributes};
+use crate::syntax::words::check_name;
+use crate::syntax::{Definition, Description};
+
+use super::{LATER, OF_SYSTEMS, System};
+
+impl System {
+    /// `name { key: value, .. }`, or several where commas are missing.
+    pub fn parse_body(&mut self, entry: &[TokenTree], errors: &mut Errors) {
+        let mut entry = entry;
+        while let [
+            TokenTree::Ident(_),
+            TokenTree::Group(_),
+            TokenTree::Ident(next),
+            ..,
+        ] = entry
+        {
+            errors.push(next.span(), format!("expected a comma before `{next}`"));
+            self.parse_one_body(&entry[..2], errors);
+            entry = &entry[2..];
+        }
+        self.parse_one_body(entry, errors);
+    }
+
+    fn parse_one_body(&mut self, entry: &[TokenTree], errors: &mut Errors) {
+        if entry.is_empty() {
+            return;
+        }
+        let named = name_and_braces(entry, errors)
+            .filter(|(name, _)| check_name(name, "the name of a body", errors).is_some());
+        let Some((name, group)) = named else {
+            self.has_lost_bodies = true;
+            return;
+        };
+        let mut body = Description::new(name.clone(), self.top.runtime.clone());
+        let copies = self.parse_keys_of_body(&mut body, group, errors);
+        self.keys.extend(body.keys.iter().cloned());
+        let first = self.bodies.len();
+        match copies {
+            None => self.add(body, first, errors),
+            Some(copies) => {
+                for copy in copies {
+                    self.add(copied(&body, &copy), first, errors);
+                }
+            }
+        }
+    }
+
+    /// Returns the copies, if there are to be any.
+    fn parse_keys_of_body(
+        &mut self,
+        body: &mut Description,
+        group: &Group,
+        errors: &mut Errors,
+    ) -> Option<Vec<Definition>> {
+        let mut copies: Option<Vec<Definition>> = None;
+        let mut keys = Vec::new();
+        for entry in split(group.stream(), Entry::Key, errors) {
+            let [TokenTree::Ident(key), rest @ ..] = entry.as_slice() else {
+                keys.extend(entry.into_iter().chain([comma()]));
+                continue;
+            };
+            let word = key.to_string();
+            if is_copies(&word) {
+                let is_repeated = copies.is_some();
+                if word != "copies" {
+                    errors.push(
+                        key.span(),
+                        format!("there is no key `{key}`; did you mean `copies`?"),
+                    );
+                } else if is_repeated {
+                    let message = "`copies` is given twice: put everything into one `copies: [..]`";
+                    errors.push(key.span(), message);
+                }
+                let read = read_copies(body, key, rest, errors);
+                self.has_lost_bodies |= read.is_none() || is_repeated;
+                copies
+                    .get_or_insert_default()
+                    .extend(read.unwrap_or_default());
+            } else if key == "motion" {
+                let message = "the joints of a system say how its bodies move: leave `motion` out";
+                errors.push(key.span(), message);
+            } else if OF_SYSTEMS.contains(&word.as_str()) {
+                let message = format!(
+                    "`{key}` belongs to the system: write it outside of the braces of its bodies"
+                );
+                errors.push(key.span(), message);
+            } else if LATER.contains(&word.as_str()) || key == "pole" {
+                let message = format!("`{key}` is not there yet in the bodies of a system");
+                errors.push(key.span(), message);
+            } else {
+                keys.extend(entry.into_iter().chain([comma()]));
+            }
+        }
+        parse_keys(body, keys.into_iter().collect(), errors);
+        copies
+    }
+
+    fn add(&mut self, body: Description, first: usize, errors: &mut Errors) {
+        if self.bodies.iter().any(|other| other.name == body.name) {
+            let message = format!("there is a body `{}` already", body.name);
+            errors.push(body.name.span(), message);
+            self.has_lost_bodies = true;
+            return;
+        }
+        self.firsts.push(first);
+        self.bodies.push(body);
+    }
+}
+
+/// The name of a body, and what it is described in.
+fn name_and_braces<'t>(
+    entry: &'t [TokenTree],
+    errors: &mut Errors,
+) -> Option<(&'t Ident, &'t Group)> {
+    match entry {
+        [TokenTree::Ident(name), TokenTree::Group(group)] => {
+            if group.delimiter() != Delimiter::Brace {
+                let message =
+                    format!("a body is described in braces: write `{name} {{ mass: 1[kg], .. }}`");
+                errors.push(group.span_open(), message);
+            }
+            Some((name, group))
+        }
+        [
+            TokenTree::Ident(name),
+            TokenTree::Punct(sign),
+            TokenTree::Group(group),
+        ] => {
+            let message = format!(
+                "nothing stands between the name of a body and its braces: write `{name} {{ .. }}`"
+            );
+            errors.push(sign.span(), message);
+            Some((name, group))
+        }
+        [TokenTree::Ident(name), TokenTree::Group(group), extra, ..] => {
+            errors.push(
+                start(extra),
+                format!("expected a comma behind the braces of `{name}`"),
+            );
+            Some((name, group))
+        }
+        [TokenTree::Ident(name), ..] => {
+            let message =
+                format!("a body is a name and a description: write `{name} {{ mass: 1[kg], .. }}`");
+            errors.push(name.span(), message);
+            None
+        }
+        _ => {
+            let place = entry
+                .first()
+                .map_or_else(proc_macro2::Span::call_site, start);
+            errors.push(
+                place,
+                "expected the name of a body: `arm { mass: 1[kg], .. }`",
+            );
+            None
+        }
+    }
+}
+
+fn comma() -> TokenTree {
+    TokenTree::Punct(Punct::new(',', Spacing::Alone))
+}
+
+/// `copies: [x = direction, ..]`
+fn read_copies(
+    into: &mut Description,
+    key: &Ident,
+    rest: &[TokenTree],
+    errors: &mut Errors,
+) -> Option<Vec<Definition>> {
+    let message = "`copies` is a list in brackets: write `copies: [x = body(1, 0, 0)]`";
+    let value = key_value(key, rest, errors);
+    let [TokenTree::Group(group)] = value else {
+        if !value.is_empty() {
+            errors.push(Extent::of(stream(value)), message);
+        }
+        return None;
+    };
+    if group.delimiter() != Delimiter::Bracket {
+        errors.push(group.span_open(), message);
+    }
+    if group.stream().is_empty() {
+        errors.push(
+            group.span_open(),
+            "this makes no body: write a copy, `copies: [x = body(1, 0, 0)]`, or leave `copies` out",
+        );
+        return None;
+    }
+    let mut copies = Vec::new();
+    let mut is_sound = true;
+    for entry in split(group.stream(), Entry::Defined, errors) {
+        let entry = without_attributes(&entry, errors);
+        if let Some((name, rest)) = parse_name(into, "points", entry, errors) {
+            let is_bare = rest.first().is_none_or(|token| !is_punct(token, '='));
+            let value = (!is_bare)
+                .then(|| parse_value(&name, rest, errors))
+                .flatten();
+            copies.push(Definition { name, value });
+        } else {
+            is_sound = false;
+        }
+    }
+    is_sound.then_some(copies)
+}
+
+fn is_copies(word: &str) -> bool {
+    word == "copies"
+        || word != "bodies" && similar(word, ["copies"]).is_some() && key_meant(word).is_none()
+}
+
+/// `body_name`, with its inertia along the direction of the copy.
+fn copied(body: &Description, copy: &Definition) -> Description {
+    let mut copied = body.clone();
+    copied.name = format_ident!("{}_{}", body.name, copy.name, span = copy.name.span());
+    let written = copied
+        .inertia
+        .as_mut()
+        .and_then(|inertia| inertia.value.as_mut());
+    if let (Some(inertia), Some(direction)) = (written, &copy.value) {
+        let along = Ident::new("along", copy.name.span());
+        let solid = Box::new(inertia.clone());
+        *inertia = Expression {
+            extent: inertia.extent,
+            kind: Kind::Method(solid, along, vec![direction.clone()]),
+        };
+    }
+    copied
+}

@@ -1,0 +1,83 @@
+//! What can be said of a system of which something could not be read.
+
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, hint};
+use crate::syntax::expression::{Expression, Kind};
+
+use super::System;
+
+impl System {
+    /// What is written beside the bodies.
+    fn written(&self) -> impl Iterator<Item = &Expression> {
+        let loads = self.drives.iter().chain(&self.forces).chain(&self.moments);
+        let definitions = self.joints.iter().chain(loads).chain(&self.top.locals);
+        definitions.filter_map(|definition| definition.value.as_ref())
+    }
+
+    /// Where something that names bodies or joints could not be read, any unknown name may be one.
+    pub fn lose_names(&mut self) {
+        if !self.has_lost_bodies && !self.has_lost_joints {
+            return;
+        }
+        let bodies = self.bodies.iter().flat_map(|body| {
+            let loads = body.loads.iter().filter_map(|load| load.vector.as_ref());
+            loads.chain(body.locals.iter().filter_map(|local| local.value.as_ref()))
+        });
+        let names = self.written().chain(bodies).flat_map(Expression::names);
+        let top = &self.top;
+        let declared = top.params.iter().chain(&top.inputs).map(|one| &one.name);
+        let members = self.bodies.iter().map(|body| &body.name);
+        let defined = top.locals.iter().chain(&self.joints).map(|one| &one.name);
+        let known: Vec<&Ident> = declared.chain(members).chain(defined).collect();
+        let lost: Vec<String> = names
+            .filter(|name| !known.contains(name))
+            .map(ToString::to_string)
+            .collect();
+        for body in &mut self.bodies {
+            let own = body
+                .points
+                .iter()
+                .chain(&body.locals)
+                .map(|one| one.name.to_string());
+            let own: Vec<String> = own.collect();
+            body.lost
+                .extend(lost.iter().filter(|name| !own.contains(name)).cloned());
+        }
+        self.top.lost.extend(lost);
+    }
+
+    /// Whether the first vector that is written has two components.
+    fn looks_planar(&self) -> bool {
+        let points = self.bodies.iter().flat_map(|body| &body.points);
+        let points = points.filter_map(|point| point.value.as_ref());
+        let mut sizes = Vec::new();
+        for expression in self.written().chain(points) {
+            expression.visit(|part| match &part.kind {
+                Kind::Tuple(parts) => sizes.push(parts.len()),
+                Kind::Call(word, parts) if word == "world" || word == "body" => {
+                    sizes.push(parts.len())
+                }
+                _ => {}
+            });
+        }
+        sizes.first() == Some(&2)
+    }
+
+    /// Whether the system moves in the plane.
+    pub fn check_motion(&self, errors: &mut Errors) -> bool {
+        let Some(motion) = &self.top.motion else {
+            return false;
+        };
+        if motion.word == "planar" && motion.support.is_none() {
+            return true;
+        }
+        let written = motion.word.to_string();
+        let hint = hint(&written, ["planar"]);
+        errors.push(
+            motion.word.span(),
+            format!("a system moves in the plane, `motion: planar`, or in space: then leave `motion` out{hint}"),
+        );
+        written != "spatial" && (!hint.is_empty() || self.looks_planar())
+    }
+}

@@ -1,0 +1,197 @@
+//! A system: bodies, the joints between them, and what drives these.
+
+mod body;
+mod lost;
+
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+
+use crate::errors::{Errors, similar};
+
+use super::entries::{parse_name, parse_value};
+use super::head::parse_head;
+use super::parse::{check_length, key_meant, key_value, parse_key};
+use super::tokens::{Entry, split, start, without_attributes};
+use super::{Definition, Description, Motion};
+
+/// A whole description of a system.
+pub struct System {
+    /// What is said of the system: its name, params, inputs, locals, fields and outputs.
+    pub top: Description,
+    /// A description each, with the motion that all bodies have.
+    pub bodies: Vec<Description>,
+    pub joints: Vec<Definition>,
+    pub drives: Vec<Definition>,
+    /// Forces between points, and moments on bodies and between them.
+    pub forces: Vec<Definition>,
+    pub moments: Vec<Definition>,
+    pub is_planar: bool,
+    /// For each body, the first one that is written in the same braces.
+    pub firsts: Vec<usize>,
+    /// The keys in the braces of bodies.
+    pub keys: Vec<Ident>,
+    /// Something that may have named bodies, or joints, could not be read.
+    pub has_lost_bodies: bool,
+    pub has_lost_joints: bool,
+}
+
+/// Lists of a system that a body does not have, or has with other entries, each with one to show.
+const LISTS: [(&str, &str); 5] = [
+    ("bodies", "arm { mass: 1[kg], inertia: 0.1[kg * m ^ 2] }"),
+    ("joints", "elbow = revolute(upper.tip, lower.hinge)"),
+    ("drives", "motor = torque.on(elbow)"),
+    ("forces", "spring = tension.between(upper.tip, lower.tip)"),
+    ("moments", "load = moment(2[N * m]).on(upper)"),
+];
+/// Keys that stand in bodies alone.
+const OF_BODIES: [&str; 6] = [
+    "mass",
+    "inertia",
+    "points",
+    "joint_forces",
+    "joint_moments",
+    "pole",
+];
+/// Keys that stand in the system alone.
+const OF_SYSTEMS: [&str; 8] = [
+    "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives",
+];
+/// Keys of the language of systems that are not there yet.
+const LATER: [&str; 6] = [
+    "constraints",
+    "reactions",
+    "independent",
+    "urdf",
+    "drawing",
+    "potentials",
+];
+
+/// Parses `(runtime) Name { key: value, .. }` of a system.
+pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {
+    check_length(&tokens, errors)?;
+    let (top, body) = parse_head(tokens, errors)?;
+    let mut system = System {
+        top,
+        bodies: Vec::new(),
+        joints: Vec::new(),
+        drives: Vec::new(),
+        forces: Vec::new(),
+        moments: Vec::new(),
+        is_planar: false,
+        firsts: Vec::new(),
+        keys: Vec::new(),
+        has_lost_bodies: false,
+        has_lost_joints: false,
+    };
+    for entry in split(body, Entry::Key, errors) {
+        system.parse_key(without_attributes(&entry, errors), errors);
+    }
+    system.is_planar = system.check_motion(errors);
+    system.lose_names();
+    let word = if system.is_planar {
+        "planar"
+    } else {
+        "spatial"
+    };
+    for body in &mut system.bodies {
+        body.motion = Some(Motion {
+            word: Ident::new(word, body.name.span()),
+            support: None,
+        });
+    }
+    system.top.motion = Some(Motion {
+        word: Ident::new(word, system.top.name.span()),
+        support: None,
+    });
+    Some(system)
+}
+
+impl System {
+    fn parse_key(&mut self, entry: &[TokenTree], errors: &mut Errors) {
+        let [TokenTree::Ident(key), rest @ ..] = entry else {
+            parse_key(&mut self.top, entry, errors);
+            return;
+        };
+        let word = key.to_string();
+        if OF_BODIES.contains(&word.as_str()) {
+            errors.push(
+                key.span(),
+                format!("`{word}` belongs to a body: write it in the braces of one, in `bodies`"),
+            );
+        } else if LATER.contains(&word.as_str()) {
+            errors.push(
+                key.span(),
+                format!("`{word}` is part of the language of systems, but this version does not have it yet"),
+            );
+        } else if let Some((list, example)) = list_meant(&word) {
+            let is_given = self.top.keys.iter().any(|other| {
+                list_meant(&other.to_string()).is_some_and(|(other, _)| other == list)
+            });
+            if is_given {
+                let message =
+                    format!("`{word}` is given twice: put everything into one `{word}: [..]`");
+                errors.push(key.span(), message);
+            } else {
+                self.top.keys.push(key.clone());
+            }
+            self.parse_list(list, example, key, rest, errors);
+        } else {
+            parse_key(&mut self.top, entry, errors);
+        }
+    }
+
+    fn parse_list(
+        &mut self,
+        list: &str,
+        example: &str,
+        key: &Ident,
+        rest: &[TokenTree],
+        errors: &mut Errors,
+    ) {
+        let message = format!("`{list}` is a list in brackets: write `{list}: [{example}]`");
+        let group = match key_value(key, rest, errors) {
+            [TokenTree::Group(group)] => group,
+            value => {
+                if let Some(first) = value.first() {
+                    errors.push(start(first), message);
+                }
+                self.has_lost_bodies |= list == "bodies";
+                self.has_lost_joints |= list == "joints";
+                return;
+            }
+        };
+        if group.delimiter() != Delimiter::Bracket {
+            errors.push(group.span_open(), message);
+        }
+        for entry in split(group.stream(), Entry::Defined, errors) {
+            let entry = without_attributes(&entry, errors);
+            if list == "bodies" {
+                self.parse_body(entry, errors);
+                continue;
+            }
+            let Some((name, rest)) = parse_name(&mut self.top, list, entry, errors) else {
+                self.has_lost_joints |= list == "joints";
+                continue;
+            };
+            let value = parse_value(&name, rest, errors);
+            let definition = Definition { name, value };
+            match list {
+                "joints" => self.joints.push(definition),
+                "drives" => self.drives.push(definition),
+                "forces" => self.forces.push(definition),
+                _ => self.moments.push(definition),
+            }
+        }
+    }
+}
+
+/// The list of a system that a key, perhaps misspelt, is meant to be.
+fn list_meant(word: &str) -> Option<&'static (&'static str, &'static str)> {
+    let exact = LISTS.iter().find(|(list, _)| *list == word);
+    let of_body = key_meant(word).is_some_and(|meant| meant == word);
+    let lists = LISTS.iter().map(|(list, _)| *list);
+    let meant = || similar(word, lists).filter(|_| !of_body);
+    exact.or_else(|| {
+        let meant = meant()?;
+        LISTS.iter().find(|(list, _)| *list == meant)
+    })
+}

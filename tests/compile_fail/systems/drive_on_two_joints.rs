@@ -1,0 +1,17 @@
+use newton_euler::rigid_system;
+
+rigid_system!(Cart {
+    motion: planar,
+    inputs: [push[N]],
+    bodies: [
+        cart { mass: 2[kg] },
+        pole { mass: 0.4[kg], inertia: 0.01[kg * m ^ 2], points: [pin = (0, -0.3)[m]] },
+    ],
+    joints: [
+        rail = prismatic(world(0, 0), cart.G, body(1, 0)),
+        swing = revolute(cart.G, pole.pin),
+    ],
+    drives: [motor = push.on(rail, swing)],
+});
+
+fn main() {}

@@ -1,0 +1,5 @@
+use newton_euler::rigid_system;
+
+rigid_system!(Nothing { bodies: [], joints: [] });
+
+fn main() {}

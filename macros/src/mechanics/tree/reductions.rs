@@ -8,8 +8,9 @@ use super::link::{Along, Tree};
 use super::properties::{keep_axes, regroup};
 use super::turning::Turning;
 
-/// How many trees are tried, for each link of them.
-const TRIALS: usize = 12;
+/// How many operations the trees that are tried have together: a stated limit, so that many bodies
+/// do not take long to expand, and the same description has the same expansion.
+const TRIED: u32 = 20_000;
 
 /// How a tree is written.
 #[derive(Clone)]
@@ -52,13 +53,13 @@ pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) 
     };
     let mut best = choice.apply(graph, tree);
     let mut least = cost(graph, &best);
-    let mut trials = TRIALS * count;
+    let mut tried = least;
     loop {
         let before = least;
         for index in 0..count {
             let mut further = Vec::new();
-            let tried = distances(graph, tree, index).into_iter().map(Some);
-            for slide in tried.chain([None]) {
+            let slides = distances(graph, tree, index).into_iter().map(Some);
+            for slide in slides.chain([None]) {
                 if slide != choice.slides[index] {
                     let mut changed = choice.clone();
                     changed.slides[index] = slide;
@@ -72,12 +73,12 @@ pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) 
             changed.sides[index] = 3 - changed.sides[index];
             further.push(changed);
             for changed in further {
-                if trials == 0 {
+                if tried > TRIED {
                     return best;
                 }
-                trials -= 1;
                 let written = changed.apply(graph, tree);
                 let found = cost(graph, &written);
+                tried += found;
                 if found < least {
                     (least, best, choice) = (found, written, changed);
                 }

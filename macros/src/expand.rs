@@ -9,7 +9,10 @@ use crate::errors::Errors;
 use crate::mechanics::{
     Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
 };
-use crate::outputs::{self, SystemOutputs, derive_outputs, derive_system_outputs, system_offers};
+use crate::outputs::{
+    self, SystemOutputs, derive_outputs, derive_system_outputs, describe_system_outputs,
+    system_offers,
+};
 use crate::range::check_range;
 use crate::{lower, syntax};
 
@@ -79,7 +82,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
             let equations = derive_system(&system, &mut work);
             let outputs =
                 derive_system_outputs(&outline, &system, &mut work, &equations, &mut errors)?;
-            let bodies: Vec<_> = system.bodies.iter().map(|body| body.substance()).collect();
+            let bodies = system.substances();
             // the state has the joints as they are written, the tree each after its carrier
             let accelerations = outline.joints.iter().flat_map(|known| {
                 let place = system
@@ -92,7 +95,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
             });
             let accelerations: Vec<_> = accelerations.collect();
             let mut report = describe_system(&system, &work, &equations);
-            outputs.describe(&outline, &mut report);
+            describe_system_outputs(&outline, &mut report);
             let roots = Roots {
                 finite: accelerations
                     .iter()

@@ -88,20 +88,20 @@ pub fn derive_system_outputs(
     Some(outputs)
 }
 
-impl SystemOutputs {
-    /// Adds to a report which of them were not asked for.
-    pub fn describe(&self, outline: &Outline, report: &mut Report) {
-        let missed = OFFERS
-            .iter()
-            .filter(|offer| outline.rank(offer.word).is_none());
-        let missed: Vec<&str> = missed.map(|offer| offer.word).collect();
-        if !missed.is_empty() {
-            report
-                .skipped
-                .push(format!("{}: not in `outputs`", missed.join(", ")));
-        }
+/// Adds to a report which of them were not asked for.
+pub fn describe_system_outputs(outline: &Outline, report: &mut Report) {
+    let missed = OFFERS
+        .iter()
+        .filter(|offer| outline.rank(offer.word).is_none());
+    let missed: Vec<&str> = missed.map(|offer| offer.word).collect();
+    if !missed.is_empty() {
+        report
+            .skipped
+            .push(format!("{}: not in `outputs`", missed.join(", ")));
     }
+}
 
+impl SystemOutputs {
     /// The expressions that code is generated for.
     pub fn roots(&self) -> Vec<Id> {
         let energy = self.energy.iter();

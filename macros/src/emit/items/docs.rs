@@ -77,9 +77,10 @@ fn lines(
 ) -> TokenStream {
     let motion = outline.motion.word;
     let title = if outline.doc.is_empty() {
-        vec![match outline.has_joints() {
-            true => "A system of rigid bodies.".to_owned(),
-            false => format!("A rigid body in `{motion}` motion."),
+        vec![if outline.has_joints() {
+            "A system of rigid bodies.".to_owned()
+        } else {
+            format!("A rigid body in `{motion}` motion.")
         }]
     } else {
         outline.doc.clone()

@@ -1,9 +1,11 @@
 //! What drives joints, and what acts between bodies.
 
-use crate::errors::Errors;
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, hint};
 use crate::families::Family;
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Frame, Load, Point, TreeJoint, Variable, Vector};
+use crate::model::{Dimension, Field, Frame, Load, Part, Point, TreeJoint, Variable, Vector};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Definition, Expression, Kind};
 
@@ -19,6 +21,88 @@ pub fn behind<'e>(
         Kind::Method(receiver, word, arguments) if word == method => Some((receiver, arguments)),
         _ => None,
     }
+}
+
+/// `elbow`, or `gimbal.angle_1`: the joint, and its coordinate.
+fn joint_named<'e>(
+    target: &'e Expression,
+    errors: &mut Errors,
+) -> Option<(&'e Ident, Option<&'e Ident>)> {
+    match &target.kind {
+        Kind::Name(name) => return Some((name, None)),
+        Kind::Field(inner, word) => {
+            if let Kind::Name(name) = &inner.kind {
+                return Some((name, Some(word)));
+            }
+        }
+        _ => {}
+    }
+    errors.push(
+        target.extent,
+        "a drive acts on a joint, by its name, or on one of its coordinates",
+    );
+    None
+}
+
+fn is_ball(joint: &TreeJoint) -> bool {
+    joint.kind.parts == [Part::Ball]
+}
+
+/// The coordinates of a joint, by the fields of its state.
+fn coordinates(joint: &TreeJoint) -> impl Iterator<Item = &'static Field> {
+    let fields = joint.kind.shape.into_iter().flat_map(|shape| shape.fields);
+    fields.filter(|field| matches!(field.variable, Variable::Position | Variable::Angle))
+}
+
+/// The freedoms that a drive acts along: that of the coordinate which is named, or the only one; of a
+/// ball joint all three.
+fn chosen(
+    joint: &TreeJoint,
+    all: &[(Variable, usize)],
+    word: Option<&Ident>,
+    target: &Expression,
+    errors: &mut Errors,
+) -> Option<Vec<usize>> {
+    let name = &joint.name;
+    if all.is_empty() || joint.kind.is_free() {
+        let place = joint_named(target, errors)?.0.span();
+        let message = if all.is_empty() {
+            format!("`{name}` does not move: there is nothing to drive")
+        } else {
+            format!(
+                "nothing holds `{name}`: what acts on its body is a force or a moment in its braces"
+            )
+        };
+        errors.push(place, message);
+        return None;
+    }
+    let words: Vec<&str> = coordinates(joint).map(|field| field.path).collect();
+    let Some(word) = word else {
+        if all.len() == 1 || is_ball(joint) {
+            return Some((0..all.len()).collect());
+        }
+        let words: Vec<String> = words.iter().map(|word| format!("{name}.{word}")).collect();
+        let all = words.join(")` or `.on(");
+        errors.push(
+            target.extent,
+            format!("along which coordinate? write `.on({all})`"),
+        );
+        return None;
+    };
+    let field = coordinates(joint).find(|field| *word == field.path);
+    let rate = field.map(|field| match field.variable {
+        Variable::Position => (Variable::Velocity, field.first),
+        _ => (Variable::AngularVelocity, field.first),
+    });
+    let found = rate.and_then(|rate| all.iter().position(|one| *one == rate));
+    if found.is_none() {
+        let all = words.join("`, `");
+        errors.push(
+            word.span(),
+            format!("a drive acts on a coordinate of `{name}`: `{all}`"),
+        );
+    }
+    found.map(|found| vec![found])
 }
 
 impl Reader<'_> {
@@ -53,122 +137,20 @@ impl Reader<'_> {
             errors.push(place, message);
             return None;
         };
-        let (name, word) = match &target.kind {
-            Kind::Name(name) => (name, None),
-            Kind::Field(inner, word) => match &inner.kind {
-                Kind::Name(name) => (name, Some(word)),
-                _ => return self.refuse_target(target, errors),
-            },
-            _ => return self.refuse_target(target, errors),
-        };
-        let known = self
-            .members
-            .joints
-            .iter()
-            .find(|joint| *name == joint.name.as_str());
-        let Some(known) = known else {
-            if self.scope.is_lost(&name.to_string()) {
-                return None;
-            }
-            let names = self.members.joints.iter().map(|joint| joint.name.as_str());
-            let hint = crate::errors::hint(&name.to_string(), names);
-            let message = if self.members.declared.contains(&name.to_string()) {
-                format!("`{name}` is a body, and a drive acts on a joint")
-            } else {
-                format!("there is no joint `{name}`{hint}")
-            };
-            errors.push(name.span(), message);
-            return None;
-        };
-        if !known.is_known {
-            return None;
-        }
+        let (name, word) = joint_named(target, errors)?;
+        self.check_joint(name, errors)?;
         let joint = joints.iter_mut().find(|joint| joint.name == *name)?;
         let all = freedoms(joint.kind.parts, self.system.is_planar);
-        if all.is_empty() || joint.kind.is_free() {
-            let message = if all.is_empty() {
-                format!("`{name}` does not move: there is nothing to drive")
-            } else {
-                format!(
-                    "nothing holds `{name}`: what acts on its body is a force or a moment in its braces"
-                )
-            };
-            errors.push(name.span(), message);
-            return None;
-        }
-        let shape = joint.kind.shape?;
-        let chosen: Vec<usize> = match word {
-            None => (0..all.len()).collect(),
-            Some(word) => {
-                let mut fields = shape.fields.iter();
-                let field =
-                    fields.find(|field| *word == field.path && is_coordinate(field.variable));
-                let rate = field.map(|field| match field.variable {
-                    Variable::Position => (Variable::Velocity, field.first),
-                    _ => (Variable::AngularVelocity, field.first),
-                });
-                let found = rate.and_then(|rate| all.iter().position(|one| *one == rate));
-                let Some(found) = found else {
-                    let words: Vec<&str> = shape
-                        .fields
-                        .iter()
-                        .filter(|field| is_coordinate(field.variable))
-                        .map(|field| field.path)
-                        .collect();
-                    let message = format!(
-                        "a drive acts on a coordinate of `{name}`: `{}`",
-                        words.join("`, `")
-                    );
-                    errors.push(word.span(), message);
-                    return None;
-                };
-                vec![found]
-            }
-        };
-        let is_ball = joint.kind.parts == [crate::model::Part::Ball];
-        if chosen.len() > 1 && !is_ball {
-            let fields = shape
-                .fields
-                .iter()
-                .filter(|field| is_coordinate(field.variable));
-            let words: Vec<String> = fields
-                .map(|field| format!("{name}.{}", field.path))
-                .collect();
-            errors.push(
-                target.extent,
-                format!(
-                    "along which coordinate? write `.on({})`",
-                    words.join(")` or `.on(")
-                ),
-            );
-            return None;
-        }
+        let chosen = chosen(joint, &all, word, target, errors)?;
         if matches!(load.kind, Kind::Placeholder) {
-            if !self.is_inverse {
-                errors.push(
-                    load.extent,
-                    "an unknown drive is for `outputs: [inverse]`: ask for that, or write a value",
-                );
-                return None;
-            }
-            if is_ball {
-                errors.push(load.extent, "an open drive is on one coordinate, and a ball joint has three: prescribe its moments by inputs");
-                return None;
-            }
-            let open = &mut joint.open[chosen[0]];
-            if let Some(other) = open {
-                let message = format!("`{other}` is open on this coordinate already");
-                errors.push(drive.name.span(), message);
-                return None;
-            }
-            *open = Some(drive.name.clone());
-            return Some(());
+            return self.open(drive, load, joint, &chosen, errors);
         }
         let frame = joint.frames.last().copied()?;
+        let is_ball = is_ball(joint);
         let parts = self.at_top(errors, |lowering| {
             if is_ball {
-                let vector =
-                    lowering.vector(load, Dimension::MOMENT, "the drive of a ball joint")?;
+                let what = "the drive of a ball joint";
+                let vector = lowering.vector(load, Dimension::MOMENT, what)?;
                 return Some(lowering.work.components(vector, frame).to_vec());
             }
             let (expected, what) = match all[chosen[0]].0 {
@@ -183,12 +165,58 @@ impl Reader<'_> {
         Some(())
     }
 
-    fn refuse_target(&self, target: &Expression, errors: &mut Errors) -> Option<()> {
-        errors.push(
-            target.extent,
-            "a drive acts on a joint, by its name, or on one of its coordinates",
-        );
+    /// Whether a drive names a joint that is known; `None` if that is reported.
+    fn check_joint(&self, name: &Ident, errors: &mut Errors) -> Option<()> {
+        let mut joints = self.members.joints.iter();
+        if let Some(known) = joints.find(|joint| *name == joint.name.as_str()) {
+            return known.is_known.then_some(());
+        }
+        if self.scope.is_lost(&name.to_string()) {
+            return None;
+        }
+        let names = self.members.joints.iter().map(|joint| joint.name.as_str());
+        let hint = hint(&name.to_string(), names);
+        let message = if self.members.declared.contains(&name.to_string()) {
+            format!("`{name}` is a body, and a drive acts on a joint")
+        } else {
+            format!("there is no joint `{name}`{hint}")
+        };
+        errors.push(name.span(), message);
         None
+    }
+
+    /// Leaves the load along a coordinate open, for inverse dynamics.
+    fn open(
+        &self,
+        drive: &Definition,
+        load: &Expression,
+        joint: &mut TreeJoint,
+        chosen: &[usize],
+        errors: &mut Errors,
+    ) -> Option<()> {
+        if !self.is_inverse {
+            errors.push(
+                load.extent,
+                "an unknown drive is for `outputs: [inverse]`: ask for that, or write a value",
+            );
+            return None;
+        }
+        if is_ball(joint) {
+            errors.push(
+                load.extent,
+                "an open drive is on one coordinate, and a ball joint has three: prescribe its \
+                 moments by inputs",
+            );
+            return None;
+        }
+        let open = &mut joint.open[*chosen.first()?];
+        if let Some(other) = open {
+            let message = format!("`{other}` is open on this coordinate already");
+            errors.push(drive.name.span(), message);
+            return None;
+        }
+        *open = Some(drive.name.clone());
+        Some(())
     }
 
     /// The loads between points and bodies, each with the number of the body that it acts on.
@@ -376,10 +404,6 @@ fn read_moment(
     let zero = lowering.work.graph.zero();
     let components: Components = [zero, zero, size];
     Some(lowering.work.vector(Frame::WORLD, components))
-}
-
-fn is_coordinate(variable: Variable) -> bool {
-    matches!(variable, Variable::Position | Variable::Angle)
 }
 
 fn given(written: &Definition, force: Vector, point: Point, moment: Vector) -> Load {

@@ -2,8 +2,8 @@
 
 use crate::lower::expressions::{BodyMotion, Value};
 use crate::model::{
-    Attitude, Coordinate, Dimension, Frame, Meaning, Part, Rates, State, TreeJoint, Variable,
-    Vector, Workspace,
+    Attitude, Coordinate, Dimension, Frame, Meaning, Part, Rates, Shape, State, TreeJoint,
+    Variable, Vector, Workspace,
 };
 use crate::symbolic::{Components, Function, Graph, Id, Stage};
 
@@ -49,7 +49,7 @@ impl Reader<'_> {
         let coordinates = symbols(
             work,
             body,
-            kind.shape.into_iter().flat_map(|shape| shape.components()),
+            kind.shape.into_iter().flat_map(Shape::components),
         );
         let zeros = work.graph.zeros();
         let carrier = written
@@ -204,16 +204,15 @@ impl Reader<'_> {
             let parts = (0..field.names.len())
                 .map(|part| joint.coordinates.get(field.variable, field.first + part));
             let parts: Vec<Id> = parts.flatten().collect();
-            let value = match *parts.as_slice() {
-                [scalar] => Value::Scalar(scalar, dimension),
-                _ => {
-                    let mut components = self.work.graph.zeros();
-                    components[..parts.len()].copy_from_slice(&parts);
-                    let turns = field.variable == Variable::AngularVelocity;
-                    let body = joint.frames.last().copied().unwrap_or(Frame::WORLD);
-                    let frame = if turns { body } else { Frame::WORLD };
-                    Value::Vector(self.work.vector(frame, components), dimension)
-                }
+            let value = if let [scalar] = *parts.as_slice() {
+                Value::Scalar(scalar, dimension)
+            } else {
+                let mut components = self.work.graph.zeros();
+                components[..parts.len()].copy_from_slice(&parts);
+                let turns = field.variable == Variable::AngularVelocity;
+                let body = joint.frames.last().copied().unwrap_or(Frame::WORLD);
+                let frame = if turns { body } else { Frame::WORLD };
+                Value::Vector(self.work.vector(frame, components), dimension)
             };
             values.push((field.path, value));
         }

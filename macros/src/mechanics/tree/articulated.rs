@@ -151,9 +151,10 @@ impl Articulated {
     /// Both halves of what is symmetric are the same expressions.
     fn mirror(&mut self) {
         for rows in [&mut self.angular, &mut self.linear] {
-            for i in 0..3 {
-                for j in 0..i {
-                    rows[i][j] = rows[j][i];
+            let upper = *rows;
+            for (i, row) in rows.iter_mut().enumerate() {
+                for (entry, above) in row[..i].iter_mut().zip(upper) {
+                    *entry = above[i];
                 }
             }
         }

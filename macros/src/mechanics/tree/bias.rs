@@ -39,11 +39,10 @@ impl Moving {
     pub fn carried(&self, graph: &mut Graph, link: &Link) -> Self {
         let zeros = graph.zeros();
         let sum = |graph: &mut Graph, part: fn(&Twist) -> Components| {
-            let rates = link.freedoms.iter().fold(zeros, |sum, freedom| {
+            link.freedoms.iter().fold(zeros, |sum, freedom| {
                 let scaled = graph.scale_vector(freedom.rate, part(&freedom.twist));
                 graph.add_vectors(sum, scaled)
-            });
-            rates
+            })
         };
         let turning = sum(graph, |twist| twist.angular);
         let carried = link.turning.to_link(graph, self.w);

@@ -71,13 +71,12 @@ fn wrench(work: &mut Workspace, body: &Member, pin: Components) -> (Components, 
         moment = work.add(moment, load.moment);
         if !load.force.is_zero() {
             // from the joint to where the force acts
-            let arm = match load.point.offset(frame) {
-                Some(offset) => work.vector(frame, offset),
-                None => {
-                    let place = body.state.place(work, load.point);
-                    let back = work.negate(body.state.position);
-                    work.add(place, back)
-                }
+            let arm = if let Some(offset) = load.point.offset(frame) {
+                work.vector(frame, offset)
+            } else {
+                let place = body.state.place(work, load.point);
+                let back = work.negate(body.state.position);
+                work.add(place, back)
             };
             let back = work.negate(pin);
             let arm = work.add(arm, back);

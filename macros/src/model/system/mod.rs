@@ -64,12 +64,13 @@ pub struct TreeJoint {
     pub open: Vec<Option<Ident>>,
 }
 
-impl Member {
-    /// What the body is made of.
-    pub fn substance(&self) -> Substance {
-        Substance {
-            mass: Some(self.mass),
-            inertia: self.inertia,
-        }
+impl System {
+    /// What the bodies are made of.
+    pub fn substances(&self) -> Vec<Substance> {
+        let bodies = self.bodies.iter().map(|body| Substance {
+            mass: Some(body.mass),
+            inertia: body.inertia,
+        });
+        bodies.collect()
     }
 }

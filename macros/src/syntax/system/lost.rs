@@ -56,7 +56,7 @@ impl System {
             expression.visit(|part| match &part.kind {
                 Kind::Tuple(parts) => sizes.push(parts.len()),
                 Kind::Call(word, parts) if word == "world" || word == "body" => {
-                    sizes.push(parts.len())
+                    sizes.push(parts.len());
                 }
                 _ => {}
             });

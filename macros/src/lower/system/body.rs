@@ -3,7 +3,6 @@
 use std::collections::HashSet;
 
 use crate::errors::Errors;
-use crate::families::Family;
 use crate::lower::definitions::{check_names, definition_order, split_at_points};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
 use crate::model::{

@@ -10,7 +10,7 @@ use crate::mechanics::{
     Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
 };
 use crate::outputs::{
-    self, SystemOutputs, derive_outputs, derive_system_outputs, describe_system_outputs,
+    self, SystemOutputs, derive_outputs, derive_system_outputs,
     system_offers,
 };
 use crate::range::check_range;
@@ -95,7 +95,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
             });
             let accelerations: Vec<_> = accelerations.collect();
             let mut report = describe_system(&system, &work, &equations);
-            describe_system_outputs(&outline, &mut report);
+            outputs.describe(&outline, &mut report);
             let roots = Roots {
                 finite: accelerations
                     .iter()

@@ -25,7 +25,7 @@ struct Rows<'a> {
     /// World axes.
     tensors: Vec<Mat3>,
     freedoms: usize,
-    rows: Vec<Vec<f64>>,
+    matrix: Vec<Vec<f64>>,
 }
 
 /// Accelerations and joint loads.
@@ -61,7 +61,7 @@ pub fn solve(
             column += 1;
         }
     }
-    let found = eliminate(&rows.rows);
+    let found = eliminate(&rows.matrix);
     let (first, rest) = found.split_at(rows.freedoms);
     let mut first = first.iter().copied();
     let accelerations = still
@@ -86,7 +86,7 @@ impl<'a> Rows<'a> {
             .map(|(link, motion)| motion.attitude * link.inertia * motion.attitude.transpose());
         Self {
             tensors: tensors.collect(),
-            rows: vec![vec![0.0; size + 1]; size],
+            matrix: vec![vec![0.0; size + 1]; size],
             links,
             rates,
             bias,
@@ -102,7 +102,7 @@ impl<'a> Rows<'a> {
             .angular_velocity
             .cross(&(tensor * motion.angular_velocity));
         let inertial = tensor * motion.angular_acceleration + spin;
-        let known = self.rows.len();
+        let known = self.matrix.len();
         self.set(
             6 * body,
             known,
@@ -144,7 +144,7 @@ impl<'a> Rows<'a> {
         let pin = self.bias[joint].attitude * self.links[joint].pin;
         let sliding = along[joint].acceleration + turning.cross(&pin);
         let load = self.freedoms + 6 * joint;
-        let row = &mut self.rows[6 * self.links.len() + column];
+        let row = &mut self.matrix[6 * self.links.len() + column];
         row[load..load + 3].copy_from_slice(sliding.as_slice());
         row[load + 3..load + 6].copy_from_slice(turning.as_slice());
         if let Some(known) = row.last_mut() {
@@ -154,7 +154,7 @@ impl<'a> Rows<'a> {
 
     fn set(&mut self, row: usize, column: usize, vector: &Vec3) {
         for axis in 0..3 {
-            self.rows[row + axis][column] = vector[axis];
+            self.matrix[row + axis][column] = vector[axis];
         }
     }
 }

@@ -170,7 +170,7 @@ fn inverse_dynamics_returns_the_drives() {
     }
 }
 
-// all loads but two have a potential; two bodies have fields of their own, one of the name of another
+// all loads but two have a potential; two bodies have fields of their own
 rigid_system!(Swinging {
     bodies: [
         base {
@@ -188,7 +188,7 @@ rigid_system!(Swinging {
             mass: 0.3[kg],
             inertia: principal(0.02, 0.03, 0.01)[kg * m ^ 2],
             points: [p = (0.1, 0.1, 0)],
-            fields: [weight = mass * world(1, 0.5, 0)[m / s ^ 2]],
+            fields: [wind = mass * world(1, 0.5, 0)[m / s ^ 2]],
         },
     ],
     joints: [
@@ -264,7 +264,7 @@ rigid_system!(Drifting {
         hub {
             mass: 3[kg],
             inertia: principal(0.5, 0.4, 0.6)[kg * m ^ 2],
-            points: [p = (0.1, 0.2, 0.3), q = (-0.1, 0.3, -0.2)],
+            points: [p = (0.1, 0.2, 0.3)],
         },
         boom {
             mass: 0.6[kg],

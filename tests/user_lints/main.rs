@@ -28,6 +28,7 @@
 
 pub mod paths;
 pub mod scalars;
+pub mod systems;
 
 /// A body of each motion with all outputs, in modules without imports.
 pub mod motions {

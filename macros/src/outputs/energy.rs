@@ -47,12 +47,7 @@ impl Output for Energy {
             .iter()
             .filter(|load| load.family == Family::Field);
         let others = fields.filter(|load| !has_energy(load));
-        report.skipped.extend(others.map(|load| {
-            format!(
-                "`{}` in the potential energy: it is not a uniform field on a point of the body",
-                load.name
-            )
-        }));
+        report.skipped.extend(others.map(without_potential));
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
@@ -72,4 +67,12 @@ impl Output for Energy {
         ];
         Addition::implement(site, "Energy", [quote!(), quote!()], &methods)
     }
+}
+
+/// Says that the energy has no part for a field.
+pub fn without_potential(load: &Load) -> String {
+    format!(
+        "`{}` in the potential energy: it is not a uniform field on a point of the body",
+        load.name
+    )
 }

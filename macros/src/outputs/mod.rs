@@ -21,7 +21,7 @@ use crate::lower::Offer;
 use crate::mechanics::{Equations, Report, Switch};
 use crate::model::{Model, Outline, Workspace};
 
-pub use system::{SystemOutputs, derive_system_outputs, describe_system_outputs, system_offers};
+pub use system::{SystemOutputs, derive_system_outputs, system_offers};
 
 use output::{Basis, Output, Place};
 

@@ -6,13 +6,16 @@ use quote::{format_ident, quote};
 use crate::emit::code::{COMMON, Method, Shapes, Site, Source};
 use crate::emit::items::{Addition, lints};
 use crate::errors::Errors;
+use crate::families::Family;
 use crate::lower::Offer;
 use crate::mechanics::{
     Energy, Momentum, Report, SystemEquations, derive_system_energy, derive_system_inverse,
-    derive_system_momentum, derive_system_reactions,
+    derive_system_momentum, derive_system_reactions, uniform_field,
 };
 use crate::model::{Outline, System, Workspace};
 use crate::symbolic::{Components, Id};
+
+use super::energy::without_potential;
 
 /// What a system may be asked for.
 const OFFERS: [Offer; 4] = [
@@ -30,6 +33,8 @@ pub fn system_offers() -> Vec<&'static Offer> {
 #[derive(Default)]
 pub struct SystemOutputs {
     energy: Option<Energy>,
+    /// What is to be said of fields that the energy does not have.
+    left_out: Vec<String>,
     momentum: Option<Momentum>,
     /// Force and moment of each joint, by name.
     reactions: Vec<(Ident, [Components; 2])>,
@@ -48,6 +53,21 @@ pub fn derive_system_outputs(
     let mut outputs = SystemOutputs::default();
     let is_asked = |word: &str| outline.rank(word).is_some();
     outputs.energy = is_asked("energy").then(|| derive_system_energy(system, work));
+    if is_asked("energy") {
+        for body in &system.bodies {
+            let fields = body
+                .loads
+                .iter()
+                .filter(|load| load.family == Family::Field);
+            for load in fields {
+                let line = without_potential(load);
+                let has_energy = uniform_field(work, body.state.body, true, load).is_some();
+                if !has_energy && !outputs.left_out.contains(&line) {
+                    outputs.left_out.push(line);
+                }
+            }
+        }
+    }
     outputs.momentum = is_asked("momentum").then(|| derive_system_momentum(system, work));
     if is_asked("reactions") {
         let loads = derive_system_reactions(work, equations);
@@ -88,20 +108,21 @@ pub fn derive_system_outputs(
     Some(outputs)
 }
 
-/// Adds to a report which of them were not asked for.
-pub fn describe_system_outputs(outline: &Outline, report: &mut Report) {
-    let missed = OFFERS
-        .iter()
-        .filter(|offer| outline.rank(offer.word).is_none());
-    let missed: Vec<&str> = missed.map(|offer| offer.word).collect();
-    if !missed.is_empty() {
-        report
-            .skipped
-            .push(format!("{}: not in `outputs`", missed.join(", ")));
-    }
-}
-
 impl SystemOutputs {
+    /// Adds to a report what the energy does not have, and which of them were not asked for.
+    pub fn describe(&self, outline: &Outline, report: &mut Report) {
+        report.skipped.extend(self.left_out.iter().cloned());
+        let missed = OFFERS
+            .iter()
+            .filter(|offer| outline.rank(offer.word).is_none());
+        let missed: Vec<&str> = missed.map(|offer| offer.word).collect();
+        if !missed.is_empty() {
+            report
+                .skipped
+                .push(format!("{}: not in `outputs`", missed.join(", ")));
+        }
+    }
+
     /// The expressions that code is generated for.
     pub fn roots(&self) -> Vec<Id> {
         let energy = self.energy.iter();

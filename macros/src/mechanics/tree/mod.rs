@@ -14,6 +14,7 @@ mod mass_matrix;
 pub mod properties;
 mod recursion;
 mod reductions;
+mod regrouping;
 pub mod turning;
 
 pub use bias::Pair;

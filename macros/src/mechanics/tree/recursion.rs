@@ -7,8 +7,8 @@ use super::articulated::{Articulated, Eliminated, wrench_on_carrier};
 use super::bias::{Pair, derive_bias};
 use super::link::{Link, Tree};
 use super::mass_matrix::MassMatrix;
-use super::properties::left_out;
 use super::reductions::{drop_frames, reduced};
+use super::regrouping::left_out;
 
 /// The accelerations of the coordinates, link by link in the order of its freedoms; of a link that
 /// is free, those of its origin along world axes first.

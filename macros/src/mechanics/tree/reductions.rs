@@ -5,7 +5,7 @@
 use crate::symbolic::{Graph, Id};
 
 use super::link::{Along, Tree};
-use super::properties::{keep_axes, regroup};
+use super::regrouping::{keep_axes, regroup};
 use super::turning::Turning;
 
 /// How many operations the trees that are tried have together: a stated limit, so that many bodies

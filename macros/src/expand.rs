@@ -9,10 +9,7 @@ use crate::errors::Errors;
 use crate::mechanics::{
     Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
 };
-use crate::outputs::{
-    self, SystemOutputs, derive_outputs, derive_system_outputs,
-    system_offers,
-};
+use crate::outputs::{self, SystemOutputs, derive_outputs, derive_system_outputs, system_offers};
 use crate::range::check_range;
 use crate::{lower, syntax};
 

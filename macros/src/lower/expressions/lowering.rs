@@ -9,8 +9,7 @@ use crate::model::{
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, UnitExpression};
 
-use super::members::Members;
-use super::scope::Scope;
+use super::scope::{Members, Scope};
 use super::unit::lower_unit;
 use super::value::Value;
 

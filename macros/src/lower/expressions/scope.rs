@@ -1,10 +1,14 @@
 //! Names: one namespace for parameters, inputs, points, locals and what is built in, and the order
 //! in which definitions are to be read.
 
+use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
+use crate::errors::hint;
+use crate::model::{Frame, Vector};
+use crate::symbolic::Components;
 use crate::syntax::Description;
 
 use super::value::Value;
@@ -131,5 +135,98 @@ impl Scope {
 
     pub fn is_used(&self, name: &Ident) -> bool {
         self.used.contains(&name.to_string()) || name.to_string().starts_with('_')
+    }
+}
+
+/// The bodies and joints of a system, by their names.
+#[derive(Default)]
+pub struct Members {
+    /// The names of all bodies, and then of all joints, whether they are read yet or not.
+    pub declared: Vec<String>,
+    /// The locals of the system that depend on how it moves.
+    pub late: Vec<String>,
+    pub bodies: Vec<BodyNames>,
+    pub joints: Vec<JointNames>,
+    /// Whether it is known how they move.
+    pub are_moving: bool,
+    /// What was asked of bodies: points, by the number of the body.
+    pub used: RefCell<HashSet<(usize, String)>>,
+}
+
+/// A body, as others see it.
+pub struct BodyNames {
+    pub name: String,
+    pub frame: Frame,
+    /// Its points, from its G in its axes; without components those that are reported.
+    pub points: Vec<(String, Option<Components>)>,
+    /// Once the joints are known.
+    pub motion: Option<BodyMotion>,
+    /// `position`, `attitude`, `mass`: what it has without a point.
+    pub values: Vec<(&'static str, Value)>,
+}
+
+/// How a body moves.
+#[derive(Clone, Copy)]
+pub struct BodyMotion {
+    pub position: Vector,
+    pub velocity: Vector,
+    /// In its axes.
+    pub angular_velocity: Components,
+}
+
+/// A joint, as others see it.
+pub struct JointNames {
+    pub name: String,
+    /// Its coordinates and their rates; without a value those that are reported.
+    pub values: Vec<(&'static str, Value)>,
+    /// Whether anything is known of it.
+    pub is_known: bool,
+}
+
+impl Members {
+    pub fn body(&self, name: &str) -> Option<usize> {
+        self.bodies.iter().position(|body| body.name == name)
+    }
+
+    pub fn joint(&self, name: &str) -> Option<&JointNames> {
+        self.joints.iter().find(|joint| joint.name == name)
+    }
+
+    /// Whether this is a body or a joint.
+    pub fn has(&self, name: &str) -> bool {
+        self.body(name).is_some() || self.joint(name).is_some()
+    }
+
+    /// Whether there is a system at all.
+    pub fn is_system(&self) -> bool {
+        !self.declared.is_empty()
+    }
+
+    /// The end of a message about a name that nothing has: its copies, or one like it of `others`.
+    pub fn hint<'a>(&'a self, name: &str, others: impl Iterator<Item = &'a str>) -> String {
+        let copies = self.declared.iter().filter(|known| {
+            known
+                .strip_prefix(name)
+                .is_some_and(|rest| rest.starts_with('_'))
+        });
+        let copies: Vec<&str> = copies.map(String::as_str).take(3).collect();
+        if !copies.is_empty() && !name.is_empty() {
+            return format!("; its copies are called `{}`", copies.join("`, `"));
+        }
+        let mut known: Vec<&str> = self
+            .declared
+            .iter()
+            .map(String::as_str)
+            .chain(others)
+            .collect();
+        known.sort_unstable();
+        hint(name, known)
+    }
+
+    /// `upper.tip`, if the body `upper` has a point `tip`.
+    pub fn with_body(&self, point: &str) -> Option<String> {
+        let mut bodies = self.bodies.iter();
+        let body = bodies.find(|body| body.points.iter().any(|(name, _)| name == point))?;
+        Some(format!("{}.{point}", body.name))
     }
 }

@@ -38,14 +38,17 @@ const LATER: [&str; 7] = [
 
 /// The kind of joint that an expression begins with, and what is written behind it.
 pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
-    let word = call(value)?.0.to_string();
+    let word = call(value)?.0.0.to_string();
     JointKind::all(is_planar)
         .iter()
         .find(|kind| kind.word == word)
 }
 
-/// `kind(arguments)`, with the methods behind it.
-pub fn call(value: &Expression) -> Option<(&Ident, &[Expression], Vec<(&Ident, &[Expression])>)> {
+/// A function or a method, with its arguments.
+type Called<'e> = (&'e Ident, &'e [Expression]);
+
+/// `kind(arguments)`, and the methods behind it.
+pub fn call(value: &Expression) -> Option<(Called<'_>, Vec<Called<'_>>)> {
     let mut methods = Vec::new();
     let mut inner = value;
     loop {
@@ -54,10 +57,49 @@ pub fn call(value: &Expression) -> Option<(&Ident, &[Expression], Vec<(&Ident, &
                 methods.push((method, arguments.as_slice()));
                 inner = receiver;
             }
-            Kind::Call(word, arguments) => return Some((word, arguments, methods)),
+            Kind::Call(word, arguments) => return Some(((word, arguments), methods)),
             _ => return None,
         }
     }
+}
+
+fn unknown_kind(word: &Ident, is_planar: bool) -> String {
+    if LATER.contains(&word.to_string().as_str()) {
+        return format!(
+            "`{word}` is a joint of the language, but this version does not have it yet"
+        );
+    }
+    let kinds = JointKind::all(is_planar).iter();
+    let all: Vec<&str> = kinds.map(|kind| kind.word).collect();
+    let hint = hint(&word.to_string(), all.iter().copied());
+    let is_spatial = is_planar && JointKind::all(false).iter().any(|kind| word == kind.word);
+    let plane = if is_spatial { " in the plane" } else { "" };
+    let all = all.join("`, `");
+    format!("there is no joint `{word}`{plane}: expected one of `{all}`{hint}")
+}
+
+fn check_count(
+    kind: &JointKind,
+    word: &Ident,
+    arguments: &[Expression],
+    errors: &mut Errors,
+) -> Option<()> {
+    let expected = if kind.is_free() {
+        1
+    } else {
+        2 + kind.directions + usize::from(kind.is_screw())
+    };
+    if arguments.len() == expected {
+        return Some(());
+    }
+    let excess = arguments.get(expected);
+    let place = excess.map_or(word.span().into(), |extra| extra.extent);
+    let (form, count) = (kind.form, arguments.len());
+    errors.push(
+        place,
+        format!("`{form}` takes {expected} arguments, and this has {count}"),
+    );
+    None
 }
 
 impl Reader<'_> {
@@ -78,7 +120,7 @@ impl Reader<'_> {
         });
         let value = joint.value.as_ref()?;
         let kinds = JointKind::all(self.system.is_planar);
-        let Some((word, arguments, methods)) = call(value) else {
+        let Some(((word, arguments), methods)) = call(value) else {
             let forms = kinds[0].form;
             errors.push(
                 value.extent,
@@ -87,46 +129,10 @@ impl Reader<'_> {
             return None;
         };
         let Some(kind) = kind_of(value, self.system.is_planar) else {
-            let all: Vec<&str> = kinds.iter().map(|kind| kind.word).collect();
-            let hint = hint(&word.to_string(), all.iter().copied());
-            let is_spatial =
-                self.system.is_planar && JointKind::all(false).iter().any(|kind| word == kind.word);
-            let plane = if is_spatial { " in the plane" } else { "" };
-            if LATER.contains(&word.to_string().as_str()) {
-                let message = format!(
-                    "`{word}` is a joint of the language, but this version does not have it yet"
-                );
-                errors.push(word.span(), message);
-                return None;
-            }
-            errors.push(
-                word.span(),
-                format!(
-                    "there is no joint `{word}`{plane}: expected one of `{}`{hint}",
-                    all.join("`, `")
-                ),
-            );
+            errors.push(word.span(), unknown_kind(word, self.system.is_planar));
             return None;
         };
-        let expected = if kind.is_free() {
-            1
-        } else {
-            2 + kind.directions + usize::from(kind.is_screw())
-        };
-        if arguments.len() != expected {
-            let place = arguments
-                .get(expected)
-                .map_or(word.span().into(), |extra| extra.extent);
-            let count = arguments.len();
-            errors.push(
-                place,
-                format!(
-                    "`{}` takes {expected} arguments, and this has {count}",
-                    kind.form
-                ),
-            );
-            return None;
-        }
+        check_count(kind, word, arguments, errors)?;
         if kind.is_free() {
             return self.free_joint(joint, kind, &arguments[0], &methods, errors);
         }
@@ -147,34 +153,8 @@ impl Reader<'_> {
             );
             return None;
         }
-        let directions: Vec<Option<Components>> = arguments[2..2 + kind.directions]
-            .iter()
-            .map(|direction| self.direction(body, direction, errors))
-            .collect();
-        if let [Some(first), Some(second)] = *directions {
-            let across = self.work.graph.cross(first, second);
-            if self.work.graph.is_zero_vector(&across) {
-                errors.push(
-                    arguments[3].extent,
-                    "the axes of a universal joint are not parallel: about parallel ones it turns twice alike",
-                );
-                return None;
-            }
-        }
-        let mut pitch = None;
-        if kind.is_screw() {
-            let written = &arguments[3];
-            let read = self.at_top(errors, |lowering| {
-                let pitch = lowering.scalar(
-                    written,
-                    Dimension::LENGTH,
-                    "the pitch of a screw, metres per radian,",
-                )?;
-                lowering.check_early(written, &[pitch], "a pitch is fixed")?;
-                Some(pitch)
-            });
-            pitch = Some(read?);
-        }
+        let directions = self.directions(body, kind, arguments, errors);
+        let pitch = self.pitch(kind, arguments, errors);
         let turned = self.turned(body, &methods, errors)?;
         Some(Written {
             name: joint.name.clone(),
@@ -183,10 +163,55 @@ impl Reader<'_> {
             carried: body,
             place: carrier.1,
             pin,
-            directions: directions.into_iter().collect::<Option<_>>()?,
-            pitch,
+            directions: directions?,
+            pitch: pitch?,
             turned,
             mention: first_name(&arguments[1]).unwrap_or_else(|| joint.name.span()),
+        })
+    }
+
+    fn directions(
+        &mut self,
+        body: usize,
+        kind: &JointKind,
+        arguments: &[Expression],
+        errors: &mut Errors,
+    ) -> Option<Vec<Components>> {
+        let written = &arguments[2..2 + kind.directions];
+        let directions: Vec<Option<Components>> = written
+            .iter()
+            .map(|direction| self.direction(body, direction, errors))
+            .collect();
+        if let [Some(first), Some(second)] = *directions {
+            let across = self.work.graph.cross(first, second);
+            if self.work.graph.is_zero_vector(&across) {
+                errors.push(
+                    written[1].extent,
+                    "the axes of a universal joint are not parallel: about parallel ones it turns twice alike",
+                );
+                return None;
+            }
+        }
+        directions.into_iter().collect()
+    }
+
+    /// That of a screw; the inner `None` is any other joint.
+    #[allow(clippy::option_option, reason = "outer: reported; inner: not a screw")]
+    fn pitch(
+        &mut self,
+        kind: &JointKind,
+        arguments: &[Expression],
+        errors: &mut Errors,
+    ) -> Option<Option<Id>> {
+        if !kind.is_screw() {
+            return Some(None);
+        }
+        let written = &arguments[3];
+        self.at_top(errors, |lowering| {
+            let what = "the pitch of a screw, metres per radian,";
+            let pitch = lowering.scalar(written, Dimension::LENGTH, what)?;
+            lowering.check_early(written, &[pitch], "a pitch is fixed")?;
+            Some(Some(pitch))
         })
     }
 
@@ -328,6 +353,13 @@ impl Reader<'_> {
         errors: &mut Errors,
     ) -> Option<Option<(Components, Id)>> {
         let mut turned = Some(None);
+        if let [(again, _), _, ..] = methods
+            && methods.iter().all(|(method, _)| *method == "turned")
+        {
+            let message = "`.turned(..)` is written twice: write one turn, about one axis";
+            errors.push(again.span(), message);
+            return None;
+        }
         for (method, arguments) in methods {
             let later = ["driven", "at", "locked"];
             match (method.to_string().as_str(), *arguments) {

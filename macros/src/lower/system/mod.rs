@@ -1,5 +1,5 @@
-//! A description of a system, read in order: what it declares, the points of its bodies, the joints,
-//! and then all that depends on how it moves.
+//! A description of a system, read in order: what it declares, the points of its bodies, the
+//! joints, and then all that depends on how it moves.
 
 mod body;
 mod drives;
@@ -24,7 +24,7 @@ use crate::symbolic::{Id, Stage};
 use crate::syntax;
 
 use body::Draft;
-use names::{check_members, check_own_names, declared, for_copy, moving_locals};
+use names::{check_members, check_own_names, declared, for_copy, late_locals, moving_locals};
 
 pub use outline::outline_system;
 
@@ -59,6 +59,7 @@ pub fn lower_system(
         scope: Scope::new(&system.top, repeated),
         members: Members {
             declared: declared(system),
+            late: late_locals(system),
             ..Members::default()
         },
         is_inverse: outline.rank(INVERSE).is_some(),
@@ -245,8 +246,7 @@ fn points(
     names
         .filter_map(|name| match scope.peek(&name) {
             Some(Value::Point(point)) => point.offset(frame).map(|offset| (name, Some(offset))),
-            None => Some((name, None)),
-            Some(_) => Some((name, None)),
+            _ => Some((name, None)),
         })
         .collect()
 }

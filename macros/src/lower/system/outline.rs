@@ -42,7 +42,7 @@ fn likely_kind(joint: &Definition, is_planar: bool) -> Option<&'static JointKind
     kind_of(value, is_planar)
         .or_else(|| kind_of(value, false))
         .or_else(|| {
-            let word = call(value).map(|(word, ..)| word.to_string());
+            let word = call(value).map(|((word, _), _)| word.to_string());
             let meant = similar(
                 &word.unwrap_or_default(),
                 kinds.iter().map(|kind| kind.word),

@@ -99,13 +99,16 @@ impl Lowering<'_> {
             _ if self.members.declared.contains(&word) => format!(
                 "this is fixed, and `{word}` moves: it cannot depend on how the system moves"
             ),
-            _ => match self.members.with_body(&word).filter(|_| self.is_whole) {
-                Some(named) => format!("of which body? write for example `{named}`"),
-                None => {
-                    let hint = self.members.hint(&word, self.scope.known());
-                    format!("nothing here is called `{word}`{hint}")
-                }
-            },
+            _ => {
+                let of_body = self.members.with_body(&word).filter(|_| self.is_whole);
+                of_body.map_or_else(
+                    || {
+                        let hint = self.members.hint(&word, self.scope.known());
+                        format!("nothing here is called `{word}`{hint}")
+                    },
+                    |named| format!("of which body? write for example `{named}`"),
+                )
+            }
         };
         self.report(name.span(), message)
     }

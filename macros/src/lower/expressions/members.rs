@@ -75,7 +75,7 @@ impl Members {
         !self.declared.is_empty()
     }
 
-    /// The end of a message about a name that nothing has: its copies, or a similar one of `others`.
+    /// The end of a message about a name that nothing has: its copies, or one like it of `others`.
     pub fn hint<'a>(&'a self, name: &str, others: impl Iterator<Item = &'a str>) -> String {
         let copies = self.declared.iter().filter(|known| {
             known

@@ -307,8 +307,8 @@ impl Reader<'_> {
         Some(ends.collect())
     }
 
-    /// `moment(v).on(body)` and `moment(v).between(first, second)`, which acts on the second, and on the
-    /// first with the opposite sign.
+    /// `moment(v).on(body)` and `moment(v).between(first, second)`, which acts on the second, and on
+    /// the first with the opposite sign.
     fn couple(&mut self, load: &Definition, errors: &mut Errors) -> Option<Vec<(usize, Load)>> {
         let value = load.value.as_ref()?;
         let on = behind(value, "on").filter(|(_, bodies)| bodies.len() == 1);

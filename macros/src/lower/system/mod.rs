@@ -1,5 +1,5 @@
-//! A description of a system, read in order: what it declares, the points of its bodies, the joints,
-//! and then all that depends on how it moves.
+//! A description of a system, read in order: what it declares, the points of its bodies, the
+//! joints, and then all that depends on how it moves.
 
 mod body;
 mod drives;

@@ -96,9 +96,11 @@ impl Lowering<'_> {
                 "`{word}` is an unknown reaction, and only given loads of a body with `constraints` \
                  can depend on one"
             ),
-            _ if self.members.declared.contains(&word) => format!(
-                "this is fixed, and `{word}` moves: it cannot depend on how the system moves"
-            ),
+            _ if self.members.declared.contains(&word) || self.members.late.contains(&word) => {
+                format!(
+                    "this is fixed, and `{word}` moves: it cannot depend on how the system moves"
+                )
+            }
             _ => {
                 let of_body = self.members.with_body(&word).filter(|_| self.is_whole);
                 of_body.map_or_else(

@@ -18,6 +18,8 @@ use super::value::Value;
 pub struct Members {
     /// The names of all bodies, and then of all joints, whether they are read yet or not.
     pub declared: Vec<String>,
+    /// The locals of the system that depend on how it moves.
+    pub late: Vec<String>,
     pub bodies: Vec<BodyNames>,
     pub joints: Vec<JointNames>,
     /// Whether it is known how they move.

@@ -2,14 +2,14 @@
 
 use std::collections::HashSet;
 
-use crate::errors::Errors;
+use crate::errors::{Errors, Extent};
 use crate::lower::definitions::{check_names, definition_order, split_at_points};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
 use crate::model::{
     Composed, Dimension, Frame, Inertia, Load, Mass, Meaning, Member, State, Workspace,
 };
 use crate::symbolic::{Components, Stage};
-use crate::syntax::Description;
+use crate::syntax::{self, Description, Kind};
 
 use super::{Reader, check_own_names, for_copy, points, still};
 
@@ -179,6 +179,11 @@ impl<'a> Reader<'a> {
                         let message = "fields on charges are not there yet in systems";
                         return lowering.report(load.name.span(), message);
                     }
+                    if let Some(unknown) = first_unknown(load) {
+                        let message = "nothing of a load on a body is unknown: what joints do is found by \
+                             `outputs: [reactions]`, so write a value";
+                        return lowering.report(unknown, message);
+                    }
                     lowering.load(load)
                 })
                 .collect();
@@ -192,6 +197,17 @@ impl<'a> Reader<'a> {
             loads: loads.into_iter().collect::<Option<_>>()?,
         })
     }
+}
+
+/// The first `_` of a load.
+fn first_unknown(load: &syntax::Load) -> Option<Extent> {
+    let mut found = None;
+    load.vector.as_ref()?.visit(|part| {
+        if matches!(part.kind, Kind::Placeholder) {
+            found = found.or(Some(part.extent));
+        }
+    });
+    found
 }
 
 /// Takes from all bodies the fields in which they fall alike, and returns their acceleration; so many

@@ -328,6 +328,13 @@ impl Reader<'_> {
         errors: &mut Errors,
     ) -> Option<Option<(Components, Id)>> {
         let mut turned = Some(None);
+        if let [(again, _), _, ..] = methods
+            && methods.iter().all(|(method, _)| *method == "turned")
+        {
+            let message = "`.turned(..)` is written twice: write one turn, about one axis";
+            errors.push(again.span(), message);
+            return None;
+        }
         for (method, arguments) in methods {
             let later = ["driven", "at", "locked"];
             match (method.to_string().as_str(), *arguments) {

@@ -24,7 +24,7 @@ use crate::symbolic::{Id, Stage};
 use crate::syntax;
 
 use body::Draft;
-use names::{check_members, check_own_names, declared, for_copy, moving_locals};
+use names::{check_members, check_own_names, declared, for_copy, late_locals, moving_locals};
 
 pub use outline::outline_system;
 
@@ -59,6 +59,7 @@ pub fn lower_system(
         scope: Scope::new(&system.top, repeated),
         members: Members {
             declared: declared(system),
+            late: late_locals(system),
             ..Members::default()
         },
         is_inverse: outline.rank(INVERSE).is_some(),

@@ -63,29 +63,13 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
             seen.push((name, what));
         }
     }
-    let fields = || top.loads.iter().map(|load| &load.name);
+    let fields = top.loads.iter().map(|load| &load.name);
     let loads = system
         .forces
         .iter()
         .chain(&system.moments)
         .chain(&system.drives);
-    check_distinct("load", fields().chain(loads.map(|load| &load.name)), errors);
-    for body in system
-        .bodies
-        .iter()
-        .enumerate()
-        .filter(|(number, _)| system.firsts[*number] == *number)
-    {
-        let loads = body.1.loads.iter().map(|load| &load.name);
-        let mut known = HashSet::new();
-        let fields: HashSet<&Ident> = fields().collect();
-        for load in loads.filter(|load| known.insert(*load) && fields.contains(load)) {
-            let message = format!(
-                "there is a load `{load}` already, which acts on all bodies: loads are told apart by their names"
-            );
-            errors.push(load.span(), message);
-        }
-    }
+    check_distinct("load", fields.chain(loads.map(|load| &load.name)), errors);
     repeated
 }
 
@@ -137,4 +121,11 @@ pub fn moving_locals(system: &syntax::System) -> HashSet<String> {
             return moving;
         }
     }
+}
+
+/// The same, by themselves.
+pub fn late_locals(system: &syntax::System) -> Vec<String> {
+    let moving = moving_locals(system);
+    let locals = system.top.locals.iter().map(|local| local.name.to_string());
+    locals.filter(|name| moving.contains(name)).collect()
 }

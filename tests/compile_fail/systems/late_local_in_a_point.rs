@@ -2,19 +2,19 @@ use newton_euler::rigid_system;
 
 rigid_system!(Pendulum {
     motion: planar,
+    locals: [stretch = elbow.angle],
     bodies: [
         upper {
             mass: 1.2[kg],
             inertia: 0.04[kg * m ^ 2],
-            points: [hinge = (-0.28, 0)[m], tip = (0.32, 0)[m]],
+            points: [hinge = (-0.28, 0)[m], tip = (0.32[m] * stretch, 0)],
         },
-        lower { mass: 0.8[kg], forces: [weight = body(1, 0)], inertia: 0.015[kg * m ^ 2], points: [hinge = (-0.22, 0)[m]] },
+        lower { mass: 0.8[kg], inertia: 0.015[kg * m ^ 2], points: [hinge = (-0.22, 0)[m]] },
     ],
     joints: [
         shoulder = revolute(world(0, 0), upper.hinge),
         elbow = revolute(upper.tip, lower.hinge),
     ],
-    fields: [weight = mass * world(0, -9.81)],
 });
 
 fn main() {}

@@ -1,6 +1,8 @@
 //! A description of a system, read in order: what it declares, the points of its bodies, the
 //! joints, and then all that depends on how it moves.
 
+mod axes;
+mod between;
 mod body;
 mod drives;
 mod joints;

@@ -7,7 +7,7 @@ use crate::model::{Dimension, JointKind};
 use crate::symbolic::{Components, Id};
 use crate::syntax::Expression;
 
-use super::{Reader, still};
+use super::reader::{Reader, still};
 
 impl Reader<'_> {
     pub fn directions(

@@ -7,8 +7,8 @@ use crate::model::{Dimension, Frame, Load, Point, Vector};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Definition, Expression, Kind};
 
-use super::Reader;
 use super::drives::behind;
+use super::reader::Reader;
 
 impl Reader<'_> {
     /// The loads between points and bodies, each with the number of the body that it acts on.

@@ -11,7 +11,8 @@ use crate::model::{
 use crate::symbolic::{Components, Stage};
 use crate::syntax::{self, Description, Kind};
 
-use super::{Reader, check_own_names, for_copy, points, still};
+use super::names::{check_own_names, for_copy};
+use super::reader::{Reader, points, still};
 
 /// A body of which the points are read.
 pub struct Draft<'a> {

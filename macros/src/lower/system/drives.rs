@@ -6,8 +6,8 @@ use crate::errors::{Errors, hint};
 use crate::model::{Dimension, Field, Part, TreeJoint, Variable};
 use crate::syntax::{Definition, Expression, Kind};
 
-use super::Reader;
 use super::motion::freedoms;
+use super::reader::Reader;
 
 /// `value.method(arguments)`
 pub fn behind<'e>(

@@ -8,7 +8,7 @@ use crate::model::{Dimension, Frame, JointKind};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Definition, Expression, Kind};
 
-use super::Reader;
+use super::reader::Reader;
 
 /// A joint that is read: where it is, and what turns or slides.
 pub struct Written {

@@ -9,6 +9,7 @@ mod joints;
 mod motion;
 mod names;
 mod outline;
+mod reader;
 mod tree;
 
 use std::collections::HashSet;
@@ -16,34 +17,17 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::lower::definitions::{Definition, INVERSE, check_names, definition_order};
-use crate::lower::expressions::{Lowering, Members, Scope, Value};
-use crate::model::{
-    Declared, Defaults, Frame, Meaning, Motion, Outline, PLANAR, SPATIAL, State, System, Vector,
-    Workspace,
-};
-use crate::symbolic::{Id, Stage};
+use crate::lower::definitions::{INVERSE, check_names};
+use crate::lower::expressions::{Members, Scope};
+use crate::model::{Declared, Defaults, Meaning, Outline, PLANAR, SPATIAL, System, Workspace};
+use crate::symbolic::Stage;
 use crate::syntax;
 
 use body::Draft;
-use names::{check_members, check_own_names, declared, for_copy, late_locals, moving_locals};
+use names::{check_members, declared, for_copy, late_locals};
+use reader::Reader;
 
 pub use outline::outline_system;
-
-/// What the parts of a system are read with.
-struct Reader<'a> {
-    system: &'a syntax::System,
-    work: Workspace,
-    scope: Scope,
-    members: Members,
-    motion: Motion,
-    /// Whether drives are solved for.
-    is_inverse: bool,
-    /// For each body, whether its joints let it turn.
-    turning: Vec<bool>,
-    time: Id,
-    defaults: Defaults,
-}
 
 /// Gives a description of a system its meaning. `None` if anything was wrong with it.
 pub fn lower_system(
@@ -134,54 +118,6 @@ pub fn lower_system(
 }
 
 impl Reader<'_> {
-    /// Reads what stands beside the bodies.
-    fn at_top<T>(&mut self, errors: &mut Errors, read: impl FnOnce(&mut Lowering<'_>) -> T) -> T {
-        let mut state = still(Frame::WORLD, self.time);
-        read(&mut Lowering {
-            work: &mut self.work,
-            scope: &mut self.scope,
-            errors,
-            motion: self.motion,
-            state: &mut state,
-            reactions: Vec::new(),
-            is_constrained: false,
-            composed: None,
-            has_parts: false,
-            members: &self.members,
-            is_whole: true,
-        })
-    }
-
-    /// The locals of the system: those that mention no body, joint or time, and later the others.
-    fn locals(&mut self, errors: &mut Errors, is_late: bool) {
-        let locals = &self.system.top.locals;
-        let moves = moving_locals(self.system);
-        let mut circles = Errors::default();
-        let (order, circular) = definition_order(
-            &self.system.top,
-            if is_late { errors } else { &mut circles },
-        );
-        let _ = circles.finish();
-        for definition in circular {
-            self.scope.define(&definition.of(&self.system.top).0, None);
-        }
-        for definition in order {
-            let Definition::Local(index) = definition else {
-                continue;
-            };
-            let local = &locals[index];
-            let name = local.name.to_string();
-            if moves.contains(&name) != is_late {
-                continue;
-            }
-            let value = self.at_top(errors, |lowering| {
-                let value = lowering.value(local.value.as_ref()?)?;
-                Some(lowering.named(value, &name))
-            });
-            self.scope.define(&name, value);
-        }
-    }
-
     /// The names of the system that nothing refers to.
     fn unused(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
         let top = &self.system.top;
@@ -218,37 +154,4 @@ impl Reader<'_> {
         }
         unused
     }
-}
-
-/// A body of which no motion is known.
-fn still(body: Frame, time: Id) -> State {
-    let zeros = Workspace::default().graph.zeros();
-    State {
-        body,
-        axes: body,
-        time,
-        position: Vector::ZERO,
-        velocity: Vector::ZERO,
-        acceleration: Vector::ZERO,
-        angle: None,
-        angular_velocity: zeros,
-        angular_acceleration: zeros,
-        axis: None,
-        support: None,
-    }
-}
-
-/// The points that names stand for, as others see them.
-fn points(
-    scope: &Scope,
-    body: &syntax::Description,
-    frame: Frame,
-) -> Vec<(String, Option<crate::symbolic::Components>)> {
-    let names = body.points.iter().map(|point| point.name.to_string());
-    names
-        .filter_map(|name| match scope.peek(&name) {
-            Some(Value::Point(point)) => point.offset(frame).map(|offset| (name, Some(offset))),
-            _ => Some((name, None)),
-        })
-        .collect()
 }

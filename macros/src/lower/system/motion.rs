@@ -9,7 +9,7 @@ use crate::symbolic::{Components, Function, Graph, Id, Stage};
 
 use super::body::Draft;
 use super::joints::Written;
-use super::{Reader, still};
+use super::reader::{Reader, still};
 
 /// The motion of a body in the making: where its joint is, and how that moves.
 struct Moving {

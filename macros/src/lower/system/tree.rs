@@ -2,8 +2,8 @@
 
 use crate::errors::Errors;
 
-use super::Reader;
 use super::joints::Written;
+use super::reader::Reader;
 
 impl Reader<'_> {
     /// The joints in an order in which each carrier comes before what it carries.

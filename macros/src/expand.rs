@@ -9,6 +9,7 @@ use crate::errors::Errors;
 use crate::mechanics::{
     Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
 };
+use crate::model::{Outline, System, Workspace};
 use crate::outputs::{self, SystemOutputs, derive_outputs, derive_system_outputs, system_offers};
 use crate::range::check_range;
 use crate::{lower, syntax};
@@ -75,53 +76,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
     let system = lower::lower_system(&description, &mut outline, &mut errors);
     let solved = system
         .filter(|_| errors.is_empty())
-        .and_then(|(system, mut work)| {
-            let equations = derive_system(&system, &mut work);
-            let outputs =
-                derive_system_outputs(&outline, &system, &mut work, &equations, &mut errors)?;
-            let bodies = system.substances();
-            // the state has the joints as they are written, the tree each after its carrier
-            let accelerations = outline.joints.iter().flat_map(|known| {
-                let place = system
-                    .joints
-                    .iter()
-                    .position(|joint| joint.name == known.name);
-                place
-                    .map(|place| equations.accelerations[place].clone())
-                    .unwrap_or_default()
-            });
-            let accelerations: Vec<_> = accelerations.collect();
-            let mut report = describe_system(&system, &work, &equations);
-            outputs.describe(&outline, &mut report);
-            let roots = Roots {
-                finite: accelerations
-                    .iter()
-                    .copied()
-                    .chain(outputs.roots())
-                    .collect(),
-                switches: equations.switches.iter().flat_map(Switch::roots).collect(),
-                tensor: None,
-            };
-            check_range(
-                (&bodies, &system.defaults),
-                &mut work,
-                &outline,
-                &roots.finite,
-                &mut errors,
-            );
-            let sound = Sound {
-                bodies,
-                equations: Equated {
-                    accelerations,
-                    switches: equations.switches,
-                    partial: equations.partial,
-                },
-                work,
-                report,
-                roots,
-            };
-            Some((sound, outputs))
-        });
+        .and_then(|(system, work)| solve_system(&outline, &system, work, &mut errors));
     if errors.is_empty() && solved.is_none() {
         let message = "no meaning was found for this description, and no mistake in it either";
         errors.push(outline.name.span(), message);
@@ -137,4 +92,45 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
             mistakes.into_iter().chain([stub]).collect()
         }
     }
+}
+
+/// What a system without mistakes has, and what it is asked for.
+fn solve_system(
+    outline: &Outline,
+    system: &System,
+    mut work: Workspace,
+    errors: &mut Errors,
+) -> Option<(Sound, SystemOutputs)> {
+    let equations = derive_system(system, &mut work);
+    let outputs = derive_system_outputs(outline, system, &mut work, &equations, errors)?;
+    let bodies = system.substances();
+    // the state has the joints as they are written, the tree each after its carrier
+    let accelerations = outline.joints.iter().filter_map(|known| {
+        let mut joints = system.joints.iter();
+        let place = joints.position(|joint| joint.name == known.name)?;
+        Some(equations.accelerations[place].clone())
+    });
+    let accelerations: Vec<_> = accelerations.flatten().collect();
+    let mut report = describe_system(system, &work, &equations);
+    outputs.describe(outline, &mut report);
+    let finite = accelerations.iter().copied().chain(outputs.roots());
+    let roots = Roots {
+        finite: finite.collect(),
+        switches: equations.switches.iter().flat_map(Switch::roots).collect(),
+        tensor: None,
+    };
+    let known = (&bodies[..], &system.defaults);
+    check_range(known, &mut work, outline, &roots.finite, errors);
+    let sound = Sound {
+        bodies,
+        equations: Equated {
+            accelerations,
+            switches: equations.switches,
+            partial: equations.partial,
+        },
+        work,
+        report,
+        roots,
+    };
+    Some((sound, outputs))
 }

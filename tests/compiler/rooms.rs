@@ -38,6 +38,7 @@ const ROOMS: [(&str, &[&str]); 12] = [
         &[
             "errors",
             "syntax",
+            "model",
             "lower",
             "mechanics",
             "range",

@@ -176,7 +176,7 @@ rigid_system!(Swinging {
         base {
             mass: 2[kg],
             inertia: principal(0.2, 0.3, 0.4)[kg * m ^ 2],
-            points: [p = (0.1, 0.2, 0.3)],
+            points: [p = (0.1, 0.2, 0.3), q = (-0.1, 0.3, -0.2)],
         },
         bob {
             mass: 0.6[kg],

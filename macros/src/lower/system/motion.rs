@@ -51,60 +51,15 @@ impl Reader<'_> {
             body,
             kind.shape.into_iter().flat_map(Shape::components),
         );
-        let zeros = work.graph.zeros();
         let carrier = written
             .carrier
             .and_then(|carrier| drafts[carrier].state.as_ref());
-        let mut moving = match carrier {
-            None => Moving {
-                frame: Frame::WORLD,
-                position: work.vector(Frame::WORLD, written.place),
-                velocity: Vector::ZERO,
-                angular_velocity: zeros,
-            },
-            Some(state) => {
-                let offset = work.vector(state.body, written.place);
-                let swept = work.graph.cross(state.angular_velocity, written.place);
-                let swept = work.vector(state.body, swept);
-                Moving {
-                    frame: state.body,
-                    position: work.add(state.position, offset),
-                    velocity: work.add(state.velocity, swept),
-                    angular_velocity: state.angular_velocity,
-                }
-            }
-        };
-        let mut frames = Vec::new();
-        if let Some((direction, angle)) = written.turned {
-            let frame = work.new_frame(moving.frame);
-            work.set_attitude(frame, Attitude::Axis { angle, direction });
-            moving.enter(work, frame, zeros);
-            frames.push(frame);
-        }
-        let parts = kind.parts;
-        for (number, part) in parts.iter().enumerate() {
-            let is_last = number + 1 == parts.len();
-            let frame = if is_last {
-                body
-            } else {
-                work.new_frame(moving.frame)
-            };
-            work.set_carrier(frame, moving.frame);
-            moving.pass(work, frame, *part, &written, &coordinates);
-            frames.push(frame);
-        }
-        if parts.is_empty() {
-            work.set_carrier(body, moving.frame);
-            moving.enter(work, body, zeros);
-            frames.push(body);
-        }
-        // from the joint to G
-        let back = work.graph.negate_vector(written.pin);
-        let swept = work.graph.cross(moving.angular_velocity, back);
-        let (back, swept) = (work.vector(body, back), work.vector(body, swept));
+        let mut moving = Moving::at_joint(work, carrier, written.place);
+        let frames = moving.through(work, body, &written, &coordinates);
+        let [position, velocity] = moving.center(work, body, written.pin);
         let state = State {
-            position: work.add(moving.position, back),
-            velocity: work.add(moving.velocity, swept),
+            position,
+            velocity,
             angular_velocity: moving.angular_velocity,
             ..still(body, self.time)
         };
@@ -263,6 +218,74 @@ pub fn freedoms(parts: &[Part], is_planar: bool) -> Vec<(Variable, usize)> {
 }
 
 impl Moving {
+    /// Where a joint is on the ground, or on a body that moves so.
+    fn at_joint(work: &mut Workspace, carrier: Option<&State>, place: Components) -> Self {
+        let Some(state) = carrier else {
+            return Self {
+                frame: Frame::WORLD,
+                position: work.vector(Frame::WORLD, place),
+                velocity: Vector::ZERO,
+                angular_velocity: work.graph.zeros(),
+            };
+        };
+        let offset = work.vector(state.body, place);
+        let swept = work.graph.cross(state.angular_velocity, place);
+        let swept = work.vector(state.body, swept);
+        Self {
+            frame: state.body,
+            position: work.add(state.position, offset),
+            velocity: work.add(state.velocity, swept),
+            angular_velocity: state.angular_velocity,
+        }
+    }
+
+    /// Passes all parts of a joint, and returns their frames.
+    fn through(
+        &mut self,
+        work: &mut Workspace,
+        body: Frame,
+        joint: &Written,
+        coordinates: &Rates,
+    ) -> Vec<Frame> {
+        let zeros = work.graph.zeros();
+        let mut frames = Vec::new();
+        if let Some((direction, angle)) = joint.turned {
+            let frame = work.new_frame(self.frame);
+            work.set_attitude(frame, Attitude::Axis { angle, direction });
+            self.enter(work, frame, zeros);
+            frames.push(frame);
+        }
+        let parts = joint.kind.parts;
+        for (number, part) in parts.iter().enumerate() {
+            let is_last = number + 1 == parts.len();
+            let frame = if is_last {
+                body
+            } else {
+                work.new_frame(self.frame)
+            };
+            work.set_carrier(frame, self.frame);
+            self.pass(work, frame, *part, joint, coordinates);
+            frames.push(frame);
+        }
+        if parts.is_empty() {
+            work.set_carrier(body, self.frame);
+            self.enter(work, body, zeros);
+            frames.push(body);
+        }
+        frames
+    }
+
+    /// Position and velocity of G, from the point at which the joint holds the body.
+    fn center(&self, work: &mut Workspace, body: Frame, pin: Components) -> [Vector; 2] {
+        let back = work.graph.negate_vector(pin);
+        let swept = work.graph.cross(self.angular_velocity, back);
+        let (back, swept) = (work.vector(body, back), work.vector(body, swept));
+        [
+            work.add(self.position, back),
+            work.add(self.velocity, swept),
+        ]
+    }
+
     /// Goes on in a frame that turns against the last one at a rate, in its axes.
     fn enter(&mut self, work: &mut Workspace, frame: Frame, rate: Components) {
         let carried = work.turn(self.angular_velocity, self.frame, frame);
@@ -322,23 +345,28 @@ impl Moving {
                 let rate = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
                 self.enter(work, frame, rate);
             }
-            Part::Free => {
-                let vector = |variable: Variable| [0, 1, 2].map(|axis| get(variable, axis));
-                let (position, velocity) = (vector(Variable::Position), vector(Variable::Velocity));
-                self.position = work.vector(Frame::WORLD, position);
-                self.velocity = work.vector(Frame::WORLD, velocity);
-                let rate = if of.get(Variable::Quaternion, 0).is_some() {
-                    set_quaternion(work, frame, get);
-                    vector(Variable::AngularVelocity)
-                } else {
-                    let direction = work.graph.unit_vectors()[2];
-                    let angle = get(Variable::Angle, 0);
-                    work.set_attitude(frame, Attitude::Axis { angle, direction });
-                    [zero, zero, get(Variable::AngularVelocity, 0)]
-                };
-                self.enter(work, frame, rate);
-            }
+            Part::Free => self.float(work, frame, of),
         }
+    }
+
+    /// Moves as it may, in the plane or in space.
+    fn float(&mut self, work: &mut Workspace, frame: Frame, of: &Rates) {
+        let zero = work.graph.zero();
+        let get = |variable: Variable, part: usize| of.get(variable, part).unwrap_or(zero);
+        let vector = |variable: Variable| [0, 1, 2].map(|axis| get(variable, axis));
+        let (position, velocity) = (vector(Variable::Position), vector(Variable::Velocity));
+        self.position = work.vector(Frame::WORLD, position);
+        self.velocity = work.vector(Frame::WORLD, velocity);
+        let rate = if of.get(Variable::Quaternion, 0).is_some() {
+            set_quaternion(work, frame, get);
+            vector(Variable::AngularVelocity)
+        } else {
+            let direction = work.graph.unit_vectors()[2];
+            let angle = get(Variable::Angle, 0);
+            work.set_attitude(frame, Attitude::Axis { angle, direction });
+            [zero, zero, get(Variable::AngularVelocity, 0)]
+        };
+        self.enter(work, frame, rate);
     }
 
     /// Moves along a direction that turns with the frame.

@@ -28,7 +28,7 @@ rigid_system!(DoublePendulum {
         elbow = revolute(upper.tip, lower.hinge),
     ],
     fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
-    outputs: [energy, reactions],
+    outputs: [energy, reactions(elbow)],
 });
 
 fn main() {

@@ -72,7 +72,8 @@ pub fn derive_system_outputs(
     if is_asked("reactions") {
         let loads = derive_system_reactions(work, equations);
         let joints = system.joints.iter().zip(loads);
-        let held = joints.filter(|(joint, _)| !joint.kind.is_free());
+        let held =
+            joints.filter(|(joint, _)| !joint.kind.is_free() && outline.is_held(&joint.name));
         outputs.reactions = held
             .map(|(joint, load)| (joint.name.clone(), load))
             .collect();
@@ -209,11 +210,8 @@ impl SystemOutputs {
                 .map(|(name, _)| name.clone())
                 .collect()
         } else {
-            outline
-                .joints
-                .iter()
-                .map(|joint| joint.name.clone())
-                .collect()
+            let joints = outline.joints.iter().map(|joint| joint.name.clone());
+            joints.filter(|name| outline.is_held(name)).collect()
         };
         let kind = site.own_type("Reactions");
         let name = format_ident!("{}Reactions", outline.name);

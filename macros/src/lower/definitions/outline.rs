@@ -80,6 +80,7 @@ pub fn outline(
         motion,
         is_system: false,
         joints: Vec::new(),
+        held: None,
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
         outputs: check_outputs(description, offers, errors),

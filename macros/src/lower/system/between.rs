@@ -70,23 +70,7 @@ impl Reader<'_> {
         let size = self.at_top(errors, |lowering| {
             lowering.scalar(tension, Dimension::FORCE, "a tension")
         })?;
-        let back = self.work.negate(places[0]);
-        let line = self.work.add(places[1], back);
-        let line = self.work.components(line, Frame::WORLD);
-        let line = self.work.graph.quantities(line);
-        if self.work.graph.is_zero_vector(&line) {
-            errors.push(
-                q.extent,
-                "the ends of a tension are at the same place: it has no direction",
-            );
-            return None;
-        }
-        let length = self.work.graph.norm(line);
-        let length = self.work.graph.quantity(length);
-        let share = self.work.graph.divide(size, length);
-        let share = self.work.graph.quantity(share);
-        let pull = self.work.graph.scale_vector(share, line);
-        let pull = self.work.graph.quantities(pull);
+        let pull = self.along(places, size, q, errors)?;
         let opposite = self.work.graph.negate_vector(pull);
         let ends =
             [(start, pull), (end, opposite)]
@@ -97,6 +81,34 @@ impl Reader<'_> {
                     Some((body?, given(load, force, point, Vector::ZERO)))
                 });
         Some(ends.collect())
+    }
+
+    /// A force of this size, from the first place towards the second, world axes.
+    fn along(
+        &mut self,
+        [start, end]: [Vector; 2],
+        size: Id,
+        written: &Expression,
+        errors: &mut Errors,
+    ) -> Option<Components> {
+        let back = self.work.negate(start);
+        let line = self.work.add(end, back);
+        let line = self.work.components(line, Frame::WORLD);
+        let graph = &mut self.work.graph;
+        let line = graph.quantities(line);
+        if graph.is_zero_vector(&line) {
+            errors.push(
+                written.extent,
+                "the ends of a tension are at the same place: it has no direction",
+            );
+            return None;
+        }
+        let length = graph.norm(line);
+        let length = graph.quantity(length);
+        let share = graph.divide(size, length);
+        let share = graph.quantity(share);
+        let pull = graph.scale_vector(share, line);
+        Some(graph.quantities(pull))
     }
 
     /// `moment(v).on(body)` and `moment(v).between(first, second)`, which acts on the second, and on

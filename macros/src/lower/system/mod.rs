@@ -19,7 +19,9 @@ use proc_macro2::Ident;
 use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Members, Scope};
-use crate::model::{Declared, Defaults, Meaning, Outline, PLANAR, SPATIAL, System, Workspace};
+use crate::model::{
+    Declared, Defaults, Meaning, Member, Outline, PLANAR, SPATIAL, System, TreeJoint, Workspace,
+};
 use crate::symbolic::Stage;
 use crate::syntax;
 
@@ -71,6 +73,7 @@ pub fn lower_system(
         drafts.push(draft);
     }
     let joints = reader.joints(errors);
+    reader.check_held(&joints, errors);
     let order = reader.tree(&joints, errors);
     let joints = reader.motions(order, joints, &mut drafts);
     reader.members.are_moving = true;
@@ -87,24 +90,14 @@ pub fn lower_system(
         mut work, defaults, ..
     } = reader;
     let gravity = body::common_gravity(&mut work, &mut bodies, system.top.loads.len());
-    // each body with its joint, carriers first
-    let place = |body: usize| joints.iter().position(|joint| joint.carried == body);
-    let mut numbered: Vec<_> = bodies.into_iter().enumerate().collect();
-    numbered.sort_by_key(|(body, _)| place(*body));
-    let old: Vec<usize> = numbered.iter().map(|(body, _)| *body).collect();
-    let new = |body: usize| old.iter().position(|other| *other == body);
-    let mut joints = joints;
-    for joint in &mut joints {
-        joint.carrier = joint.carrier.and_then(new);
-        joint.carried = new(joint.carried)?;
-    }
+    let (bodies, joints) = carriers_first(bodies, joints)?;
     for known in &mut outline.joints {
         let joint = joints.iter().find(|joint| joint.name == known.name);
         known.frame = joint.and_then(|joint| joint.frames.last().copied());
     }
     let system = System {
         is_planar: system.is_planar,
-        bodies: numbered.into_iter().map(|(_, body)| body).collect(),
+        bodies,
         joints,
         gravity,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
@@ -115,6 +108,24 @@ pub fn lower_system(
         errors.push(outline.name.span(), message);
     }
     errors.is_empty().then_some((system, work))
+}
+
+/// Each body with the joint that carries it, after its carrier.
+fn carriers_first(
+    bodies: Vec<Member>,
+    mut joints: Vec<TreeJoint>,
+) -> Option<(Vec<Member>, Vec<TreeJoint>)> {
+    let place = |body: usize| joints.iter().position(|joint| joint.carried == body);
+    let mut numbered: Vec<_> = bodies.into_iter().enumerate().collect();
+    numbered.sort_by_key(|(body, _)| place(*body));
+    let old: Vec<usize> = numbered.iter().map(|(body, _)| *body).collect();
+    let new = |body: usize| old.iter().position(|other| *other == body);
+    for joint in &mut joints {
+        joint.carrier = joint.carrier.and_then(new);
+        joint.carried = new(joint.carried)?;
+    }
+    let bodies = numbered.into_iter().map(|(_, body)| body).collect();
+    Some((bodies, joints))
 }
 
 impl Reader<'_> {

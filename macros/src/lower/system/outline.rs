@@ -13,6 +13,7 @@ use super::joints::{call, kind_of};
 pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     outline.is_system = true;
     outline.body_keys.clone_from(&system.keys);
+    outline.held.clone_from(&system.held);
     let mut seen = HashSet::new();
     let joints = system.joints.iter();
     let joints = joints

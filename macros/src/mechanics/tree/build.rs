@@ -165,41 +165,52 @@ impl Making<'_> {
                 let freedom = self.freedom(twist, get(Variable::Velocity, 0), drives[0]);
                 self.link(Turning::Parallel, vec![freedom]);
             }
-            Part::Ball => {
-                let quaternion = [0, 1, 2, 3].map(|part| get(Variable::Quaternion, part));
-                let turning = quaternion_turning(self.work, quaternion);
-                let rates = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
-                let freedoms = (0..3).map(|axis| {
-                    let twist = Twist::about(&self.work.graph, units[axis]);
-                    self.freedom(twist, rates[axis], drives[axis])
-                });
-                let freedoms = freedoms.collect();
-                self.link(turning, freedoms);
-            }
-            Part::Free => {
-                let linear = if is_planar { 2 } else { 3 };
-                let mut freedoms: Vec<Freedom> = (0..linear)
-                    .map(|axis| {
-                        let twist = Twist::along(&self.work.graph, units[axis]);
-                        self.freedom(twist, get(Variable::Velocity, axis), drives[axis])
-                    })
-                    .collect();
-                let axes = if is_planar { 2..3 } else { 0..3 };
-                for (part, axis) in axes.enumerate() {
-                    let twist = Twist::about(&self.work.graph, units[axis]);
-                    let rate = get(Variable::AngularVelocity, part);
-                    freedoms.push(self.freedom(twist, rate, drives[linear + part]));
-                }
-                let turning = if is_planar {
-                    Turning::by_angle(&mut self.work.graph, 2, get(Variable::Angle, 0))
-                } else {
-                    let quaternion = [0, 1, 2, 3].map(|part| get(Variable::Quaternion, part));
-                    quaternion_turning(self.work, quaternion)
-                };
-                let index = self.link(turning, freedoms);
-                self.links[index].is_free = true;
-            }
+            Part::Ball => self.ball(rates, drives),
+            Part::Free => self.float(rates, drives, is_planar),
         }
+    }
+
+    fn ball(&mut self, rates: &Rates, drives: &[Id]) {
+        let units = self.work.graph.unit_vectors();
+        let zero = self.work.graph.zero();
+        let get = |variable: Variable, part: usize| rates.get(variable, part).unwrap_or(zero);
+        let quaternion = [0, 1, 2, 3].map(|part| get(Variable::Quaternion, part));
+        let turning = quaternion_turning(self.work, quaternion);
+        let rates = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
+        let freedoms = (0..3).map(|axis| {
+            let twist = Twist::about(&self.work.graph, units[axis]);
+            self.freedom(twist, rates[axis], drives[axis])
+        });
+        let freedoms = freedoms.collect();
+        self.link(turning, freedoms);
+    }
+
+    /// All directions, those along axes first.
+    fn float(&mut self, rates: &Rates, drives: &[Id], is_planar: bool) {
+        let units = self.work.graph.unit_vectors();
+        let zero = self.work.graph.zero();
+        let get = |variable: Variable, part: usize| rates.get(variable, part).unwrap_or(zero);
+        let linear = if is_planar { 2 } else { 3 };
+        let mut freedoms: Vec<Freedom> = (0..linear)
+            .map(|axis| {
+                let twist = Twist::along(&self.work.graph, units[axis]);
+                self.freedom(twist, get(Variable::Velocity, axis), drives[axis])
+            })
+            .collect();
+        let axes = if is_planar { 2..3 } else { 0..3 };
+        for (part, axis) in axes.enumerate() {
+            let twist = Twist::about(&self.work.graph, units[axis]);
+            let rate = get(Variable::AngularVelocity, part);
+            freedoms.push(self.freedom(twist, rate, drives[linear + part]));
+        }
+        let turning = if is_planar {
+            Turning::by_angle(&mut self.work.graph, 2, get(Variable::Angle, 0))
+        } else {
+            let quaternion = [0, 1, 2, 3].map(|part| get(Variable::Quaternion, part));
+            quaternion_turning(self.work, quaternion)
+        };
+        let index = self.link(turning, freedoms);
+        self.links[index].is_free = true;
     }
 
     /// A link that turns about a direction.

@@ -73,6 +73,7 @@ impl Accelerations {
     }
 }
 
+/// From the tips to the ground: inertias and loads, with each joint giving way.
 fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
     let bias = derive_bias(graph, labels, tree);
     let mut inertia: Vec<Articulated> = Vec::new();
@@ -104,9 +105,19 @@ fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Acceleratio
         }
     }
     eliminated.reverse();
+    outwards(graph, labels, tree, &eliminated)
+}
+
+/// From the ground to the tips: the accelerations of the freedoms, by those of what carries them.
+fn outwards(
+    graph: &mut Graph,
+    labels: &mut Labels,
+    tree: &Tree,
+    eliminated: &[Vec<Eliminated>],
+) -> Accelerations {
     let mut moving: Vec<Pair> = Vec::new();
     let mut all = Vec::new();
-    for (link, gone) in tree.links.iter().zip(&eliminated) {
+    for (link, gone) in tree.links.iter().zip(eliminated) {
         let mut acceleration = match link.carrier {
             Some(carrier) => acceleration_at(graph, link, moving[carrier]),
             None => Pair::zero(graph),

@@ -29,6 +29,8 @@ pub struct Outline {
     pub is_system: bool,
     /// Of a system: its joints that move, each a field of its state.
     pub joints: Vec<Jointed>,
+    /// Of a system: the joints whose reactions are asked for, if not all.
+    pub held: Option<Vec<Ident>>,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
     pub outputs: Vec<Asked>,
@@ -60,6 +62,12 @@ pub struct Jointed {
 }
 
 impl Outline {
+    /// Whether the reactions of a joint are asked for.
+    pub fn is_held(&self, joint: &Ident) -> bool {
+        let held = self.held.as_ref();
+        held.is_none_or(|held| held.contains(joint))
+    }
+
     /// Its state is made of those of joints.
     pub fn has_joints(&self) -> bool {
         !self.joints.is_empty()

@@ -2,6 +2,7 @@
 
 mod body;
 mod lost;
+mod outputs;
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
@@ -25,6 +26,8 @@ pub struct System {
     pub forces: Vec<Definition>,
     pub moments: Vec<Definition>,
     pub is_planar: bool,
+    /// The joints that are named behind `reactions`, if any are.
+    pub held: Option<Vec<Ident>>,
     /// For each body, the first one that is written in the same braces.
     pub firsts: Vec<usize>,
     /// The keys in the braces of bodies.
@@ -77,6 +80,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         forces: Vec::new(),
         moments: Vec::new(),
         is_planar: false,
+        held: None,
         firsts: Vec::new(),
         keys: Vec::new(),
         has_lost_bodies: false,
@@ -134,6 +138,9 @@ impl System {
                 self.top.keys.push(key.clone());
             }
             self.parse_list(list, example, key, rest, errors);
+        } else if word == "outputs" {
+            let entry = self.without_joints(entry, errors);
+            parse_key(&mut self.top, &entry, errors);
         } else {
             parse_key(&mut self.top, entry, errors);
         }

@@ -10,6 +10,7 @@ mod motion;
 mod names;
 mod outline;
 mod reader;
+mod told;
 mod tree;
 
 use std::collections::HashSet;

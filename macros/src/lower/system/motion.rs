@@ -1,9 +1,8 @@
 //! How the bodies of a tree move: their states, from the ground to the tips.
 
-use crate::lower::expressions::{BodyMotion, Value};
 use crate::model::{
-    Attitude, Coordinate, Dimension, Frame, Meaning, Part, Rates, Shape, State, TreeJoint,
-    Variable, Vector, Workspace,
+    Attitude, Coordinate, Frame, Meaning, Part, Rates, Shape, State, TreeJoint, Variable, Vector,
+    Workspace,
 };
 use crate::symbolic::{Components, Function, Graph, Id, Stage};
 
@@ -88,90 +87,6 @@ impl Reader<'_> {
             drives: vec![self.work.graph.zero(); freedoms],
             open: vec![None; freedoms],
         }
-    }
-
-    /// Others may ask how the body moves.
-    fn tell_of(&mut self, body: usize, state: &State) {
-        let turning = if self.system.is_planar {
-            Value::Scalar(state.angular_velocity[2], Dimension::FREQUENCY)
-        } else {
-            let vector = self.work.vector(state.body, state.angular_velocity);
-            Value::Vector(vector, Dimension::FREQUENCY)
-        };
-        let known = &mut self.members.bodies[body];
-        known.motion = Some(BodyMotion {
-            position: state.position,
-            velocity: state.velocity,
-            angular_velocity: state.angular_velocity,
-        });
-        known.values.extend([
-            ("position", Value::Vector(state.position, Dimension::LENGTH)),
-            (
-                "velocity",
-                Value::Vector(state.velocity, Dimension::VELOCITY),
-            ),
-            ("angular_velocity", turning),
-        ]);
-    }
-
-    /// `attitude`, of a body in the plane the sum of the angles that carry it.
-    fn define_attitude(&mut self, draft: &mut Draft<'_>, is_free: bool) {
-        let value = if self.system.is_planar {
-            let mut angles = Vec::new();
-            let mut frame = draft.frame;
-            while frame != Frame::WORLD {
-                if let Attitude::Axis { angle, .. } = self.work.attitude(frame) {
-                    angles.push(angle);
-                }
-                frame = self.work.carrier(frame);
-            }
-            Value::Scalar(self.work.graph.sum(&angles), Dimension::NONE)
-        } else if is_free {
-            Value::Attitude
-        } else {
-            return;
-        };
-        draft.scope.define("attitude", Some(value));
-        let name = draft.description.name.to_string();
-        for body in &mut self.members.bodies {
-            if body.name == name && self.system.is_planar {
-                body.values.push(("attitude", value));
-            }
-        }
-    }
-
-    /// The coordinates of a joint and their rates, by the names that its state has for them.
-    fn joint_values(&mut self, joint: &TreeJoint) -> Vec<(&'static str, Value)> {
-        let Some(shape) = joint.kind.shape else {
-            return Vec::new();
-        };
-        let mut values = Vec::new();
-        for field in shape.fields {
-            let dimension = match field.variable {
-                Variable::Position => Dimension::LENGTH,
-                Variable::Velocity => Dimension::VELOCITY,
-                Variable::AngularVelocity => Dimension::FREQUENCY,
-                _ => Dimension::NONE,
-            };
-            if field.variable == Variable::Quaternion {
-                continue;
-            }
-            let parts = (0..field.names.len())
-                .map(|part| joint.coordinates.get(field.variable, field.first + part));
-            let parts: Vec<Id> = parts.flatten().collect();
-            let value = if let [scalar] = *parts.as_slice() {
-                Value::Scalar(scalar, dimension)
-            } else {
-                let mut components = self.work.graph.zeros();
-                components[..parts.len()].copy_from_slice(&parts);
-                let turns = field.variable == Variable::AngularVelocity;
-                let body = joint.frames.last().copied().unwrap_or(Frame::WORLD);
-                let frame = if turns { body } else { Frame::WORLD };
-                Value::Vector(self.work.vector(frame, components), dimension)
-            };
-            values.push((field.path, value));
-        }
-        values
     }
 }
 

@@ -19,16 +19,22 @@ macro_rules! examples {
 examples! {
     apollo "../../examples/apollo.rs";
     compound_pendulum "../../examples/compound_pendulum.rs";
+    crane "../../examples/crane.rs";
     crazyflie "../../examples/crazyflie.rs";
     cylinder "../../examples/cylinder.rs";
     dipole "../../examples/dipole.rs";
+    double_pendulum "../../examples/double_pendulum.rs";
+    furuta "../../examples/furuta.rs";
     lagrange_top "../../examples/lagrange_top.rs";
     plank "../../examples/plank.rs";
     quadrotor "../../examples/quadrotor.rs";
+    reaction_wheels "../../examples/reaction_wheels.rs";
     rigid_body_benchmarks "../../examples/rigid_body_benchmarks.rs";
+    robot_arm "../../examples/robot_arm.rs";
     rotor "../../examples/rotor.rs";
     satellite "../../examples/satellite.rs";
     shuttlecock "../../examples/shuttlecock.rs";
+    suspension "../../examples/suspension.rs";
     swarm "../../examples/swarm.rs";
     t_handle "../../examples/t_handle.rs";
     tumbling_brick "../../examples/tumbling_brick.rs";
@@ -51,20 +57,26 @@ pub const BODIES: &[Body] = bodies![
     apollo::AsProducts,
     apollo::AsTensor,
     compound_pendulum::Pendulum,
+    crane::Crane,
     crazyflie::Crazyflie,
     cylinder::Slipping,
     cylinder::Sticking,
     dipole::Dipole,
     dipole::cancelled::Quadrupole,
+    double_pendulum::DoublePendulum,
+    furuta::Furuta,
     lagrange_top::Top,
     plank::Plank,
     quadrotor::Quadrotor,
+    reaction_wheels::Satellite,
     rigid_body_benchmarks::Detest,
     rigid_body_benchmarks::Driven,
     rigid_body_benchmarks::Turning,
+    robot_arm::Arm,
     rotor::Rotor,
     satellite::Satellite,
     shuttlecock::Shuttlecock,
+    suspension::Car,
     swarm::CubeSat<f64>,
     t_handle::Handle,
     tumbling_brick::Brick,
@@ -134,4 +146,44 @@ impl Somewhere for Hinge {
             angular_velocity: 1.5,
         }
     }
+}
+
+impl Somewhere for Slide {
+    fn somewhere() -> Self {
+        Self {
+            position: 0.7,
+            velocity: -0.4,
+        }
+    }
+}
+
+impl Somewhere for Universal {
+    fn somewhere() -> Self {
+        Self {
+            angle_1: 0.3,
+            angle_2: -0.5,
+            angular_velocity_1: 1.5,
+            angular_velocity_2: -0.8,
+        }
+    }
+}
+
+/// States of systems, joint by joint.
+macro_rules! systems {
+    ($($state:path { $($joint:ident),* })*) => {$(
+        impl Somewhere for $state {
+            fn somewhere() -> Self {
+                Self { $($joint: Somewhere::somewhere()),* }
+            }
+        }
+    )*};
+}
+
+systems! {
+    crane::CraneState { rail, hang, rope }
+    double_pendulum::DoublePendulumState { shoulder, elbow }
+    furuta::FurutaState { yaw, swing }
+    reaction_wheels::SatelliteState { orbit, spin_x, spin_y, spin_z }
+    robot_arm::ArmState { pan, lift, elbow, roll_1, roll_2, roll_3 }
+    suspension::CarState { heave, pitch, strut_front, strut_rear }
 }

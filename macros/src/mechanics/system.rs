@@ -147,7 +147,7 @@ pub fn derive_system_inverse(
         let mut found = Vec::new();
         for link in links.clone() {
             for freedom in &equations.reduced.links[link].freedoms {
-                let needed = Pair::of(&freedom.twist).dot(&mut work.graph, loads[link]);
+                let needed = freedom.twist.dot(&mut work.graph, loads[link]);
                 let known = joint.drives[found.len()];
                 found.push(work.graph.subtract(needed, known));
             }

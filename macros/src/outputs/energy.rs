@@ -51,21 +51,7 @@ impl Output for Energy {
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
-        let method = |of: fn(&mechanics::Energy) -> Id| {
-            site.method(self.0.as_ref(), |writer, energy| {
-                Method::write(writer, &[of(energy)], |values| quote!(#(#values)*))
-            })
-        };
-        let (kinetic, potential) = (
-            method(|energy| energy.kinetic),
-            method(|energy| energy.potential),
-        );
-        let scalar = site.shapes.scalar.kind();
-        let methods = [
-            ("kinetic_energy", &kinetic, &[Source::State][..], &scalar),
-            ("potential_energy", &potential, &COMMON, &scalar),
-        ];
-        Addition::implement(site, "Energy", [quote!(), quote!()], &methods)
+        implement_energy(site, self.0.as_ref())
     }
 }
 
@@ -75,4 +61,23 @@ pub fn without_potential(load: &Load) -> String {
         "`{}` in the potential energy: it is not a uniform field on a point of the body",
         load.name
     )
+}
+
+/// `impl Energy for Body`, of a system too.
+pub fn implement_energy(site: &Site<'_>, energy: Option<&mechanics::Energy>) -> Addition {
+    let method = |of: fn(&mechanics::Energy) -> Id| {
+        site.method(energy, |writer, energy| {
+            Method::write(writer, &[of(energy)], |values| quote!(#(#values)*))
+        })
+    };
+    let (kinetic, potential) = (
+        method(|energy| energy.kinetic),
+        method(|energy| energy.potential),
+    );
+    let scalar = site.shapes.scalar.kind();
+    let methods = [
+        ("kinetic_energy", &kinetic, &[Source::State][..], &scalar),
+        ("potential_energy", &potential, &COMMON, &scalar),
+    ];
+    Addition::implement(site, "Energy", [quote!(), quote!()], &methods)
 }

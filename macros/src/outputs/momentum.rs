@@ -36,44 +36,49 @@ impl Output for Momentum {
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
-        let shapes = &site.shapes;
-        let moment = |of: fn(&mechanics::Momentum) -> &Components| {
-            site.method(self.0.as_ref(), |writer, momentum| {
-                let outputs = shapes.moment_part(of(momentum));
-                Method::write(writer, outputs, |values| shapes.moment(values))
-            })
-        };
-        let (angular, about_pole) = (
-            moment(|momentum| &momentum.angular),
-            moment(|momentum| &momentum.about_pole),
-        );
-        // the momentum of a body whose motion of G is not modelled is not known
-        let is_known = shapes.motion.knows_position();
-        let linear = site.method(self.0.as_ref(), |writer, momentum| {
-            if !is_known {
-                return Method::default();
-            }
-            let outputs = shapes.vector_part(&momentum.linear);
-            Method::write(writer, outputs, |values| shapes.vector(values))
-        });
-        let of_angular = shapes.moment_type();
-        let of_linear = if is_known {
-            shapes.vector_type()
-        } else {
-            quote!(())
-        };
-        let (state, both) = (&[Source::State][..], [Source::Time, Source::State]);
-        let methods = [
-            ("linear_momentum", &linear, state, &of_linear),
-            ("angular_momentum", &angular, state, &of_angular),
-            (
-                "angular_momentum_about_pole",
-                &about_pole,
-                &both,
-                &of_angular,
-            ),
-        ];
-        let types = quote!(type Linear = #of_linear; type Angular = #of_angular;);
-        Addition::implement(site, "Momentum", [types, quote!()], &methods)
+        implement_momentum(site, self.0.as_ref())
     }
+}
+
+/// `impl Momentum for Body`, of a system too.
+pub fn implement_momentum(site: &Site<'_>, momentum: Option<&mechanics::Momentum>) -> Addition {
+    let shapes = &site.shapes;
+    let moment = |of: fn(&mechanics::Momentum) -> &Components| {
+        site.method(momentum, |writer, momentum| {
+            let outputs = shapes.moment_part(of(momentum));
+            Method::write(writer, outputs, |values| shapes.moment(values))
+        })
+    };
+    let (angular, about_pole) = (
+        moment(|momentum| &momentum.angular),
+        moment(|momentum| &momentum.about_pole),
+    );
+    // the momentum of a body whose motion of G is not modelled is not known
+    let is_known = shapes.motion.knows_position();
+    let linear = site.method(momentum, |writer, momentum| {
+        if !is_known {
+            return Method::default();
+        }
+        let outputs = shapes.vector_part(&momentum.linear);
+        Method::write(writer, outputs, |values| shapes.vector(values))
+    });
+    let of_angular = shapes.moment_type();
+    let of_linear = if is_known {
+        shapes.vector_type()
+    } else {
+        quote!(())
+    };
+    let (state, both) = (&[Source::State][..], [Source::Time, Source::State]);
+    let methods = [
+        ("linear_momentum", &linear, state, &of_linear),
+        ("angular_momentum", &angular, state, &of_angular),
+        (
+            "angular_momentum_about_pole",
+            &about_pole,
+            &both,
+            &of_angular,
+        ),
+    ];
+    let types = quote!(type Linear = #of_linear; type Angular = #of_angular;);
+    Addition::implement(site, "Momentum", [types, quote!()], &methods)
 }

@@ -15,7 +15,8 @@ use crate::mechanics::{
 use crate::model::{Outline, System, Workspace};
 use crate::symbolic::{Components, Id};
 
-use super::energy::without_potential;
+use super::energy::{implement_energy, without_potential};
+use super::momentum::implement_momentum;
 
 /// What a system may be asked for.
 const OFFERS: [Offer; 4] = [
@@ -144,8 +145,8 @@ impl SystemOutputs {
         let mut all = Addition::default();
         for asked in &site.outline.outputs {
             let addition = match asked.word {
-                "energy" => self.emit_energy(site),
-                "momentum" => self.emit_momentum(site),
+                "energy" => implement_energy(site, self.energy.as_ref()),
+                "momentum" => implement_momentum(site, self.momentum.as_ref()),
                 "reactions" => self.emit_reactions(site, is_sound),
                 _ => self.emit_inverse(site, is_sound),
             };
@@ -153,52 +154,6 @@ impl SystemOutputs {
             all.costs.extend(addition.costs);
         }
         all
-    }
-
-    fn emit_energy(&self, site: &Site<'_>) -> Addition {
-        let method = |of: fn(&Energy) -> Id| {
-            site.method(self.energy.as_ref(), |writer, energy| {
-                Method::write(writer, &[of(energy)], |values| quote!(#(#values)*))
-            })
-        };
-        let (kinetic, potential) = (method(|one| one.kinetic), method(|one| one.potential));
-        let scalar = site.shapes.scalar.kind();
-        let methods = [
-            ("kinetic_energy", &kinetic, &[Source::State][..], &scalar),
-            ("potential_energy", &potential, &COMMON, &scalar),
-        ];
-        Addition::implement(site, "Energy", [quote!(), quote!()], &methods)
-    }
-
-    fn emit_momentum(&self, site: &Site<'_>) -> Addition {
-        let shapes = &site.shapes;
-        let moment = |of: fn(&Momentum) -> &Components| {
-            site.method(self.momentum.as_ref(), |writer, momentum| {
-                Method::write(writer, shapes.moment_part(of(momentum)), |values| {
-                    shapes.moment(values)
-                })
-            })
-        };
-        let linear = site.method(self.momentum.as_ref(), |writer, momentum| {
-            Method::write(writer, shapes.vector_part(&momentum.linear), |values| {
-                shapes.vector(values)
-            })
-        });
-        let (angular, about_pole) = (moment(|one| &one.angular), moment(|one| &one.about_pole));
-        let (of_linear, of_angular) = (shapes.vector_type(), shapes.moment_type());
-        let (state, both) = (&[Source::State][..], [Source::Time, Source::State]);
-        let methods = [
-            ("linear_momentum", &linear, state, &of_linear),
-            ("angular_momentum", &angular, state, &of_angular),
-            (
-                "angular_momentum_about_pole",
-                &about_pole,
-                &both,
-                &of_angular,
-            ),
-        ];
-        let types = quote!(type Linear = #of_linear; type Angular = #of_angular;);
-        Addition::implement(site, "Momentum", [types, quote!()], &methods)
     }
 
     /// A struct with a wrench for each joint.

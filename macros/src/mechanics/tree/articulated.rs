@@ -3,8 +3,8 @@
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
-use super::bias::Pair;
-use super::link::{Along, Link, Twist};
+use super::link::Link;
+use super::pair::{Along, Pair};
 use super::properties::Properties;
 use super::turning::{Turning, transposed};
 
@@ -21,7 +21,7 @@ pub struct Articulated {
 /// What is left of a freedom when it is eliminated: `q'' = drive - share . a`, for an acceleration a of
 /// the link without it.
 pub struct Eliminated {
-    pub twist: Twist,
+    pub twist: Pair,
     pub drive: Id,
     pub share: Pair,
     /// Of the inertia along it.
@@ -82,7 +82,7 @@ impl Articulated {
         }
     }
 
-    pub fn times(&self, graph: &mut Graph, twist: &Twist) -> Pair {
+    pub fn times(&self, graph: &mut Graph, twist: &Pair) -> Pair {
         let of_angular = graph.transform(&self.angular, twist.angular);
         let of_linear = graph.transform(&self.mixed, twist.linear);
         let moment = graph.add_vectors(of_angular, of_linear);
@@ -99,13 +99,12 @@ impl Articulated {
     pub fn eliminate(
         &mut self,
         graph: &mut Graph,
-        twist: Twist,
+        twist: Pair,
         drive: Id,
         lacking: &mut Pair,
     ) -> Eliminated {
         let of_rate = self.times(graph, &twist).quantities(graph);
-        let along = Pair::of(&twist);
-        let inertia = along.dot(graph, of_rate);
+        let inertia = twist.dot(graph, of_rate);
         let one = graph.one();
         let inverse = graph.divide(one, inertia);
         let inverse = graph.quantity(inverse);
@@ -115,7 +114,7 @@ impl Articulated {
             Some(Along::Linear(axis)) => share.linear[axis] = twist.linear[axis],
             None => {}
         }
-        let needed = along.dot(graph, *lacking);
+        let needed = twist.dot(graph, *lacking);
         let driving = graph.subtract(drive, needed);
         let driving = graph.quantity(driving);
         let outer = |graph: &mut Graph, rows: &Rows, a: Components, b: Components| {
@@ -135,7 +134,7 @@ impl Articulated {
         let made = share.scaled(graph, driving);
         *lacking = lacking.plus(graph, made);
         if let Some(axis) = twist.axis(graph) {
-            let drive = along.scaled(graph, drive);
+            let drive = twist.scaled(graph, drive);
             self.give_way(graph, axis, drive, lacking);
         }
         let drive = graph.multiply(driving, inverse);

@@ -3,14 +3,8 @@
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
-use super::link::{Link, Tree, Twist};
-
-/// Moment and force about the origin of a link, or angular acceleration and that of the origin.
-#[derive(Clone, Copy)]
-pub struct Pair {
-    pub angular: Components,
-    pub linear: Components,
-}
+use super::link::{Link, Tree};
+use super::pair::Pair;
 
 /// The motion of a link, in its axes.
 #[derive(Clone, Copy)]
@@ -38,7 +32,7 @@ impl Moving {
     /// The motion of a link on a carrier that moves so.
     pub fn carried(&self, graph: &mut Graph, link: &Link) -> Self {
         let zeros = graph.zeros();
-        let sum = |graph: &mut Graph, part: fn(&Twist) -> Components| {
+        let sum = |graph: &mut Graph, part: fn(&Pair) -> Components| {
             link.freedoms.iter().fold(zeros, |sum, freedom| {
                 let scaled = graph.scale_vector(freedom.rate, part(&freedom.twist));
                 graph.add_vectors(sum, scaled)
@@ -78,7 +72,7 @@ impl Moving {
     pub fn accelerated(&self, graph: &mut Graph, tree: &Tree, link: &Link, rates: &[Id]) -> Self {
         let mut acceleration = self.acceleration;
         for (freedom, rate) in link.freedoms.iter().zip(rates) {
-            let made = Pair::of(&freedom.twist).scaled(graph, *rate);
+            let made = freedom.twist.scaled(graph, *rate);
             acceleration = acceleration.plus(graph, made);
         }
         if link.is_free {
@@ -170,66 +164,8 @@ pub fn derive_bias(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Vec<(
         moving.acceleration.name(labels, ["alpha", "a"], &link.name);
         labels.matrix(&format!("sweep_{}", link.name), &moving.sweep);
         let taken = moving.taken_by(graph, link);
-        let lacking = taken.less(graph, link);
+        let lacking = taken.minus(graph, link.load());
         all.push((moving, lacking));
     }
     all
-}
-
-impl Pair {
-    /// A motion of unit rate.
-    pub fn of(twist: &Twist) -> Self {
-        Self {
-            angular: twist.angular,
-            linear: twist.linear,
-        }
-    }
-
-    pub fn zero(graph: &Graph) -> Self {
-        Self {
-            angular: graph.zeros(),
-            linear: graph.zeros(),
-        }
-    }
-
-    /// Names of both vectors.
-    pub fn name(&self, labels: &mut Labels, [angular, linear]: [&str; 2], of: &str) {
-        labels.vector_or_one(angular, of, self.angular);
-        labels.vector(&format!("{linear}_{of}"), self.linear);
-    }
-
-    pub fn plus(self, graph: &mut Graph, other: Self) -> Self {
-        Self {
-            angular: graph.add_vectors(self.angular, other.angular),
-            linear: graph.add_vectors(self.linear, other.linear),
-        }
-    }
-
-    /// Without the loads on a link.
-    pub fn less(self, graph: &mut Graph, link: &Link) -> Self {
-        Self {
-            angular: graph.subtract_vectors(self.angular, link.moment),
-            linear: graph.subtract_vectors(self.linear, link.force),
-        }
-    }
-
-    pub fn scaled(self, graph: &mut Graph, factor: Id) -> Self {
-        Self {
-            angular: graph.scale_vector(factor, self.angular),
-            linear: graph.scale_vector(factor, self.linear),
-        }
-    }
-
-    pub fn dot(self, graph: &mut Graph, other: Self) -> Id {
-        let angular = graph.dot(self.angular, other.angular);
-        let linear = graph.dot(self.linear, other.linear);
-        graph.add(angular, linear)
-    }
-
-    pub fn quantities(self, graph: &mut Graph) -> Self {
-        Self {
-            angular: graph.quantities(self.angular),
-            linear: graph.quantities(self.linear),
-        }
-    }
 }

@@ -3,7 +3,8 @@
 use crate::model::{Member, Part, Rates, System, TreeJoint, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Function, Id};
 
-use super::link::{Freedom, Link, Tree, Twist};
+use super::link::{Freedom, Link, Tree};
+use super::pair::Pair;
 use super::properties::Properties;
 use super::turning::Turning;
 
@@ -137,7 +138,7 @@ impl Making<'_> {
         match part {
             Part::Turn(number) => {
                 let direction = direction(number).unwrap_or(units[2]);
-                let twist = Twist::about(graph, direction);
+                let twist = Pair::about(graph, direction);
                 let (angle, rate) = (
                     get(Variable::Angle, number.min(1)),
                     get(Variable::AngularVelocity, number.min(1)),
@@ -148,7 +149,7 @@ impl Making<'_> {
                 let direction = direction(0).unwrap_or(units[2]);
                 let pitch = self.joint.pitch.unwrap_or(zero);
                 let along = graph.scale_vector(pitch, direction);
-                let twist = Twist {
+                let twist = Pair {
                     angular: direction,
                     linear: along,
                 };
@@ -161,7 +162,7 @@ impl Making<'_> {
                 let direction = direction(number).unwrap_or(units[0]);
                 let step = graph.scale_vector(get(Variable::Position, 0), direction);
                 self.place = graph.add_vectors(self.place, step);
-                let twist = Twist::along(graph, direction);
+                let twist = Pair::along(graph, direction);
                 let freedom = self.freedom(twist, get(Variable::Velocity, 0), drives[0]);
                 self.link(Turning::Parallel, vec![freedom]);
             }
@@ -178,7 +179,7 @@ impl Making<'_> {
         let turning = quaternion_turning(self.work, quaternion);
         let rates = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
         let freedoms = (0..3).map(|axis| {
-            let twist = Twist::about(&self.work.graph, units[axis]);
+            let twist = Pair::about(&self.work.graph, units[axis]);
             self.freedom(twist, rates[axis], drives[axis])
         });
         let freedoms = freedoms.collect();
@@ -193,13 +194,13 @@ impl Making<'_> {
         let linear = if is_planar { 2 } else { 3 };
         let mut freedoms: Vec<Freedom> = (0..linear)
             .map(|axis| {
-                let twist = Twist::along(&self.work.graph, units[axis]);
+                let twist = Pair::along(&self.work.graph, units[axis]);
                 self.freedom(twist, get(Variable::Velocity, axis), drives[axis])
             })
             .collect();
         let axes = if is_planar { 2..3 } else { 0..3 };
         for (part, axis) in axes.enumerate() {
-            let twist = Twist::about(&self.work.graph, units[axis]);
+            let twist = Pair::about(&self.work.graph, units[axis]);
             let rate = get(Variable::AngularVelocity, part);
             freedoms.push(self.freedom(twist, rate, drives[linear + part]));
         }
@@ -214,7 +215,7 @@ impl Making<'_> {
     }
 
     /// A link that turns about a direction.
-    fn hinge(&mut self, direction: Components, twist: Twist, [angle, rate, drive]: [Id; 3]) {
+    fn hinge(&mut self, direction: Components, twist: Pair, [angle, rate, drive]: [Id; 3]) {
         let graph = &mut self.work.graph;
         let cosine = graph.apply(Function::Cos, &[angle]);
         let sine = graph.apply(Function::Sin, &[angle]);
@@ -228,7 +229,7 @@ impl Making<'_> {
         self.links[index].angle = about;
     }
 
-    fn freedom(&self, twist: Twist, rate: Id, drive: Id) -> Freedom {
+    fn freedom(&self, twist: Pair, rate: Id, drive: Id) -> Freedom {
         Freedom {
             twist,
             rate,

@@ -3,8 +3,9 @@
 use crate::symbolic::{Graph, Id};
 
 use super::articulated::wrench_on_carrier;
-use super::bias::{Moving, Pair};
+use super::bias::Moving;
 use super::link::{Link, Tree};
+use super::pair::Pair;
 
 /// The force and the moment of each joint on what it carries, about the origin of the link, in its
 /// axes, when the freedoms accelerate so, link by link.
@@ -18,7 +19,7 @@ pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) ->
             .carried(graph, link)
             .accelerated(graph, tree, link, rates);
         let taken = moving.taken_by(graph, link);
-        loads.push(taken.less(graph, link));
+        loads.push(taken.minus(graph, link.load()));
         motions.push(moving);
     }
     for (index, link) in tree.links.iter().enumerate().rev() {

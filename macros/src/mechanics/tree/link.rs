@@ -1,7 +1,8 @@
 //! What a tree is made of.
 
-use crate::symbolic::{Components, Graph, Id};
+use crate::symbolic::{Components, Id};
 
+use super::pair::Pair;
 use super::properties::Properties;
 use super::turning::Turning;
 
@@ -38,7 +39,8 @@ pub struct Link {
 /// A way in which a joint lets its link move.
 #[derive(Clone)]
 pub struct Freedom {
-    pub twist: Twist,
+    /// The motion of unit rate, in the axes of the link, about its origin.
+    pub twist: Pair,
     /// The rate of its coordinate.
     pub rate: Id,
     /// The load along it, which acts on the link, and on the carrier with the opposite sign.
@@ -46,47 +48,12 @@ pub struct Freedom {
     pub name: String,
 }
 
-/// A motion of unit rate, in the axes of the link, about its origin.
-#[derive(Clone, Copy)]
-pub struct Twist {
-    pub angular: Components,
-    pub linear: Components,
-}
-
-/// A motion about or along one of the axes, in either sense.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Along {
-    Angular(usize),
-    Linear(usize),
-}
-
-impl Twist {
-    pub fn about(graph: &Graph, direction: Components) -> Self {
-        Self {
-            angular: direction,
-            linear: graph.zeros(),
-        }
-    }
-
-    pub fn along(graph: &Graph, direction: Components) -> Self {
-        Self {
-            angular: graph.zeros(),
-            linear: direction,
-        }
-    }
-
-    /// The one axis that it is about or along, with unit rate.
-    pub fn axis(&self, graph: &Graph) -> Option<Along> {
-        let is_unit = |a: Id| graph.as_number(a).is_some_and(|a| a.abs().is_one());
-        let only =
-            |v: Components| (0..3).find(|axis| is_unit(v[*axis]) && graph.is_along(v, *axis));
-        let is_zero = |v: &Components| graph.is_zero_vector(v);
-        if is_zero(&self.linear) {
-            only(self.angular).map(Along::Angular)
-        } else if is_zero(&self.angular) {
-            only(self.linear).map(Along::Linear)
-        } else {
-            None
+impl Link {
+    /// The loads on it but gravity.
+    pub fn load(&self) -> Pair {
+        Pair {
+            angular: self.moment,
+            linear: self.force,
         }
     }
 }

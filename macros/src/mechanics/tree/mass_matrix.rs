@@ -6,8 +6,9 @@ use crate::model::Labels;
 use crate::symbolic::{Graph, Id};
 
 use super::articulated::{Articulated, wrench_on_carrier};
-use super::bias::{Pair, derive_bias};
+use super::bias::derive_bias;
 use super::link::{Link, Tree};
+use super::pair::Pair;
 
 /// `M q'' = drives - bias`, a row and a column for each freedom, link by link.
 pub struct MassMatrix {
@@ -38,15 +39,14 @@ impl MassMatrix {
             load.name(labels, ["moment", "force"], &link.name);
             for (number, freedom) in link.freedoms.iter().enumerate() {
                 let row = first[index] + number;
-                let along = Pair::of(&freedom.twist);
-                let needed = along.dot(graph, load);
+                let needed = freedom.twist.dot(graph, load);
                 driving[row] = graph.subtract(freedom.drive, needed);
                 // what turns about this freedom takes of the others that carry it
                 let mut wrench = own.times(graph, &freedom.twist).quantities(graph);
                 let mut at = index;
                 loop {
                     for (number, other) in links[at].freedoms.iter().enumerate() {
-                        let entry = Pair::of(&other.twist).dot(graph, wrench);
+                        let entry = other.twist.dot(graph, wrench);
                         let column = first[at] + number;
                         rows[row][column] = graph.quantity(entry);
                         rows[column][row] = rows[row][column];

@@ -11,13 +11,14 @@ mod build;
 mod joint_loads;
 pub mod link;
 mod mass_matrix;
+pub mod pair;
 pub mod properties;
 mod recursion;
 mod reductions;
 mod regrouping;
 pub mod turning;
 
-pub use bias::Pair;
 pub use build::{Built, build};
 pub use joint_loads::{in_world, joint_loads};
+pub use pair::Pair;
 pub use recursion::derive_tree;

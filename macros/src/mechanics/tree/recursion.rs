@@ -4,9 +4,10 @@ use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
 use super::articulated::{Articulated, Eliminated, wrench_on_carrier};
-use super::bias::{Pair, derive_bias};
+use super::bias::derive_bias;
 use super::link::{Link, Tree};
 use super::mass_matrix::MassMatrix;
+use super::pair::Pair;
 use super::reductions::{drop_frames, reduced};
 use super::regrouping::left_out;
 
@@ -127,7 +128,7 @@ fn outwards(
             let carried = freedom.share.dot(graph, acceleration);
             let rate = graph.subtract(freedom.drive, carried);
             let rate = graph.quantity(rate);
-            let made = Pair::of(&freedom.twist).scaled(graph, rate);
+            let made = freedom.twist.scaled(graph, rate);
             acceleration = acceleration.plus(graph, made);
             found.push(rate);
         }

@@ -4,7 +4,8 @@
 
 use crate::symbolic::{Graph, Id};
 
-use super::link::{Along, Tree};
+use super::link::Tree;
+use super::pair::Along;
 use super::regrouping::{keep_axes, regroup};
 use super::turning::Turning;
 

@@ -2,7 +2,8 @@
 
 use crate::symbolic::Graph;
 
-use super::link::{Along, Freedom, Link, Tree};
+use super::link::{Freedom, Link, Tree};
+use super::pair::Along;
 use super::properties::Properties;
 use super::turning::Turning;
 

@@ -9,10 +9,13 @@ use crate::errors::Errors;
 use crate::mechanics::{
     Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
 };
-use crate::model::{Outline, System, Workspace};
-use crate::outputs::{self, SystemOutputs, derive_outputs, derive_system_outputs, system_offers};
+use crate::model::{Model, Outline, System, Workspace};
+use crate::outputs::{Listed, Outputs, derive_outputs, offers, wanted};
 use crate::range::check_range;
 use crate::{lower, syntax};
+
+/// A body or a system without mistakes, and what it is asked for.
+type Solved<S> = (Sound, Outputs<S>);
 
 /// Expands `(runtime) Name { key: value, .. }`.
 pub fn expand(tokens: TokenStream) -> TokenStream {
@@ -20,49 +23,13 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let Some(description) = syntax::parse_description(tokens, &mut errors) else {
         return errors.finish().unwrap_or_default();
     };
-    let mut outline = lower::outline(&description, &outputs::offers(), &mut errors);
+    let mut outline = lower::outline(&description, &offers::<Model>(), &mut errors);
     let model = lower::lower_description(&description, &mut outline, &mut errors);
     // what is wrong with a sound description: rank, solvability, range
     let solved = model
         .filter(|_| errors.is_empty())
-        .and_then(|(model, mut work)| {
-            let model = with_potentials(model, &mut work);
-            let equations = derive_equations(&model, &mut work, &mut errors)?;
-            let outputs = derive_outputs(&outline, &model, &mut work, &equations, &mut errors)?;
-            let mut report = describe_equations(&model, &mut work, &equations);
-            outputs.describe(&outline, (&model, &work), &mut report);
-            let roots = outputs.roots(&equations);
-            let bodies = vec![model.substance()];
-            check_range(
-                (&bodies, &model.defaults),
-                &mut work,
-                &outline,
-                &roots.finite,
-                &mut errors,
-            );
-            let sound = Sound {
-                bodies,
-                equations: Equated {
-                    accelerations: Shapes::of(&outline).pair_part(&equations.accelerations),
-                    switches: equations.switches,
-                    partial: equations.partial,
-                },
-                work,
-                report,
-                roots,
-            };
-            Some((sound, outputs))
-        });
-    match (errors.finish(), solved) {
-        (None, Some((sound, outputs))) => {
-            emit_body(&outline, Some(&sound), |site| outputs.emit(site))
-        }
-        (mistakes, _) => {
-            outline.unused.clear();
-            let stub = emit_body(&outline, None, |site| outputs::wanted(&outline).emit(site));
-            mistakes.into_iter().chain([stub]).collect()
-        }
-    }
+        .and_then(|(model, work)| solve_body(&outline, model, work, &mut errors));
+    emit(outline, solved, errors)
 }
 
 /// Expands `(runtime) Name { key: value, .. }` of a system.
@@ -71,7 +38,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
     let Some(description) = syntax::parse_system(tokens, &mut errors) else {
         return errors.finish().unwrap_or_default();
     };
-    let mut outline = lower::outline(&description.top, &system_offers(), &mut errors);
+    let mut outline = lower::outline(&description.top, &offers::<System>(), &mut errors);
     lower::outline_system(&description, &mut outline);
     let system = lower::lower_system(&description, &mut outline, &mut errors);
     let solved = system
@@ -81,17 +48,56 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
         let message = "no meaning was found for this description, and no mistake in it either";
         errors.push(outline.name.span(), message);
     }
+    emit(outline, solved, errors)
+}
+
+/// The code; of a description with mistakes, these and the same items without content.
+fn emit<S: Listed>(mut outline: Outline, solved: Option<Solved<S>>, errors: Errors) -> TokenStream {
     match (errors.finish(), solved) {
         (None, Some((sound, outputs))) => {
-            emit_body(&outline, Some(&sound), |site| outputs.emit(site, true))
+            emit_body(&outline, Some(&sound), |site| outputs.emit(site))
         }
         (mistakes, _) => {
             outline.unused.clear();
-            let none = SystemOutputs::default();
-            let stub = emit_body(&outline, None, |site| none.emit(site, false));
+            let stub = emit_body(&outline, None, |site| wanted::<S>(&outline).emit(site));
             mistakes.into_iter().chain([stub]).collect()
         }
     }
+}
+
+/// What a body without mistakes has, and what it is asked for.
+fn solve_body(
+    outline: &Outline,
+    model: Model,
+    mut work: Workspace,
+    errors: &mut Errors,
+) -> Option<Solved<Model>> {
+    let model = with_potentials(model, &mut work);
+    let equations = derive_equations(&model, &mut work, errors)?;
+    let outputs = derive_outputs(outline, &model, &mut work, &equations, errors)?;
+    let mut report = describe_equations(&model, &mut work, &equations);
+    outputs.describe(outline, (&model, &work), &mut report);
+    let roots = Roots {
+        finite: [equations.accelerations.entries(), outputs.roots()].concat(),
+        switches: equations.switches.iter().flat_map(Switch::roots).collect(),
+        tensor: outputs.tensor(),
+    };
+    let bodies = vec![model.substance()];
+    let known = (&bodies[..], &model.defaults);
+    check_range(known, &mut work, outline, &roots.finite, errors);
+    let equations = Equated {
+        accelerations: Shapes::of(outline).pair_part(&equations.accelerations),
+        switches: equations.switches,
+        partial: equations.partial,
+    };
+    let sound = Sound {
+        bodies,
+        work,
+        equations,
+        report,
+        roots,
+    };
+    Some((sound, outputs))
 }
 
 /// What a system without mistakes has, and what it is asked for.
@@ -100,35 +106,32 @@ fn solve_system(
     system: &System,
     mut work: Workspace,
     errors: &mut Errors,
-) -> Option<(Sound, SystemOutputs)> {
+) -> Option<Solved<System>> {
     let equations = derive_system(system, &mut work);
-    let outputs = derive_system_outputs(outline, system, &mut work, &equations, errors)?;
-    let bodies = system.substances();
-    // the state has the joints as they are written, the tree each after its carrier
-    let accelerations = outline.joints.iter().filter_map(|known| {
-        let mut joints = system.joints.iter();
-        let place = joints.position(|joint| joint.name == known.name)?;
-        Some(equations.accelerations[place].clone())
-    });
-    let accelerations: Vec<_> = accelerations.flatten().collect();
+    let outputs = derive_outputs(outline, system, &mut work, &equations, errors)?;
     let mut report = describe_system(system, &work, &equations);
-    outputs.describe(outline, &mut report);
-    let finite = accelerations.iter().copied().chain(outputs.roots());
+    outputs.describe(outline, (system, &work), &mut report);
+    // the state has the joints as they are written, the tree each after its carrier
+    let written = system.written.iter();
+    let accelerations = written.flat_map(|joint| equations.accelerations[*joint].clone());
+    let accelerations: Vec<_> = accelerations.collect();
     let roots = Roots {
-        finite: finite.collect(),
+        finite: [accelerations.clone(), outputs.roots()].concat(),
         switches: equations.switches.iter().flat_map(Switch::roots).collect(),
-        tensor: None,
+        tensor: outputs.tensor(),
     };
+    let bodies = system.substances();
     let known = (&bodies[..], &system.defaults);
     check_range(known, &mut work, outline, &roots.finite, errors);
+    let equations = Equated {
+        accelerations,
+        switches: equations.switches,
+        partial: equations.partial,
+    };
     let sound = Sound {
         bodies,
-        equations: Equated {
-            accelerations,
-            switches: equations.switches,
-            partial: equations.partial,
-        },
         work,
+        equations,
         report,
         roots,
     };

@@ -14,5 +14,6 @@ mod plane;
 #[path = "../reference/mod.rs"]
 mod reference;
 mod references;
+mod series;
 mod shapes;
 mod spatial;

@@ -23,14 +23,14 @@ pub use closed_forms::{Flow, Free, Rotation, derive_flow};
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
 pub use system::{
     SystemEquations, derive_system, derive_system_energy, derive_system_inverse,
-    derive_system_momentum, derive_system_reactions, describe_system,
+    derive_system_momentum, derive_system_reactions, derive_system_taylor, describe_system,
 };
 pub use unknowns::{Consistency, Reach, derive_inverse, derive_reach};
 pub use variation::with_potentials;
 
 use std::cell::OnceCell;
 
-use answers::{derive_switches, list_partial};
+use answers::{derive_switches, list_partial, parts};
 use balances::{EulerForm, derive_accelerations};
 use report::{classify, list_centers, list_skipped};
 use structure::derive_structure;
@@ -93,7 +93,7 @@ pub fn derive_equations(
         reactions,
         switches: derive_switches(model.state.time, &model.derivatives, work, &acting),
         constraints,
-        partial: list_partial(&model.loads, work),
+        partial: list_partial(model.loads.iter().map(|load| parts(load, work)), work),
         structure: OnceCell::new(),
     })
 }

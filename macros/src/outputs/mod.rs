@@ -1,75 +1,50 @@
 //! What is generated beside the accelerations, one file each: what it derives, what it emits, what
-//! it documents. An output that is new is a file, and a line in one of two lists:
-//! `solved` and `observed`.
+//! it documents. What both one body and a system have is here, the rest in a wing of each.
 
-mod balance;
-mod constrained;
+mod body;
 mod energy;
-mod flow;
-mod inverse;
 mod momentum;
 mod output;
-mod reactions;
-mod structured;
+mod subject;
 mod system;
 mod taylor;
 
 use crate::emit::code::Site;
-use crate::emit::items::{Addition, Roots};
+use crate::emit::items::Addition;
 use crate::errors::Errors;
 use crate::lower::Offer;
-use crate::mechanics::{Equations, Report, Switch};
-use crate::model::{Model, Outline, Workspace};
-
-pub use system::{SystemOutputs, derive_system_outputs, system_offers};
+use crate::mechanics::Report;
+use crate::model::{Outline, Workspace};
+use crate::symbolic::Id;
 
 use output::{Basis, Output, Place};
 
-/// What is solved for, or looked for.
-fn solved() -> [Box<dyn Output>; 4] {
-    [
-        Box::<inverse::Inverse>::default(),
-        Box::<flow::Flow>::default(),
-        Box::<structured::Structured>::default(),
-        Box::<taylor::Taylor>::default(),
-    ]
-}
-
-/// What is read off the motion.
-fn observed() -> [Box<dyn Output>; 5] {
-    [
-        Box::<energy::Energy>::default(),
-        Box::<momentum::Momentum>::default(),
-        Box::<balance::Balance>::default(),
-        Box::<reactions::Reactions>::default(),
-        Box::<constrained::Constrained>::default(),
-    ]
-}
+pub use output::Listed;
 
 /// What a description may ask for.
-pub fn offers() -> Vec<&'static Offer> {
-    let all = observed().into_iter().chain(solved());
+pub fn offers<S: Listed>() -> Vec<&'static Offer> {
+    let all = S::offered().into_iter();
     all.filter_map(|output| output.offer()).collect()
 }
 
-/// The outputs of one body.
-pub struct Outputs(Vec<Box<dyn Output>>);
+/// The outputs of a body, or of a system.
+pub struct Outputs<S: Listed>(Vec<Box<dyn Output<S>>>);
 
 /// What a body has, not yet derived: what a description with mistakes gets.
-pub fn wanted(outline: &Outline) -> Outputs {
-    let all = solved().into_iter().chain(observed());
+pub fn wanted<S: Listed>(outline: &Outline) -> Outputs<S> {
+    let all = S::outputs().into_iter();
     let wanted = all.filter(|output| output.place(outline).is_some());
     Outputs(wanted.collect())
 }
 
-/// Derives what a body has beside its accelerations.
-pub fn derive_outputs(
+/// Derives what there is beside the accelerations.
+pub fn derive_outputs<S: Listed>(
     outline: &Outline,
-    model: &Model,
+    model: &S,
     work: &mut Workspace,
-    equations: &Equations,
+    equations: &S::Equations,
     errors: &mut Errors,
-) -> Option<Outputs> {
+) -> Option<Outputs<S>> {
     let mut outputs = wanted(outline);
     let mut basis = Basis {
         outline,
@@ -84,29 +59,29 @@ pub fn derive_outputs(
     Some(outputs)
 }
 
-impl Outputs {
+impl<S: Listed> Outputs<S> {
     /// All expressions that code is generated for.
-    pub fn roots(&self, equations: &Equations) -> Roots {
-        let accelerations = equations.accelerations.entries().into_iter();
+    pub fn roots(&self) -> Vec<Id> {
         let outputs = self.0.iter().flat_map(|output| output.roots());
-        Roots {
-            finite: accelerations.chain(outputs).collect(),
-            switches: equations.switches.iter().flat_map(Switch::roots).collect(),
-            tensor: self.0.iter().find_map(|output| output.tensor()),
-        }
+        outputs.collect()
+    }
+
+    /// The entries of a tensor of which a body of doubles is to keep the principal axes.
+    pub fn tensor(&self) -> Option<[Id; 6]> {
+        self.0.iter().find_map(|output| output.tensor())
     }
 
     /// Adds to a report what the outputs are like, and which were not asked for.
     pub fn describe(
         &self,
         outline: &Outline,
-        (model, work): (&Model, &Workspace),
+        (model, work): (&S, &Workspace),
         report: &mut Report,
     ) {
         for output in &self.0 {
             output.describe(model, work, report);
         }
-        let missed = offers()
+        let missed = offers::<S>()
             .into_iter()
             .filter(|offer| (offer.is_missed)(outline) && outline.rank(offer.word).is_none());
         let missed: Vec<&str> = missed.map(|offer| offer.word).collect();

@@ -5,10 +5,11 @@ use quote::quote;
 use crate::emit::code::{Method, Site, Source};
 use crate::emit::items::Addition;
 use crate::lower::Offer;
-use crate::mechanics::{self, derive_momentum};
+use crate::mechanics;
 use crate::symbolic::{Components, Id};
 
 use super::output::{Basis, Output};
+use super::subject::Subject;
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,
@@ -18,13 +19,13 @@ const OFFER: Offer = Offer {
 #[derive(Default)]
 pub struct Momentum(Option<mechanics::Momentum>);
 
-impl Output for Momentum {
+impl<S: Subject> Output<S> for Momentum {
     fn offer(&self) -> Option<&'static Offer> {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
-        self.0 = Some(derive_momentum(basis.model, basis.work));
+    fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {
+        self.0 = Some(basis.model.momentum(basis.work));
         Some(())
     }
 
@@ -36,49 +37,44 @@ impl Output for Momentum {
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
-        implement_momentum(site, self.0.as_ref())
+        let shapes = &site.shapes;
+        let moment = |of: fn(&mechanics::Momentum) -> &Components| {
+            site.method(self.0.as_ref(), |writer, momentum| {
+                let outputs = shapes.moment_part(of(momentum));
+                Method::write(writer, outputs, |values| shapes.moment(values))
+            })
+        };
+        let (angular, about_pole) = (
+            moment(|momentum| &momentum.angular),
+            moment(|momentum| &momentum.about_pole),
+        );
+        // the momentum of a body whose motion of G is not modelled is not known
+        let is_known = shapes.motion.knows_position();
+        let linear = site.method(self.0.as_ref(), |writer, momentum| {
+            if !is_known {
+                return Method::default();
+            }
+            let outputs = shapes.vector_part(&momentum.linear);
+            Method::write(writer, outputs, |values| shapes.vector(values))
+        });
+        let of_angular = shapes.moment_type();
+        let of_linear = if is_known {
+            shapes.vector_type()
+        } else {
+            quote!(())
+        };
+        let (state, both) = (&[Source::State][..], [Source::Time, Source::State]);
+        let methods = [
+            ("linear_momentum", &linear, state, &of_linear),
+            ("angular_momentum", &angular, state, &of_angular),
+            (
+                "angular_momentum_about_pole",
+                &about_pole,
+                &both,
+                &of_angular,
+            ),
+        ];
+        let types = quote!(type Linear = #of_linear; type Angular = #of_angular;);
+        Addition::implement(site, "Momentum", [types, quote!()], &methods)
     }
-}
-
-/// `impl Momentum for Body`, of a system too.
-pub fn implement_momentum(site: &Site<'_>, momentum: Option<&mechanics::Momentum>) -> Addition {
-    let shapes = &site.shapes;
-    let moment = |of: fn(&mechanics::Momentum) -> &Components| {
-        site.method(momentum, |writer, momentum| {
-            let outputs = shapes.moment_part(of(momentum));
-            Method::write(writer, outputs, |values| shapes.moment(values))
-        })
-    };
-    let (angular, about_pole) = (
-        moment(|momentum| &momentum.angular),
-        moment(|momentum| &momentum.about_pole),
-    );
-    // the momentum of a body whose motion of G is not modelled is not known
-    let is_known = shapes.motion.knows_position();
-    let linear = site.method(momentum, |writer, momentum| {
-        if !is_known {
-            return Method::default();
-        }
-        let outputs = shapes.vector_part(&momentum.linear);
-        Method::write(writer, outputs, |values| shapes.vector(values))
-    });
-    let of_angular = shapes.moment_type();
-    let of_linear = if is_known {
-        shapes.vector_type()
-    } else {
-        quote!(())
-    };
-    let (state, both) = (&[Source::State][..], [Source::Time, Source::State]);
-    let methods = [
-        ("linear_momentum", &linear, state, &of_linear),
-        ("angular_momentum", &angular, state, &of_angular),
-        (
-            "angular_momentum_about_pole",
-            &about_pole,
-            &both,
-            &of_angular,
-        ),
-    ];
-    let types = quote!(type Linear = #of_linear; type Angular = #of_angular;);
-    Addition::implement(site, "Momentum", [types, quote!()], &methods)
 }

@@ -156,9 +156,10 @@ impl Reader<'_> {
             };
             Some(vec![lowering.scalar(load, expected, what)?])
         })?;
-        for (freedom, part) in chosen.into_iter().zip(parts) {
-            joint.drives[freedom] = self.work.graph.add(joint.drives[freedom], part);
+        for (freedom, part) in chosen.into_iter().zip(&parts) {
+            joint.drives[freedom] = self.work.graph.add(joint.drives[freedom], *part);
         }
+        joint.driven_by.push((drive.name.clone(), parts));
         Some(())
     }
 

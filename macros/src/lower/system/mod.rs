@@ -92,14 +92,18 @@ pub fn lower_system(
     } = reader;
     let gravity = body::common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let (bodies, joints) = carriers_first(bodies, joints)?;
+    let mut written = Vec::new();
     for known in &mut outline.joints {
-        let joint = joints.iter().find(|joint| joint.name == known.name);
+        let place = joints.iter().position(|joint| joint.name == known.name);
+        let joint = place.map(|place| &joints[place]);
         known.frame = joint.and_then(|joint| joint.frames.last().copied());
+        written.extend(place);
     }
     let system = System {
         is_planar: system.is_planar,
         bodies,
         joints,
+        written,
         gravity,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         defaults,

@@ -85,6 +85,7 @@ impl Reader<'_> {
             frames,
             coordinates,
             drives: vec![self.work.graph.zero(); freedoms],
+            driven_by: Vec::new(),
             open: vec![None; freedoms],
         }
     }

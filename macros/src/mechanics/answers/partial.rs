@@ -11,21 +11,23 @@ pub struct Partial {
     pub parts: Vec<Id>,
 }
 
-pub fn list_partial<'l>(
-    loads: impl IntoIterator<Item = &'l Load>,
+/// A load by its name and all of its components.
+pub fn parts(load: &Load, work: &Workspace) -> (String, Vec<Id>) {
+    let mut parts = work.entries(&[load.force, load.moment]);
+    parts.extend(load.pull.into_iter().flatten());
+    (load.name.to_string(), parts)
+}
+
+pub fn list_partial(
+    loads: impl IntoIterator<Item = (String, Vec<Id>)>,
     work: &Workspace,
 ) -> Vec<Partial> {
     let graph = &work.graph;
-    let loads = loads.into_iter().map(|load| {
-        let mut parts = work.entries(&[load.force, load.moment]);
-        parts.extend(load.pull.into_iter().flatten());
+    let loads = loads.into_iter().map(|(name, mut parts)| {
         parts.retain(|part| !graph.is_early(*part));
         parts.sort_unstable();
         parts.dedup();
-        Partial {
-            name: load.name.to_string(),
-            parts,
-        }
+        Partial { name, parts }
     });
     loads.filter(|load| is_partial(work, &load.parts)).collect()
 }

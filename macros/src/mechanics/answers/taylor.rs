@@ -59,18 +59,102 @@ pub fn derive_taylor(
         ..accelerations
     };
     let coordinates = coordinates(model, work, accelerations, axes_rate);
-    let symbols: Vec<Id> = coordinates
-        .iter()
-        .map(|coordinate| coordinate.symbol)
-        .collect();
-    check_smooth(model, work, &coordinates, asked, errors)?;
-    check_held(model, work, &coordinates, asked, errors)?;
-    let recurrences = work.graph.recurrences(&coordinates);
-    Some(Taylor {
-        symbols,
-        recurrences,
-        axes,
-    })
+    let loads = model.loads.iter();
+    let moving = Moving {
+        coordinates,
+        loads: loads
+            .map(|load| {
+                (
+                    load.name.to_string(),
+                    work.entries(&[load.force, load.moment]),
+                )
+            })
+            .collect(),
+        derivatives: &model.derivatives,
+    };
+    moving.expand(work, axes, asked, errors)
+}
+
+/// What series are made of.
+pub struct Moving<'a> {
+    /// The coordinates of the state, and then time.
+    pub coordinates: Vec<Coordinate>,
+    /// Loads by name, for what is to be said of them.
+    pub loads: Vec<(String, Vec<Id>)>,
+    /// How many derivatives of each input are given.
+    pub derivatives: &'a [usize],
+}
+
+impl Moving<'_> {
+    /// The recurrences, if they exist.
+    pub fn expand(
+        &self,
+        work: &mut Workspace,
+        axes: Option<Axes>,
+        asked: Extent,
+        errors: &mut Errors,
+    ) -> Option<Taylor> {
+        self.check_smooth(work, asked, errors)?;
+        self.check_held(work, asked, errors)?;
+        Some(Taylor {
+            symbols: self.coordinates.iter().map(|one| one.symbol).collect(),
+            recurrences: work.graph.recurrences(&self.coordinates),
+            axes,
+        })
+    }
+
+    /// Over a step, series hold their inputs.
+    fn check_held(&self, work: &Workspace, asked: Extent, errors: &mut Errors) -> Option<()> {
+        let graph = &work.graph;
+        let rates: Vec<Id> = self.coordinates.iter().map(|one| one.rate).collect();
+        let is_given = |input: usize| self.derivatives.get(input).is_some_and(|count| *count > 0);
+        let moves =
+            |id: Id| matches!(work.meaning(id), Some(Meaning::Input(input, _)) if is_given(input));
+        if graph.depends_on(&rates, moves) {
+            errors.push(
+                asked,
+                "series of what an input that is `.moving` drives are not there yet: leave `taylor` out, and \
+                 `integrate` takes Runge-Kutta steps, or `.moving`, and the input is held",
+            );
+            return None;
+        }
+        Some(())
+    }
+
+    /// Reports the place where the equations are not smooth, by the loads that it stands in.
+    fn check_smooth(&self, work: &Workspace, asked: Extent, errors: &mut Errors) -> Option<()> {
+        let graph = &work.graph;
+        let all = self.coordinates.iter();
+        let moving: Vec<Id> = all
+            .clone()
+            .filter(|coordinate| !graph.is_zero(coordinate.rate))
+            .map(|coordinate| coordinate.symbol)
+            .collect();
+        let rates: Vec<Id> = all.map(|coordinate| coordinate.rate).collect();
+        let kink = graph.first_kink(&rates, &moving);
+        let Some(kink) = kink.map(|kink| word(work, kink)) else {
+            return Some(());
+        };
+        let known = errors.count();
+        let mut said: Vec<&str> = Vec::new();
+        for (name, parts) in &self.loads {
+            if let Some(kink) = graph.first_kink(parts, &moving)
+                && !said.contains(&name.as_str())
+            {
+                said.push(name);
+                let reason = reason(word(work, kink));
+                errors.push(asked, format!("`{name}` has no Taylor series: {reason}"));
+            }
+        }
+        if errors.count() == known {
+            let reason = reason(kink);
+            errors.push(
+                asked,
+                format!("the equations have no Taylor series: {reason}"),
+            );
+        }
+        None
+    }
 }
 
 /// The coordinates of the state, and time; those of a kind of motion are together. `axes_rate` is the
@@ -117,7 +201,12 @@ fn coordinates(
 }
 
 /// `q' = q (0, w) / 2`, the scalar last.
-fn quaternion_rate(work: &mut Workspace, scalar: Id, vector: Components, w: Components) -> [Id; 4] {
+pub fn quaternion_rate(
+    work: &mut Workspace,
+    scalar: Id,
+    vector: Components,
+    w: Components,
+) -> [Id; 4] {
     let graph = &mut work.graph;
     let (swept, along) = (graph.cross(vector, w), graph.scale_vector(scalar, w));
     let [x, y, z] = graph.add_vectors(along, swept);
@@ -125,71 +214,6 @@ fn quaternion_rate(work: &mut Workspace, scalar: Id, vector: Components, w: Comp
     let against = graph.negate(against);
     let half = graph.number(Number::ratio(1, 2));
     [x, y, z, against].map(|twice| graph.multiply(half, twice))
-}
-
-/// Over a step, series hold their inputs.
-fn check_held(
-    model: &Model,
-    work: &Workspace,
-    coordinates: &[Coordinate],
-    asked: Extent,
-    errors: &mut Errors,
-) -> Option<()> {
-    let graph = &work.graph;
-    let rates: Vec<Id> = coordinates.iter().map(|one| one.rate).collect();
-    let moves =
-        |id: Id| matches!(work.meaning(id), Some(Meaning::Input(input, _)) if model.moves(input));
-    if graph.depends_on(&rates, moves) {
-        errors.push(
-            asked,
-            "series of what an input that is `.moving` drives are not there yet: leave `taylor` out, and \
-             `integrate` takes Runge-Kutta steps, or `.moving`, and the input is held",
-        );
-        return None;
-    }
-    Some(())
-}
-
-/// Reports the place where the equations are not smooth, by the loads that it stands in.
-fn check_smooth(
-    model: &Model,
-    work: &Workspace,
-    coordinates: &[Coordinate],
-    asked: Extent,
-    errors: &mut Errors,
-) -> Option<()> {
-    let graph = &work.graph;
-    let moving: Vec<Id> = coordinates
-        .iter()
-        .filter(|coordinate| !graph.is_zero(coordinate.rate))
-        .map(|coordinate| coordinate.symbol)
-        .collect();
-    let rates: Vec<Id> = coordinates
-        .iter()
-        .map(|coordinate| coordinate.rate)
-        .collect();
-    let kink = graph.first_kink(&rates, &moving);
-    let Some(kink) = kink.map(|kink| word(work, kink)) else {
-        return Some(());
-    };
-    let known = errors.count();
-    for load in &model.loads {
-        let parts = work.entries(&[load.force, load.moment]);
-        if let Some(kink) = graph.first_kink(&parts, &moving) {
-            let (name, kink) = (&load.name, word(work, kink));
-            errors.push(
-                asked,
-                format!("`{name}` has no Taylor series: {}", reason(kink)),
-            );
-        }
-    }
-    if errors.count() == known {
-        errors.push(
-            asked,
-            format!("the equations have no Taylor series: {}", reason(kink)),
-        );
-    }
-    None
 }
 
 /// What a kink is called in a description.

@@ -19,6 +19,8 @@ pub struct System {
     pub bodies: Vec<Member>,
     /// Each carrier before what it carries; the joint of a body has the number of the body.
     pub joints: Vec<TreeJoint>,
+    /// The joints that move, by number, in the order in which the state has them.
+    pub written: Vec<usize>,
     /// The acceleration of free fall in the field that acts on all mass alike, world axes.
     pub gravity: Components,
     /// How many derivatives of each input are given.
@@ -58,8 +60,10 @@ pub struct TreeJoint {
     pub frames: Vec<Frame>,
     /// Its coordinates, their rates and accelerations, in the order of the freedoms of its parts.
     pub coordinates: Rates,
-    /// The given load along each freedom.
+    /// The given load along each freedom, the sum of all drives.
     pub drives: Vec<Id>,
+    /// The given drives, by name.
+    pub driven_by: Vec<(Ident, Vec<Id>)>,
     /// The unknown load along a freedom, by its name, if there is one.
     pub open: Vec<Option<Ident>>,
 }

@@ -7,10 +7,10 @@ use quote::quote;
 use crate::emit::code::{COMMON, Method, Site, Source, Values, Writer, local};
 use crate::emit::items::Addition;
 use crate::mechanics::{Consistency, Reach, derive_reach};
-use crate::model::Outline;
+use crate::model::{Model, Outline};
 use crate::symbolic::Id;
 
-use super::output::{Basis, Output, Place};
+use crate::outputs::output::{Basis, Output, Place};
 
 #[derive(Default)]
 pub struct Constrained(Option<Kept>);
@@ -21,12 +21,12 @@ struct Kept {
     reach: Vec<Reach>,
 }
 
-impl Output for Constrained {
+impl Output<Model> for Constrained {
     fn place(&self, outline: &Outline) -> Option<Place> {
         outline.is_constrained.then_some(Place::First)
     }
 
-    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+    fn derive(&mut self, basis: &mut Basis<'_, Model>) -> Option<()> {
         let constraints = basis.equations.constraints.clone();
         let reach = derive_reach(basis.model, basis.work, &constraints);
         self.0 = Some(Kept { constraints, reach });

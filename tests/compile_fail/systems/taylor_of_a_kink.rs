@@ -2,6 +2,7 @@ use newton_euler::rigid_system;
 
 rigid_system!(Pendulum {
     motion: planar,
+    inputs: [angle[rad].moving],
     bodies: [
         upper {
             mass: 1.2[kg],
@@ -14,6 +15,11 @@ rigid_system!(Pendulum {
         shoulder = revolute(world(0, 0), upper.hinge),
         elbow = revolute(upper.tip, lower.hinge),
     ],
+    drives: [
+        stop = (-30[N * m] * (elbow.angle - 1).max(0)).on(elbow),
+        motor = (-3[N * m] * (shoulder.angle - angle)).on(shoulder),
+    ],
+    forces: [rope = (20[N / m] * ((lower.G.position() - upper.G.position()).norm() - 0.5[m]).max(0)).between(upper.G, lower.G)],
     outputs: [taylor],
 });
 

@@ -8,7 +8,8 @@ use crate::lower::{INVERSE, Offer, is_drive};
 use crate::mechanics::derive_inverse;
 use crate::symbolic::{Components, Id, Node};
 
-use super::output::{Basis, Output};
+use crate::model::Model;
+use crate::outputs::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
     obstacle: |description| {
@@ -24,12 +25,12 @@ const OFFER: Offer = Offer {
 #[derive(Default)]
 pub struct Inverse(Option<Vec<Components>>);
 
-impl Output for Inverse {
+impl Output<Model> for Inverse {
     fn offer(&self) -> Option<&'static Offer> {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+    fn derive(&mut self, basis: &mut Basis<'_, Model>) -> Option<()> {
         self.0 = Some(derive_inverse(basis.model, basis.work, basis.errors)?);
         Some(())
     }

@@ -10,7 +10,8 @@ use crate::lower::Offer;
 use crate::mechanics::{self, LoadExpressions, Resultant, derive_balance};
 use crate::symbolic::Id;
 
-use super::output::{Basis, Output};
+use crate::model::Model;
+use crate::outputs::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,
@@ -20,12 +21,12 @@ const OFFER: Offer = Offer {
 #[derive(Default)]
 pub struct Balance(Option<mechanics::Balance>);
 
-impl Output for Balance {
+impl Output<Model> for Balance {
     fn offer(&self) -> Option<&'static Offer> {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+    fn derive(&mut self, basis: &mut Basis<'_, Model>) -> Option<()> {
         self.0 = Some(derive_balance(
             basis.model,
             basis.work,

@@ -11,19 +11,19 @@ use crate::mechanics::{self, Free, Report, Rotation, derive_flow};
 use crate::model::{Model, Orientation, Outline, Workspace};
 use crate::symbolic::Id;
 
-use super::output::{Basis, Output};
+use crate::outputs::output::{Basis, Output};
 
 const OFFER: Offer = Offer::new("flow");
 
 #[derive(Default)]
 pub struct Flow(Option<mechanics::Flow>);
 
-impl Output for Flow {
+impl Output<Model> for Flow {
     fn offer(&self) -> Option<&'static Offer> {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+    fn derive(&mut self, basis: &mut Basis<'_, Model>) -> Option<()> {
         let (place, model) = (basis.outline.place(OFFER.word)?, basis.model);
         self.0 = Some(derive_flow(
             model,

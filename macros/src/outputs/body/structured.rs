@@ -6,19 +6,19 @@ use quote::{format_ident, quote};
 use crate::emit::code::{Site, allow_constants, number_literal};
 use crate::emit::items::Addition;
 use crate::mechanics::{Dependence, QUANTITIES, Structure, Symmetry};
-use crate::model::Outline;
+use crate::model::{Model, Outline};
 
-use super::output::{Basis, Output, Place};
+use crate::outputs::output::{Basis, Output, Place};
 
 #[derive(Default)]
 pub struct Structured(Option<Structure>);
 
-impl Output for Structured {
+impl Output<Model> for Structured {
     fn place(&self, _: &Outline) -> Option<Place> {
         Some(Place::Last)
     }
 
-    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+    fn derive(&mut self, basis: &mut Basis<'_, Model>) -> Option<()> {
         self.0 = Some(basis.equations.structure(basis.model, basis.work).clone());
         Some(())
     }

@@ -7,7 +7,8 @@ use crate::emit::items::{Addition, write_open};
 use crate::lower::{Offer, is_unknown};
 use crate::symbolic::{Components, Id};
 
-use super::output::{Basis, Output};
+use crate::model::Model;
+use crate::outputs::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
     word: "reactions",
@@ -24,12 +25,12 @@ const OFFER: Offer = Offer {
 #[derive(Default)]
 pub struct Reactions(Option<Vec<Components>>);
 
-impl Output for Reactions {
+impl Output<Model> for Reactions {
     fn offer(&self) -> Option<&'static Offer> {
         Some(&OFFER)
     }
 
-    fn derive(&mut self, basis: &mut Basis<'_>) -> Option<()> {
+    fn derive(&mut self, basis: &mut Basis<'_, Model>) -> Option<()> {
         self.0 = Some(basis.equations.reactions.clone());
         Some(())
     }

@@ -1,0 +1,91 @@
+//! The equations of motion of a system, and what is told of it.
+
+use crate::mechanics::Report;
+use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
+use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::{self, Built};
+use crate::model::{System, Workspace};
+use crate::symbolic::Id;
+
+/// The equations of motion of a system.
+pub struct SystemEquations {
+    /// Of the freedoms of each joint.
+    pub accelerations: Vec<Vec<Id>>,
+    pub switches: Vec<Switch>,
+    pub partial: Vec<Partial>,
+    left_out: Vec<String>,
+    /// With other origins and axes, and without what joints cannot tell.
+    pub(super) reduced: Tree,
+    pub(super) built: Built,
+}
+
+/// Derives the equations of motion of a system.
+pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
+    let built = tree::build(system, work);
+    let found = tree::derive_tree(&mut work.graph, &mut work.labels, &built.tree);
+    let accelerations: Vec<Vec<Id>> = built
+        .links
+        .iter()
+        .map(|links| found.accelerations[links.clone()].concat())
+        .collect();
+    let accelerations: Vec<Vec<Id>> = accelerations
+        .into_iter()
+        .map(|joint| {
+            joint
+                .into_iter()
+                .map(|one| work.graph.result(one))
+                .collect()
+        })
+        .collect();
+    for (joint, found) in system.joints.iter().zip(&accelerations) {
+        let names = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
+        let names = names.flat_map(|field| field.names);
+        for (id, name) in found.iter().zip(names) {
+            work.labels.name(*id, format!("{}_{name}", joint.name));
+        }
+    }
+    let roots = accelerations.concat();
+    let time = system.bodies.first().map(|body| body.state.time);
+    let switches = time.map(|time| derive_switches(time, &system.derivatives, work, &roots));
+    let loads = loads(system, work);
+    SystemEquations {
+        switches: switches.unwrap_or_default(),
+        partial: list_partial(loads, work),
+        accelerations,
+        left_out: found.left_out,
+        reduced: found.reduced,
+        built,
+    }
+}
+
+/// All loads and drives by name, with their components.
+pub fn loads(system: &System, work: &Workspace) -> Vec<(String, Vec<Id>)> {
+    let loads = system.bodies.iter().flat_map(|body| &body.loads);
+    let loads = loads.map(|load| parts(load, work));
+    let drives = system.joints.iter().flat_map(|joint| &joint.driven_by);
+    let drives = drives.map(|(name, parts)| (name.to_string(), parts.clone()));
+    loads.chain(drives).collect()
+}
+
+/// The bodies and joints of a system, and what does not appear in its equations.
+pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEquations) -> Report {
+    let name = |body: usize| format!("`{}`", system.bodies[body].name);
+    let joints = system.joints.iter().map(|joint| {
+        let carrier = joint.carrier.map_or("the ground".to_owned(), name);
+        format!(
+            "`{}`: {} from {carrier} to {}",
+            joint.name,
+            joint.kind.word,
+            name(joint.carried)
+        )
+    });
+    let mut skipped = equations.left_out.clone();
+    if !work.graph.is_zero_vector(&system.gravity) {
+        skipped
+            .push("the weight of each body: the ground accelerates against it instead".to_owned());
+    }
+    Report {
+        lists: vec![("Joints", joints.collect())],
+        skipped,
+    }
+}

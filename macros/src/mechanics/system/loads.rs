@@ -1,0 +1,89 @@
+//! What joints carry, and the drives that make them move as is given.
+
+use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::{self, Pair};
+use crate::model::{Rates, System, TreeJoint, Variable, Workspace};
+use crate::symbolic::{Components, Id};
+
+use super::equations::SystemEquations;
+
+/// The load along each freedom of each joint that makes it accelerate as is given, less what is known
+/// of its drive.
+pub fn derive_system_inverse(
+    system: &System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> Vec<Vec<Id>> {
+    let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
+    let loads = loads(work, equations, &equations.reduced, &given);
+    let joints = system.joints.iter().zip(&equations.built.links);
+    let drives = joints.map(|(joint, links)| {
+        let mut found = Vec::new();
+        for link in links.clone() {
+            for freedom in &equations.reduced.links[link].freedoms {
+                let needed = freedom.twist.dot(&mut work.graph, loads[link]);
+                let known = joint.drives[found.len()];
+                found.push(work.graph.subtract(needed, known));
+            }
+        }
+        found
+    });
+    let drives: Vec<Vec<Id>> = drives.collect();
+    let (folded, images) = work.graph.folded(&drives.concat());
+    work.labels.follow(&images);
+    let mut folded = folded.into_iter().map(|one| work.graph.result(one));
+    drives
+        .iter()
+        .map(|joint| folded.by_ref().take(joint.len()).collect())
+        .collect()
+}
+
+/// The symbols of the accelerations of a joint, by its freedoms.
+fn given_accelerations(joint: &TreeJoint) -> Vec<Id> {
+    let second = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
+    let parts = second
+        .flat_map(|field| (0..field.names.len()).map(|part| (field.variable, field.first + part)));
+    let rates: &Rates = &joint.coordinates;
+    parts
+        .filter_map(|(variable, part): (Variable, usize)| rates.get(variable, part))
+        .collect()
+}
+
+/// The load of every link, with these accelerations joint by joint.
+fn loads(
+    work: &mut Workspace,
+    equations: &SystemEquations,
+    tree: &Tree,
+    accelerations: &[Vec<Id>],
+) -> Vec<Pair> {
+    let mut by_link: Vec<Vec<Id>> = Vec::new();
+    for (links, joint) in equations.built.links.iter().zip(accelerations) {
+        let mut rest = joint.iter().copied();
+        for link in links.clone() {
+            let count = tree.links[link].freedoms.len();
+            by_link.push(rest.by_ref().take(count).collect());
+        }
+    }
+    tree::joint_loads(&mut work.graph, tree, &by_link)
+}
+
+/// Force and moment of each joint on the body that it carries, at its point there, world axes, drives
+/// included.
+pub fn derive_system_reactions(
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> Vec<[Components; 2]> {
+    let loads = loads(
+        work,
+        equations,
+        &equations.built.tree,
+        &equations.accelerations,
+    );
+    let built = &equations.built;
+    let reactions = (0..built.links.len()).map(|body| {
+        let link = built.body(body);
+        let load = tree::in_world(&mut work.graph, &built.tree.links, link, loads[link]);
+        [load.linear, load.angular]
+    });
+    reactions.collect()
+}

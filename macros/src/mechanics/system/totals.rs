@@ -1,0 +1,77 @@
+//! Energy and momentum of a system.
+
+use crate::mechanics::answers::{Energy, Momentum, done_by_field};
+use crate::mechanics::balances::quadratic;
+use crate::model::{Frame, Member, System, Vector, Workspace};
+use crate::symbolic::Number;
+
+/// `sum of (m v^2 + w . J w) / 2`, and `-F . x` of every uniform field, `x` where it acts.
+pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
+    let (mut twice, mut potential) = (work.graph.zero(), work.graph.zero());
+    let gravity = work.vector(Frame::WORLD, system.gravity);
+    for body in &system.bodies {
+        let square = work.norm_squared(body.state.velocity);
+        let moving = work.graph.multiply(body.mass, square);
+        let rows = body.inertia.rows(&mut work.graph);
+        let turning = quadratic(&mut work.graph, &rows, body.state.angular_velocity);
+        for part in [moving, turning] {
+            twice = work.graph.add(twice, part);
+        }
+        let weight = work.scale(body.mass, gravity);
+        let done = work.dot(weight, body.state.position);
+        potential = work.graph.subtract(potential, done);
+        for load in &body.loads {
+            if let Some(done) = done_by_field(work, &body.state, true, load) {
+                potential = work.graph.subtract(potential, done);
+            }
+        }
+    }
+    let half = work.graph.number(Number::ratio(1, 2));
+    Energy {
+        kinetic: work.graph.distribute(half, twice),
+        potential,
+    }
+}
+
+/// Of the whole, in world axes: linear, about its own G, and about the origin of the world.
+pub fn derive_system_momentum(system: &System, work: &mut Workspace) -> Momentum {
+    let (mut linear, mut about_origin) = (Vector::ZERO, Vector::ZERO);
+    let (mut first, mut mass) = (Vector::ZERO, work.graph.zero());
+    for body in &system.bodies {
+        let own = work.scale(body.mass, body.state.velocity);
+        linear = work.add(linear, own);
+        let moved = work.scale(body.mass, body.state.position);
+        first = work.add(first, moved);
+        mass = work.graph.add(mass, body.mass);
+        let lever = cross_in_world(work, body.state.position, own);
+        let spin = spin(work, body);
+        for part in [lever, spin] {
+            about_origin = work.add(about_origin, part);
+        }
+    }
+    let one = work.graph.one();
+    let per_mass = work.graph.divide(one, mass);
+    let center = work.scale(per_mass, first);
+    let carried = cross_in_world(work, center, linear);
+    let carried = work.negate(carried);
+    let about_center = work.add(about_origin, carried);
+    let world = |work: &mut Workspace, vector: Vector| work.components(vector, Frame::WORLD);
+    Momentum {
+        linear: world(work, linear),
+        angular: world(work, about_center),
+        about_pole: world(work, about_origin),
+    }
+}
+
+fn cross_in_world(work: &mut Workspace, a: Vector, b: Vector) -> Vector {
+    let [a, b] = [a, b].map(|vector| work.components(vector, Frame::WORLD));
+    let product = work.graph.cross(a, b);
+    work.vector(Frame::WORLD, product)
+}
+
+/// `J w`
+fn spin(work: &mut Workspace, body: &Member) -> Vector {
+    let rows = body.inertia.rows(&mut work.graph);
+    let spin = work.graph.transform(&rows, body.state.angular_velocity);
+    work.vector(body.state.body, spin)
+}

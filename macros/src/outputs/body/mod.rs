@@ -1,0 +1,46 @@
+//! The outputs of one body. One that is new is a file, and a line in one of two lists.
+
+mod balance;
+mod constrained;
+mod flow;
+mod inverse;
+mod reactions;
+mod structured;
+
+use crate::model::Model;
+
+use super::energy::Energy;
+use super::momentum::Momentum;
+use super::output::{Listed, Output};
+use super::taylor::Taylor;
+
+/// What is solved for, or looked for.
+fn solved() -> [Box<dyn Output<Model>>; 4] {
+    [
+        Box::<inverse::Inverse>::default(),
+        Box::<flow::Flow>::default(),
+        Box::<structured::Structured>::default(),
+        Box::<Taylor>::default(),
+    ]
+}
+
+/// What is read off the motion.
+fn observed() -> [Box<dyn Output<Model>>; 5] {
+    [
+        Box::<Energy>::default(),
+        Box::<Momentum>::default(),
+        Box::<balance::Balance>::default(),
+        Box::<reactions::Reactions>::default(),
+        Box::<constrained::Constrained>::default(),
+    ]
+}
+
+impl Listed for Model {
+    fn outputs() -> Vec<Box<dyn Output<Self>>> {
+        solved().into_iter().chain(observed()).collect()
+    }
+
+    fn offered() -> Vec<Box<dyn Output<Self>>> {
+        observed().into_iter().chain(solved()).collect()
+    }
+}

@@ -1,0 +1,52 @@
+//! Structs with a field for each joint, body or drive, and the methods that fill them.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::emit::code::{Site, Values};
+use crate::emit::items::lints;
+
+/// `BodyReactions { elbow: Wrench, .. }`: its name behind that of the system, and its fields.
+pub struct ByName {
+    pub suffix: &'static str,
+    pub doc: String,
+    pub fields: Vec<(Ident, TokenStream)>,
+}
+
+impl ByName {
+    /// The struct.
+    pub fn declared(&self, site: &Site<'_>) -> TokenStream {
+        let (name, doc) = (self.name(site), &self.doc);
+        let declared = site.shapes.scalar.declared();
+        let lints = lints(self.fields.iter().map(|(name, _)| name));
+        let fields = self.fields.iter().map(|(name, kind)| {
+            let doc = format!(" `{name}`");
+            quote!(#[doc = #doc] pub #name: #kind)
+        });
+        quote! {
+            #[doc = #doc]
+            #lints
+            #[derive(Clone, Copy, Debug, Default, PartialEq)]
+            pub struct #name #declared { #(#fields),* }
+        }
+    }
+
+    /// The struct, each field filled from the next values.
+    pub fn filled(
+        &self,
+        site: &Site<'_>,
+        values: &mut Values<'_>,
+        fill: impl Fn(&mut Values<'_>) -> TokenStream,
+    ) -> TokenStream {
+        let name = self.name(site);
+        let fields = self.fields.iter().map(|(field, _)| {
+            let value = fill(values);
+            quote!(#field: #value)
+        });
+        quote!(#name { #(#fields),* })
+    }
+
+    fn name(&self, site: &Site<'_>) -> Ident {
+        quote::format_ident!("{}{}", site.outline.name, self.suffix)
+    }
+}

@@ -1,0 +1,92 @@
+//! `inverse`: the open drives with which the joints accelerate as is given.
+
+use proc_macro2::Ident;
+use quote::quote;
+
+use crate::emit::code::{Method, Site, Source};
+use crate::emit::items::Addition;
+use crate::lower::{INVERSE, Offer};
+use crate::mechanics::derive_system_inverse;
+use crate::model::System;
+use crate::outputs::output::{Basis, Output};
+use crate::symbolic::Id;
+
+use super::by_name::ByName;
+
+const OFFER: Offer = Offer {
+    is_missed: |_| true,
+    ..Offer::new(INVERSE)
+};
+
+/// The open drives, by name.
+#[derive(Default)]
+pub struct Inverse(Option<Vec<(Ident, Id)>>);
+
+impl Output<System> for Inverse {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
+        let (system, place) = (basis.model, basis.outline.place(INVERSE)?);
+        let undriven = system
+            .joints
+            .iter()
+            .find(|joint| joint.open.iter().any(Option::is_none));
+        if let Some(joint) = undriven {
+            let name = &joint.name;
+            basis.errors.push(
+                place,
+                format!("inverse dynamics finds the drives that make the joints move as is given, and nothing drives `{name}`: write `motor = _.on({name})` for each coordinate"),
+            );
+            return None;
+        }
+        let loads = derive_system_inverse(system, basis.work, basis.equations);
+        let open = system.joints.iter().flat_map(|joint| &joint.open).flatten();
+        let drives = open.cloned().zip(loads.into_iter().flatten());
+        self.0 = Some(drives.collect());
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        self.0.iter().flatten().map(|(_, load)| *load).collect()
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let (shapes, outline) = (&site.shapes, site.outline);
+        let scalar = shapes.scalar.kind();
+        let names: Vec<Ident> = match &self.0 {
+            Some(drives) => drives.iter().map(|(name, _)| name.clone()).collect(),
+            None => outline.open.clone(),
+        };
+        let by_name = ByName {
+            suffix: "Drives",
+            doc: format!(" The open drives of [`{}`], in N * m or N.", outline.name),
+            fields: names
+                .into_iter()
+                .map(|name| (name, scalar.clone()))
+                .collect(),
+        };
+        let method = site.method(self.0.as_ref(), |writer, drives| {
+            let loads: Vec<Id> = drives.iter().map(|(_, load)| *load).collect();
+            Method::write(writer, &loads, |values| {
+                by_name.filled(site, values, |values| {
+                    let value = values.next();
+                    quote!(#value)
+                })
+            })
+        });
+        let kind = site.own_type("Drives");
+        let arguments = [
+            Source::Time,
+            Source::State,
+            Source::Acceleration,
+            Source::Input,
+        ];
+        let methods = [("inverse", &method, &arguments[..], &kind)];
+        let types = quote!(type Drives = #kind;);
+        let mut addition = Addition::implement(site, "Inverse", [types, quote!()], &methods);
+        addition.implementations.extend(by_name.declared(site));
+        addition
+    }
+}

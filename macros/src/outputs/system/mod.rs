@@ -1,0 +1,28 @@
+//! The outputs of a system. One that is new is a file, and a line in the list.
+
+mod by_name;
+mod inverse;
+mod reactions;
+
+use crate::model::System;
+
+use super::energy::Energy;
+use super::momentum::Momentum;
+use super::output::{Listed, Output};
+use super::taylor::Taylor;
+
+impl Listed for System {
+    fn outputs() -> Vec<Box<dyn Output<Self>>> {
+        vec![
+            Box::<Energy>::default(),
+            Box::<Momentum>::default(),
+            Box::<reactions::Reactions>::default(),
+            Box::<inverse::Inverse>::default(),
+            Box::<Taylor>::default(),
+        ]
+    }
+
+    fn offered() -> Vec<Box<dyn Output<Self>>> {
+        Self::outputs()
+    }
+}

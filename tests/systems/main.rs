@@ -8,6 +8,7 @@ mod counts;
 mod described;
 mod large;
 mod laws;
+mod matrices;
 mod oracle;
 mod params;
 mod plane;

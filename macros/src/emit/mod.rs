@@ -57,6 +57,6 @@ pub fn emit_body(
     let columns = items::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);
     let all = quote!(#items #rigid_body #integrate #added #columns);
-    let all = items::with_private_fields(outline, all);
+    let all = items::with_private_fields(outline, all, &addition.structs);
     quote!(#all #checks)
 }

@@ -109,6 +109,7 @@ impl<S: Listed> Outputs<S> {
             ..Addition::default()
         };
         for (_, addition) in placed {
+            all.structs.extend(addition.structs);
             all.costs.extend(addition.costs);
             all.remarks.extend(addition.remarks);
             all.best = all.best.max(addition.best);

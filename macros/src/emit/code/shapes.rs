@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::families::LoadKind;
@@ -100,6 +100,24 @@ impl Shapes {
             "Load"
         };
         self.scalar.holder(name)
+    }
+
+    /// A matrix of so many rows and columns.
+    pub fn matrix_type(&self, size: [usize; 2]) -> TokenStream {
+        let (private, kind) = (&self.private, self.scalar.kind());
+        let [rows, columns] = size.map(Literal::usize_unsuffixed);
+        quote!(#private::SMatrix<#kind, #rows, #columns>)
+    }
+
+    /// A matrix, column by column.
+    pub fn matrix(&self, [rows, columns]: [usize; 2], values: &mut Values<'_>) -> TokenStream {
+        let private = &self.private;
+        let columns = (0..columns).map(|_| {
+            let column = values.by_ref().take(rows);
+            quote!([#(#column),*])
+        });
+        let columns: Vec<TokenStream> = columns.collect();
+        quote!(#private::SMatrix::from([#(#columns),*]))
     }
 
     /// The components that a vector has.

@@ -1,6 +1,6 @@
 //! What outputs add to a body.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::emit::code::{Method, Site, Source};
@@ -12,6 +12,8 @@ use super::rigid_body::Best;
 #[derive(Default)]
 pub struct Addition {
     pub implementations: TokenStream,
+    /// The structs among these, beside those of every body.
+    pub structs: Vec<Ident>,
     /// Operations by method; not of those whose operations are the runtime's.
     pub costs: Vec<(&'static str, Cost)>,
     /// What integrates the body, if this is better than what every body has.

@@ -199,8 +199,8 @@ fn emit_built(
 }
 
 /// What a body stores goes together: where there is something, its items stand in a module of their
-/// own, and nobody beside the call can change a part of it.
-pub fn with_private_fields(outline: &Outline, items: TokenStream) -> TokenStream {
+/// own, and nobody beside the call can change a part of it. `added` are structs of outputs.
+pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident]) -> TokenStream {
     if outline.params.is_empty() {
         return items;
     }
@@ -216,6 +216,7 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream) -> TokenStream
     ];
     let others = others.iter().filter(|(_, is_there)| *is_there);
     let others = others.map(|(suffix, _)| format_ident!("{name}{suffix}"));
+    let others = others.chain(added.iter().cloned());
     quote! {
         #[allow(non_snake_case)]
         mod #module { #items }

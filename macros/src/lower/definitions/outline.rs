@@ -81,6 +81,7 @@ pub fn outline(
         is_system: false,
         joints: Vec::new(),
         held: None,
+        points: Vec::new(),
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
         outputs: check_outputs(description, offers, errors),

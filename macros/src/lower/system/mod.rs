@@ -1,6 +1,7 @@
 //! A description of a system, read in order: what it declares, the points of its bodies, the
 //! joints, and then all that depends on how it moves.
 
+mod asked;
 mod axes;
 mod between;
 mod body;
@@ -23,7 +24,7 @@ use crate::lower::expressions::{Members, Scope};
 use crate::model::{
     Declared, Defaults, Meaning, Member, Outline, PLANAR, SPATIAL, System, TreeJoint, Workspace,
 };
-use crate::symbolic::Stage;
+use crate::symbolic::{Components, Stage};
 use crate::syntax;
 
 use body::Draft;
@@ -82,8 +83,9 @@ pub fn lower_system(
     let bodies = reader.bodies(&mut drafts, &mut wrong, errors);
     let joints = reader.drives(joints, errors);
     let loads = reader.loads_between(errors);
+    let points = reader.asked_points(errors);
     outline.unused = reader.unused(&drafts);
-    let (mut bodies, joints) = (bodies?, joints?);
+    let (mut bodies, mut joints, mut points) = (bodies?, joints?, points?);
     for (body, load) in loads? {
         bodies[body].loads.push(load);
     }
@@ -91,7 +93,7 @@ pub fn lower_system(
         mut work, defaults, ..
     } = reader;
     let gravity = body::common_gravity(&mut work, &mut bodies, system.top.loads.len());
-    let (bodies, joints) = carriers_first(bodies, joints)?;
+    let bodies = carriers_first(bodies, &mut joints, &mut points)?;
     let mut written = Vec::new();
     for known in &mut outline.joints {
         let place = joints.iter().position(|joint| joint.name == known.name);
@@ -104,6 +106,7 @@ pub fn lower_system(
         bodies,
         joints,
         written,
+        points,
         gravity,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         defaults,
@@ -115,22 +118,25 @@ pub fn lower_system(
     errors.is_empty().then_some((system, work))
 }
 
-/// Each body with the joint that carries it, after its carrier.
+/// Each body with the joint that carries it, after its carrier; points go with their bodies.
 fn carriers_first(
     bodies: Vec<Member>,
-    mut joints: Vec<TreeJoint>,
-) -> Option<(Vec<Member>, Vec<TreeJoint>)> {
+    joints: &mut [TreeJoint],
+    points: &mut [(usize, Components)],
+) -> Option<Vec<Member>> {
     let place = |body: usize| joints.iter().position(|joint| joint.carried == body);
     let mut numbered: Vec<_> = bodies.into_iter().enumerate().collect();
     numbered.sort_by_key(|(body, _)| place(*body));
     let old: Vec<usize> = numbered.iter().map(|(body, _)| *body).collect();
     let new = |body: usize| old.iter().position(|other| *other == body);
-    for joint in &mut joints {
+    for joint in joints {
         joint.carrier = joint.carrier.and_then(new);
         joint.carried = new(joint.carried)?;
     }
-    let bodies = numbered.into_iter().map(|(_, body)| body).collect();
-    Some((bodies, joints))
+    for (body, _) in points {
+        *body = new(*body)?;
+    }
+    Some(numbered.into_iter().map(|(_, body)| body).collect())
 }
 
 impl Reader<'_> {

@@ -2,9 +2,12 @@
 
 use std::collections::HashSet;
 
+use proc_macro2::Ident;
+use quote::format_ident;
+
 use crate::errors::similar;
 use crate::model::{JointKind, Jointed, Outline};
-use crate::syntax::{self, Definition, Kind};
+use crate::syntax::{self, Definition, Expression, Kind};
 
 use super::drives::behind;
 use super::joints::{call, kind_of};
@@ -15,6 +18,9 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     outline.body_keys.clone_from(&system.keys);
     outline.held.clone_from(&system.held);
     let mut seen = HashSet::new();
+    let points = system.points.iter().filter_map(name_of_point);
+    let points = points.filter(|name| seen.insert(format!("point {name}")));
+    outline.points = points.collect();
     let joints = system.joints.iter();
     let joints = joints
         .filter(|joint| seen.insert(joint.name.to_string()))
@@ -32,6 +38,17 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     });
     let open = open.filter(|drive| seen.insert(format!("drive {}", drive.name)));
     outline.open = open.map(|drive| drive.name.clone()).collect();
+}
+
+/// `arm_tip`
+pub fn name_of_point(written: &Expression) -> Option<Ident> {
+    let Kind::Field(body, point) = &written.kind else {
+        return None;
+    };
+    let Kind::Name(body) = &body.kind else {
+        return None;
+    };
+    Some(format_ident!("{body}_{point}", span = point.span()))
 }
 
 /// The kind of a joint, or of one that cannot be read, what it may be.

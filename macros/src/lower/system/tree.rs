@@ -1,37 +1,11 @@
 //! Whether joints make a tree: each body is carried once, and all are carried by the ground.
 
-use proc_macro2::Ident;
-
-use crate::errors::{Errors, hint};
+use crate::errors::Errors;
 
 use super::joints::Written;
 use super::reader::Reader;
 
 impl Reader<'_> {
-    /// Whether the joints behind `reactions` are joints, and hold something.
-    pub fn check_held(&self, joints: &[Option<Written>], errors: &mut Errors) {
-        let held = self.system.held.iter().flatten();
-        let mut seen: Vec<&Ident> = Vec::new();
-        for name in held {
-            let names = || self.system.joints.iter().map(|joint| &joint.name);
-            let mut read = joints.iter().flatten();
-            let joint = read.find(|joint| joint.name == *name);
-            let message = if seen.contains(&name) {
-                format!("`{name}` is named twice")
-            } else if joint.is_some_and(|joint| joint.kind.is_free()) {
-                format!("nothing holds what `{name}` carries: it has no reactions")
-            } else if names().any(|known| known == name) || self.system.has_lost_joints {
-                seen.push(name);
-                continue;
-            } else {
-                let known: Vec<String> = names().map(ToString::to_string).collect();
-                let hint = hint(&name.to_string(), known.iter().map(String::as_str));
-                format!("there is no joint `{name}`{hint}")
-            };
-            errors.push(name.span(), message);
-        }
-    }
-
     /// The joints in an order in which each carrier comes before what it carries.
     pub fn tree(&self, joints: &[Option<Written>], errors: &mut Errors) -> Vec<usize> {
         let bodies = &self.system.bodies;

@@ -6,6 +6,7 @@ use crate::model::{Rates, System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
 use super::equations::loads;
+use super::rates::velocities;
 
 /// The recurrences, if they exist; what is in their way is reported where they are asked for. The
 /// joints are in the order in which the state has them, each with its accelerations.
@@ -81,20 +82,4 @@ fn positions(work: &mut Workspace, joint: &TreeJoint) -> Vec<Coordinate> {
         }));
     }
     list
-}
-
-/// The rates in the state of a joint.
-fn velocities(joint: &TreeJoint) -> Vec<Id> {
-    let fields = joint.kind.shape.into_iter().flat_map(|shape| shape.fields);
-    let fields = fields.filter(|field| {
-        matches!(
-            field.variable,
-            Variable::Velocity | Variable::AngularVelocity
-        )
-    });
-    let parts = fields
-        .flat_map(|field| (0..field.names.len()).map(|part| (field.variable, field.first + part)));
-    parts
-        .filter_map(|(variable, part)| joint.coordinates.get(variable, part))
-        .collect()
 }

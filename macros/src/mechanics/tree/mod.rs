@@ -20,5 +20,7 @@ pub mod turning;
 
 pub use build::{Built, build};
 pub use joint_loads::{in_world, joint_loads};
+pub use link::Tree;
+pub use mass_matrix::MassMatrix;
 pub use pair::Pair;
 pub use recursion::derive_tree;

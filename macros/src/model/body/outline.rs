@@ -31,6 +31,8 @@ pub struct Outline {
     pub joints: Vec<Jointed>,
     /// Of a system: the joints whose reactions are asked for, if not all.
     pub held: Option<Vec<Ident>>,
+    /// Of a system: the points whose Jacobians are asked for, each `body_point`.
+    pub points: Vec<Ident>,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
     pub outputs: Vec<Asked>,
@@ -66,6 +68,12 @@ impl Outline {
     pub fn is_held(&self, joint: &Ident) -> bool {
         let held = self.held.as_ref();
         held.is_none_or(|held| held.contains(joint))
+    }
+
+    /// Of a system: how many accelerations it has.
+    pub fn freedoms(&self) -> usize {
+        let second = self.joints.iter().flat_map(|joint| joint.shape.second);
+        second.map(|field| field.names.len()).sum()
     }
 
     /// Its state is made of those of joints.

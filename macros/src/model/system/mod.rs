@@ -21,6 +21,8 @@ pub struct System {
     pub joints: Vec<TreeJoint>,
     /// The joints that move, by number, in the order in which the state has them.
     pub written: Vec<usize>,
+    /// Points whose Jacobians are asked for: the body, and where on it, from its G, in its axes.
+    pub points: Vec<(usize, Components)>,
     /// The acceleration of free fall in the field that acts on all mass alike, world axes.
     pub gravity: Components,
     /// How many derivatives of each input are given.

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::emit::code::{Site, Values};
-use crate::emit::items::lints;
+use crate::emit::items::{Addition, lints};
 
 /// `BodyReactions { elbow: Wrench, .. }`: its name behind that of the system, and its fields.
 pub struct ByName {
@@ -14,8 +14,14 @@ pub struct ByName {
 }
 
 impl ByName {
-    /// The struct.
-    pub fn declared(&self, site: &Site<'_>) -> TokenStream {
+    /// The struct beside what is implemented with it.
+    pub fn beside(&self, site: &Site<'_>, mut addition: Addition) -> Addition {
+        addition.implementations.extend(self.declared(site));
+        addition.structs.push(self.name(site));
+        addition
+    }
+
+    fn declared(&self, site: &Site<'_>) -> TokenStream {
         let (name, doc) = (self.name(site), &self.doc);
         let declared = site.shapes.scalar.declared();
         let lints = lints(self.fields.iter().map(|(name, _)| name));

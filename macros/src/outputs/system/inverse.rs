@@ -85,8 +85,7 @@ impl Output<System> for Inverse {
         ];
         let methods = [("inverse", &method, &arguments[..], &kind)];
         let types = quote!(type Drives = #kind;);
-        let mut addition = Addition::implement(site, "Inverse", [types, quote!()], &methods);
-        addition.implementations.extend(by_name.declared(site));
-        addition
+        let addition = Addition::implement(site, "Inverse", [types, quote!()], &methods);
+        by_name.beside(site, addition)
     }
 }

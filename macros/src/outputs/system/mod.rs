@@ -2,6 +2,8 @@
 
 mod by_name;
 mod inverse;
+mod jacobian;
+mod mass_matrix;
 mod reactions;
 
 use crate::model::System;
@@ -18,6 +20,8 @@ impl Listed for System {
             Box::<Momentum>::default(),
             Box::<reactions::Reactions>::default(),
             Box::<inverse::Inverse>::default(),
+            Box::<mass_matrix::MassMatrix>::default(),
+            Box::<jacobian::Jacobian>::default(),
             Box::<Taylor>::default(),
         ]
     }

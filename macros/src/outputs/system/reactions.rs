@@ -80,8 +80,7 @@ impl Output<System> for Reactions {
         let kind = site.own_type("Reactions");
         let methods = [("reactions", &method, &COMMON[..], &kind)];
         let types = quote!(type Reactions = #kind;);
-        let mut addition = Addition::implement(site, "Reactions", [types, quote!()], &methods);
-        addition.implementations.extend(by_name.declared(site));
-        addition
+        let addition = Addition::implement(site, "Reactions", [types, quote!()], &methods);
+        by_name.beside(site, addition)
     }
 }

@@ -12,7 +12,7 @@ use super::entries::{parse_name, parse_value};
 use super::head::parse_head;
 use super::parse::{check_length, key_meant, key_value, parse_key};
 use super::tokens::{Entry, split, start, without_attributes};
-use super::{Definition, Description, Motion};
+use super::{Definition, Description, Expression, Motion};
 
 /// A whole description of a system.
 pub struct System {
@@ -28,6 +28,8 @@ pub struct System {
     pub is_planar: bool,
     /// The joints that are named behind `reactions`, if any are.
     pub held: Option<Vec<Ident>>,
+    /// The points that are named behind `jacobian`.
+    pub points: Vec<Expression>,
     /// For each body, the first one that is written in the same braces.
     pub firsts: Vec<usize>,
     /// The keys in the braces of bodies.
@@ -81,6 +83,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         moments: Vec::new(),
         is_planar: false,
         held: None,
+        points: Vec::new(),
         firsts: Vec::new(),
         keys: Vec::new(),
         has_lost_bodies: false,

@@ -1,9 +1,10 @@
-//! `reactions(elbow, wrist)` among the outputs: those of some joints.
+//! `reactions(elbow, wrist)` and `jacobian(hand.tip)` among the outputs: of some joints, of points.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use crate::errors::Errors;
-use crate::syntax::tokens::{Entry, split, start};
+use crate::syntax::expression::Expression;
+use crate::syntax::tokens::{Entry, split, start, stream};
 
 use super::System;
 
@@ -28,17 +29,40 @@ impl System {
         for token in list.stream() {
             match (kept.last(), &token) {
                 (Some(TokenTree::Ident(word)), TokenTree::Group(group))
-                    if word == "reactions" && group.delimiter() == Delimiter::Parenthesis =>
+                    if group.delimiter() == Delimiter::Parenthesis && word == "reactions" =>
                 {
                     self.held = Some(joints(group, errors));
                 }
+                (Some(TokenTree::Ident(word)), TokenTree::Group(group))
+                    if group.delimiter() == Delimiter::Parenthesis && word == JACOBIAN =>
+                {
+                    self.points.extend(points(group, errors));
+                }
                 _ => kept.push(token),
             }
+        }
+        let bare = kept.iter().find_map(|token| match token {
+            TokenTree::Ident(word) if word == JACOBIAN => Some(word.span()),
+            _ => None,
+        });
+        if let (Some(place), true) = (bare, self.points.is_empty()) {
+            errors.push(place, OF_WHICH);
         }
         let mut without = Group::new(list.delimiter(), kept.into_iter().collect());
         without.set_span(list.span());
         without
     }
+}
+
+const JACOBIAN: &str = "jacobian";
+const OF_WHICH: &str = "of which points? write `jacobian(arm.tip)`";
+
+/// The points in the parentheses.
+fn points(group: &Group, errors: &mut Errors) -> Vec<Expression> {
+    let entries = split(group.stream(), Entry::Declared, errors);
+    let points = entries.iter();
+    let points = points.filter_map(|entry| Expression::parse(stream(entry), errors));
+    points.collect()
 }
 
 /// The names in the parentheses.

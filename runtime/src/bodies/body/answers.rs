@@ -155,6 +155,63 @@ pub trait Inverse: RigidBody {
     ) -> Self::Drives;
 }
 
+/// The mass matrix of a system, `outputs: [mass_matrix]`: the equations of motion before they are
+/// solved.
+///
+/// ```text
+/// M q'' = f        M: inertias, symmetric and positive definite
+/// ```
+///
+/// Rows and columns are in the order in which the acceleration has its numbers
+/// ([`Columns`](crate::columns::Columns)): joint by joint as they are written; of a free body G
+/// along world axes, then the rotation along body axes.
+pub trait MassMatrix: RigidBody {
+    /// A square matrix.
+    type Matrix;
+    /// A column.
+    type Forces;
+
+    /// M: \[kg\] between slides, \[kg m²\] between hinges, \[kg m\] between both.
+    fn mass_matrix(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Matrix;
+
+    /// f \[N, N m\]: drives and loads along each freedom, less what the motion takes without
+    /// accelerations of joints (Coriolis and centrifugal terms).
+    fn generalized_forces(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Forces;
+}
+
+/// Jacobians of points of a system, `outputs: [jacobian(arm.tip)]`.
+///
+/// ```text
+/// (v_P, w) = J q'        v_P: velocity of the point, w: angular velocity of its body, world axes
+/// ```
+///
+/// A force F and a moment M on the body at P act along the freedoms of the joints as `Jᵀ (F, M)`.
+/// What moves by itself, by a joint that is driven, has no column.
+pub trait Jacobian: RigidBody {
+    /// One field for each point, `arm_tip`: a matrix of six rows, in the plane three (x, y, angle),
+    /// and a column for each rate of the state, joint by joint, in the order of
+    /// [`Columns`](crate::columns::Columns) of the acceleration.
+    type Jacobians;
+
+    /// The Jacobians of all points that are asked for.
+    fn jacobian(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Jacobians;
+}
+
 /// Motion in closed form, `outputs: [flow]`: the state at any time, in one step.
 ///
 /// ```

@@ -14,7 +14,7 @@ rigid_system!(Pendulum {
         shoulder = revolute(world(0, 0), upper.hinge),
         elbow = revolute(upper.tip, lower.hinge),
     ],
-    outputs: [jacobian(upper.tip)],
+    outputs: [jacobian(world(0, 0), upper.tipp, upper, elbow, body(1, 0), upper.tip, upper.tip)],
 });
 
 fn main() {}

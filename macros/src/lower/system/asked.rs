@@ -1,0 +1,64 @@
+//! What outputs are asked of: some of the joints, and points of bodies.
+
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, hint};
+use crate::symbolic::Components;
+
+use super::joints::Written;
+use super::outline::name_of_point;
+use super::reader::Reader;
+
+impl Reader<'_> {
+    /// Whether the joints behind `reactions` are joints, and hold something.
+    pub fn check_held(&self, joints: &[Option<Written>], errors: &mut Errors) {
+        let held = self.system.held.iter().flatten();
+        let mut seen: Vec<&Ident> = Vec::new();
+        for name in held {
+            let names = || self.system.joints.iter().map(|joint| &joint.name);
+            let mut read = joints.iter().flatten();
+            let joint = read.find(|joint| joint.name == *name);
+            let message = if seen.contains(&name) {
+                format!("`{name}` is named twice")
+            } else if joint.is_some_and(|joint| joint.kind.is_free()) {
+                format!("nothing holds what `{name}` carries: it has no reactions")
+            } else if names().any(|known| known == name) || self.system.has_lost_joints {
+                seen.push(name);
+                continue;
+            } else {
+                let known: Vec<String> = names().map(ToString::to_string).collect();
+                let hint = hint(&name.to_string(), known.iter().map(String::as_str));
+                format!("there is no joint `{name}`{hint}")
+            };
+            errors.push(name.span(), message);
+        }
+    }
+
+    /// The points behind `jacobian`: the body of each, and where it is there.
+    pub fn asked_points(&mut self, errors: &mut Errors) -> Option<Vec<(usize, Components)>> {
+        let system = self.system;
+        let (mut seen, mut found) = (Vec::new(), Some(Vec::new()));
+        for written in &system.points {
+            let anchor = self.anchor(written, errors);
+            let message = match (anchor, name_of_point(written)) {
+                (Some((Some(body), offset)), Some(name)) if !seen.contains(&name) => {
+                    seen.push(name);
+                    found = found.map(|mut all| {
+                        all.push((body, offset));
+                        all
+                    });
+                    continue;
+                }
+                (None, _) => None,
+                (Some((None, _)), _) => Some("the ground does not move".to_owned()),
+                (_, None) => Some("expected a point by its name, such as `arm.tip`".to_owned()),
+                (_, Some(_)) => Some("this point is asked for twice".to_owned()),
+            };
+            if let Some(message) = message {
+                errors.push(written.extent, message);
+            }
+            found = None;
+        }
+        found
+    }
+}

@@ -1,0 +1,68 @@
+//! `jacobian(arm.tip)`: how the velocities of points follow from the rates of the joints.
+
+use quote::quote;
+
+use crate::emit::code::{COMMON, Method, Site};
+use crate::emit::items::Addition;
+use crate::lower::Offer;
+use crate::mechanics::{self, derive_jacobians};
+use crate::model::System;
+use crate::outputs::output::{Basis, Output};
+use crate::symbolic::Id;
+
+use super::by_name::ByName;
+
+const OFFER: Offer = Offer {
+    is_missed: |_| true,
+    ..Offer::new("jacobian")
+};
+
+/// That of each point.
+#[derive(Default)]
+pub struct Jacobian(Option<Vec<mechanics::Jacobian>>);
+
+impl Output<System> for Jacobian {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
+        self.0 = Some(derive_jacobians(basis.model, basis.work));
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        let columns = self.0.iter().flatten().flatten();
+        columns.flat_map(|column| column.concat()).collect()
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let (shapes, outline) = (&site.shapes, site.outline);
+        let rows = if shapes.motion.is_planar { 3 } else { 6 };
+        let size = [rows, outline.freedoms()];
+        let (kind, points) = (shapes.matrix_type(size), outline.points.iter());
+        let by_name = ByName {
+            suffix: "Jacobians",
+            doc: format!(
+                " Velocities of points of [`{}`] by the rates of its state: rows of the velocity, then of the angular velocity, world axes.",
+                outline.name
+            ),
+            fields: points.map(|point| (point.clone(), kind.clone())).collect(),
+        };
+        let method = site.method(self.0.as_ref(), |writer, points| {
+            let columns = points.iter().flatten();
+            let entries = columns.flat_map(|[linear, angular]| {
+                [shapes.vector_part(linear), shapes.moment_part(angular)].concat()
+            });
+            let entries: Vec<Id> = entries.collect();
+            Method::write(writer, &entries, |values| {
+                by_name.filled(site, values, |values| shapes.matrix(size, values))
+            })
+        });
+        let kind = site.own_type("Jacobians");
+        let methods = [("jacobian", &method, &COMMON[..], &kind)];
+        let types = quote!(type Jacobians = #kind;);
+        let addition = Addition::implement(site, "Jacobian", [types, quote!()], &methods);
+        by_name.beside(site, addition)
+    }
+}

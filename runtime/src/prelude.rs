@@ -2,8 +2,8 @@
 
 #[doc(no_inline)]
 pub use crate::body::{
-    Balance, Energy, Flow, InvalidBody, Inverse, Jacobian, MassMatrix, Momentum, Reactions,
-    RigidBody, Singular,
+    Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, InvalidBody, Inverse, Jacobian,
+    MassMatrix, Momentum, Reactions, RigidBody, Singular,
 };
 #[doc(no_inline)]
 pub use crate::constrained::{Constrained, Inconsistent, Violation};

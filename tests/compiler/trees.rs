@@ -162,6 +162,7 @@ impl Reference {
                 self.symbol(drive)
             };
             freedoms.push(Freedom {
+                given: None,
                 twist,
                 rate,
                 drive,

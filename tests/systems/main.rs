@@ -6,6 +6,7 @@ mod compare;
 mod corners;
 mod counts;
 mod described;
+mod driven;
 mod large;
 mod laws;
 mod matrices;

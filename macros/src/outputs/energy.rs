@@ -60,10 +60,15 @@ impl<S: Subject> Output<S> for Energy {
             method(|energy| energy.potential),
         );
         let scalar = site.shapes.scalar.kind();
+        let (name, of_kinetic) = if site.outline.driving.is_empty() {
+            ("Energy", &[Source::State][..])
+        } else {
+            ("DrivenEnergy", &COMMON[..])
+        };
         let methods = [
-            ("kinetic_energy", &kinetic, &[Source::State][..], &scalar),
+            ("kinetic_energy", &kinetic, of_kinetic, &scalar),
             ("potential_energy", &potential, &COMMON, &scalar),
         ];
-        Addition::implement(site, "Energy", [quote!(), quote!()], &methods)
+        Addition::implement(site, name, [quote!(), quote!()], &methods)
     }
 }

@@ -2,7 +2,7 @@
 
 use quote::quote;
 
-use crate::emit::code::{Method, Site, Source};
+use crate::emit::code::{COMMON, Method, Site, Source};
 use crate::emit::items::Addition;
 use crate::lower::Offer;
 use crate::mechanics;
@@ -63,18 +63,23 @@ impl<S: Subject> Output<S> for Momentum {
         } else {
             quote!(())
         };
-        let (state, both) = (&[Source::State][..], [Source::Time, Source::State]);
+        let (name, state, both) = if site.outline.driving.is_empty() {
+            let both = &[Source::Time, Source::State][..];
+            ("Momentum", &[Source::State][..], both)
+        } else {
+            ("DrivenMomentum", &COMMON[..], &COMMON[..])
+        };
         let methods = [
             ("linear_momentum", &linear, state, &of_linear),
             ("angular_momentum", &angular, state, &of_angular),
             (
                 "angular_momentum_about_pole",
                 &about_pole,
-                &both,
+                both,
                 &of_angular,
             ),
         ];
         let types = quote!(type Linear = #of_linear; type Angular = #of_angular;);
-        Addition::implement(site, "Momentum", [types, quote!()], &methods)
+        Addition::implement(site, name, [types, quote!()], &methods)
     }
 }

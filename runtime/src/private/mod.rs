@@ -4,8 +4,8 @@ pub use nalgebra::{SMatrix, UnitQuaternion, Vector2, Vector3};
 pub use newton_euler_macros::{rigid_body, rigid_system};
 
 pub use crate::bodies::body::{
-    Balance, Energy, Flow, InvalidBody, Inverse, Jacobian, MassMatrix, Momentum, Reactions,
-    RigidBody, Singular,
+    Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, InvalidBody, Inverse, Jacobian,
+    MassMatrix, Momentum, Reactions, RigidBody, Singular,
 };
 pub use crate::bodies::columns::{Columns, Generic, Sink, Source};
 pub use crate::bodies::constrained::{Constrained, Inconsistent, Violation};

@@ -94,14 +94,18 @@ impl Reader<'_> {
     ) -> Option<Option<(Components, Id)>> {
         let mut turned = Some(None);
         if let [(again, _), _, ..] = methods
-            && methods.iter().all(|(method, _)| *method == "turned")
+            && methods
+                .iter()
+                .filter(|(method, _)| *method == "turned")
+                .count()
+                > 1
         {
             let message = "`.turned(..)` is written twice: write one turn, about one axis";
             errors.push(again.span(), message);
             return None;
         }
         for (method, arguments) in methods {
-            let later = ["driven", "at", "locked"];
+            let later = ["at", "locked"];
             match (method.to_string().as_str(), *arguments) {
                 ("turned", [axis, angle]) if !self.system.is_planar => {
                     let axis = self.direction(body, axis, errors);
@@ -120,6 +124,7 @@ impl Reader<'_> {
                     );
                     turned = None;
                 }
+                ("driven", _) => {}
                 (word, _) if later.contains(&word) => {
                     errors.push(
                         method.span(),
@@ -131,7 +136,7 @@ impl Reader<'_> {
                     errors.push(
                         method.span(),
                         format!(
-                            "a joint has no `{method}`: what may follow is `.turned(axis, angle)`"
+                            "a joint has no `{method}`: what may follow is `.turned(axis, angle)` and `.driven(angle)`"
                         ),
                     );
                     turned = None;

@@ -61,6 +61,14 @@ fn chosen(
     errors: &mut Errors,
 ) -> Option<Vec<usize>> {
     let name = &joint.name;
+    if joint.is_driven() {
+        let message = format!(
+            "`{name}` moves as is prescribed: the drive that makes it do so is found, and is a field of the \
+             reactions"
+        );
+        errors.push(target.extent, message);
+        return None;
+    }
     if all.is_empty() || joint.kind.is_free() {
         let place = joint_named(target, errors)?.0.span();
         let message = if all.is_empty() {

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint};
 use crate::lower::expressions::{JointNames, Value};
-use crate::model::{Dimension, Frame, JointKind};
+use crate::model::{Dimension, Frame, JointKind, Rates};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Definition, Expression, Kind};
 
@@ -21,6 +21,8 @@ pub struct Written {
     pub directions: Vec<Components>,
     pub pitch: Option<Id>,
     pub turned: Option<(Components, Id)>,
+    /// How its coordinates move, if that is prescribed.
+    pub driven: Option<Rates>,
     /// Where the carried body is named.
     pub mention: proc_macro2::Span,
 }
@@ -155,7 +157,9 @@ impl Reader<'_> {
         }
         let directions = self.directions(body, kind, arguments, errors);
         let pitch = self.pitch(kind, arguments, errors);
-        let turned = self.turned(body, &methods, errors)?;
+        let turned = self.turned(body, &methods, errors);
+        let driven = self.driven(kind, &methods, errors);
+        let (turned, driven) = (turned?, driven?);
         Some(Written {
             name: joint.name.clone(),
             kind,
@@ -166,6 +170,7 @@ impl Reader<'_> {
             directions: directions?,
             pitch: pitch?,
             turned,
+            driven,
             mention: first_name(&arguments[1]).unwrap_or_else(|| joint.name.span()),
         })
     }
@@ -220,6 +225,7 @@ impl Reader<'_> {
             directions: Vec::new(),
             pitch: None,
             turned: None,
+            driven: None,
             mention: name.span(),
         })
     }

@@ -5,6 +5,7 @@ mod asked;
 mod axes;
 mod between;
 mod body;
+mod driven;
 mod drives;
 mod joints;
 mod motion;
@@ -57,10 +58,12 @@ pub fn lower_system(
         motion: if system.is_planar { &PLANAR } else { &SPATIAL },
         time,
         defaults: Defaults::new(),
+        derivatives: Vec::new(),
     };
     reader.defaults = reader.at_top(errors, |lowering| {
         lowering.declarations(&system.top, outline)
     });
+    reader.derivatives = outline.inputs.iter().map(Declared::derivatives).collect();
     reader.locals(errors, false);
     let mut drafts: Vec<Draft<'_>> = Vec::new();
     let mut wrong = HashSet::new();
@@ -90,7 +93,10 @@ pub fn lower_system(
         bodies[body].loads.push(load);
     }
     let Reader {
-        mut work, defaults, ..
+        mut work,
+        defaults,
+        derivatives,
+        ..
     } = reader;
     let gravity = body::common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let bodies = carriers_first(bodies, &mut joints, &mut points)?;
@@ -108,11 +114,11 @@ pub fn lower_system(
         written,
         points,
         gravity,
-        derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
+        derivatives,
         defaults,
     };
     if errors.is_empty() && outline.joints.is_empty() {
-        let message = "nothing moves: all joints are welds";
+        let message = "nothing moves by itself: all joints are welds, or driven";
         errors.push(outline.name.span(), message);
     }
     errors.is_empty().then_some((system, work))

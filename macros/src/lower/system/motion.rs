@@ -45,11 +45,11 @@ impl Reader<'_> {
     fn motion(&mut self, written: Written, drafts: &mut [Draft<'_>]) -> TreeJoint {
         let (kind, body) = (written.kind, drafts[written.carried].frame);
         let work = &mut self.work;
-        let coordinates = symbols(
-            work,
-            body,
-            kind.shape.into_iter().flat_map(Shape::components),
-        );
+        let components = kind.shape.into_iter().flat_map(Shape::components);
+        let coordinates = match &written.driven {
+            Some(prescribed) => prescribed.clone(),
+            None => symbols(work, body, components),
+        };
         let carrier = written
             .carrier
             .and_then(|carrier| drafts[carrier].state.as_ref());
@@ -71,7 +71,15 @@ impl Reader<'_> {
             .any(|part| !matches!(part, Part::Slide(_)));
         let is_carried = written.carrier.is_some_and(|carrier| self.turning[carrier]);
         self.turning[written.carried] = turns || is_carried;
-        let freedoms = freedoms(kind.parts, self.system.is_planar).len();
+        let freedoms = freedoms(kind.parts, self.system.is_planar);
+        let given = freedoms.iter().map(|(variable, part)| {
+            let acceleration = match variable {
+                Variable::Velocity => Variable::LinearAcceleration,
+                _ => Variable::AngularAcceleration,
+            };
+            let driven = written.driven.as_ref();
+            driven.and_then(|rates| rates.get(acceleration, *part))
+        });
         TreeJoint {
             name: written.name,
             kind,
@@ -84,9 +92,10 @@ impl Reader<'_> {
             turned: written.turned,
             frames,
             coordinates,
-            drives: vec![self.work.graph.zero(); freedoms],
+            given: given.collect(),
+            drives: vec![self.work.graph.zero(); freedoms.len()],
             driven_by: Vec::new(),
-            open: vec![None; freedoms],
+            open: vec![None; freedoms.len()],
         }
     }
 }

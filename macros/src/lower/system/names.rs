@@ -105,7 +105,7 @@ pub fn check_own_names(
 pub fn moving_locals(system: &syntax::System) -> HashSet<String> {
     let bodies = system.bodies.iter().map(|body| body.name.to_string());
     let joints = system.joints.iter().map(|joint| joint.name.to_string());
-    let mut moving: HashSet<String> = bodies.chain(joints).chain(["t".to_owned()]).collect();
+    let mut moving: HashSet<String> = bodies.chain(joints).collect();
     loop {
         let before = moving.len();
         for local in &system.top.locals {

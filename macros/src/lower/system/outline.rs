@@ -9,6 +9,7 @@ use crate::errors::similar;
 use crate::model::{JointKind, Jointed, Outline};
 use crate::syntax::{self, Definition, Expression, Kind};
 
+use super::driven::coordinates;
 use super::drives::behind;
 use super::joints::{call, kind_of};
 
@@ -25,19 +26,51 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     let joints = joints
         .filter(|joint| seen.insert(joint.name.to_string()))
         .filter_map(|joint| {
+            let kind = likely_kind(joint, system.is_planar)?;
+            if !kind.is_free() {
+                outline.holding.push(joint.name.clone());
+            }
+            if is_driven(joint) {
+                outline.driving.extend(drives_of(&joint.name, kind));
+                return None;
+            }
             Some(Jointed {
                 name: joint.name.clone(),
-                shape: likely_kind(joint, system.is_planar)?.shape?,
+                shape: kind.shape?,
                 frame: None,
             })
         });
-    outline.joints = joints.collect();
+    let joints = joints.collect();
+    outline.joints = joints;
     let open = system.drives.iter().filter(|drive| {
         let load = drive.value.as_ref().and_then(|value| behind(value, "on"));
         load.is_some_and(|(load, _)| matches!(load.kind, Kind::Placeholder))
     });
     let open = open.filter(|drive| seen.insert(format!("drive {}", drive.name)));
     outline.open = open.map(|drive| drive.name.clone()).collect();
+}
+
+/// Whether the motion of a joint is prescribed.
+fn is_driven(joint: &Definition) -> bool {
+    let call = joint.value.as_ref().and_then(call);
+    call.is_some_and(|(_, methods)| methods.iter().any(|(method, _)| *method == "driven"))
+}
+
+/// `crank_drive`, of a joint of several coordinates `gimbal_drive_angle_1`.
+fn drives_of(joint: &Ident, kind: &JointKind) -> Vec<(Ident, Ident)> {
+    let names: Vec<&str> = coordinates(kind)
+        .into_iter()
+        .map(|(name, ..)| name)
+        .collect();
+    let drives = names.iter().map(|coordinate| {
+        let name = if names.len() == 1 {
+            format_ident!("{joint}_drive", span = joint.span())
+        } else {
+            format_ident!("{joint}_drive_{coordinate}", span = joint.span())
+        };
+        (joint.clone(), name)
+    });
+    drives.collect()
 }
 
 /// `arm_tip`

@@ -22,6 +22,8 @@ pub struct Reader<'a> {
     pub turning: Vec<bool>,
     pub time: Id,
     pub defaults: Defaults,
+    /// How many derivatives of each input are given.
+    pub derivatives: Vec<usize>,
 }
 
 impl Reader<'_> {

@@ -20,7 +20,7 @@ pub fn derive_system_inverse(
     let drives = joints.map(|(joint, links)| {
         let mut found = Vec::new();
         for link in links.clone() {
-            for freedom in &equations.reduced.links[link].freedoms {
+            for freedom in equations.reduced.links[link].open() {
                 let needed = freedom.twist.dot(&mut work.graph, loads[link]);
                 let known = joint.drives[found.len()];
                 found.push(work.graph.subtract(needed, known));
@@ -60,7 +60,7 @@ fn loads(
     for (links, joint) in equations.built.links.iter().zip(accelerations) {
         let mut rest = joint.iter().copied();
         for link in links.clone() {
-            let count = tree.links[link].freedoms.len();
+            let count = tree.links[link].open().count();
             by_link.push(rest.by_ref().take(count).collect());
         }
     }
@@ -86,4 +86,28 @@ pub fn derive_system_reactions(
         [load.linear, load.angular]
     });
     reactions.collect()
+}
+
+/// The loads along the freedoms whose motion is prescribed, joint by joint: the drives that make it so.
+pub fn derive_system_driving(work: &mut Workspace, equations: &SystemEquations) -> Vec<Vec<Id>> {
+    let built = &equations.built;
+    let loads = loads(work, equations, &built.tree, &equations.accelerations);
+    let joints = built.links.iter().map(|links| {
+        let links = links
+            .clone()
+            .map(|link| (&built.tree.links[link], loads[link]));
+        let freedoms = links.flat_map(|(link, load)| {
+            let driven = link.freedoms.iter().filter(|one| one.given.is_some());
+            driven.map(move |freedom| (freedom.twist, load))
+        });
+        let freedoms: Vec<_> = freedoms.collect();
+        freedoms
+            .into_iter()
+            .map(|(twist, load)| {
+                let drive = twist.dot(&mut work.graph, load);
+                work.graph.result(drive)
+            })
+            .collect()
+    });
+    joints.collect()
 }

@@ -30,7 +30,7 @@ pub fn derive_inertias(
     let found = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
     let firsts = tree.links.iter().scan(0, |next, link| {
         let first = *next;
-        *next += link.freedoms.len();
+        *next += link.open().count();
         Some(first..*next)
     });
     let firsts: Vec<_> = firsts.collect();

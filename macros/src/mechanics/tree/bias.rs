@@ -38,6 +38,13 @@ impl Moving {
                 graph.add_vectors(sum, scaled)
             })
         };
+        let mut given = Pair::zero(graph);
+        for freedom in &link.freedoms {
+            if let Some(rate) = freedom.given {
+                let made = freedom.twist.scaled(graph, rate);
+                given = given.plus(graph, made);
+            }
+        }
         let turning = sum(graph, |twist| twist.angular);
         let carried = link.turning.to_link(graph, self.w);
         let carried = graph.quantities(carried);
@@ -46,6 +53,7 @@ impl Moving {
         let swung = graph.cross(carried, turning);
         let angular = link.turning.to_link(graph, self.acceleration.angular);
         let angular = graph.add_vectors(angular, swung);
+        let angular = graph.add_vectors(angular, given.angular);
         let angular = graph.quantities(angular);
         let linear = if link.is_free {
             zeros
@@ -57,7 +65,8 @@ impl Moving {
             let sliding = sum(graph, |twist| twist.linear);
             let sliding = graph.add_vectors(sliding, sliding);
             let coriolis = graph.cross(carried, sliding);
-            graph.add_vectors(origin, coriolis)
+            let origin = graph.add_vectors(origin, coriolis);
+            graph.add_vectors(origin, given.linear)
         };
         let linear = graph.quantities(linear);
         Self {
@@ -71,7 +80,7 @@ impl Moving {
     /// along world axes first.
     pub fn accelerated(&self, graph: &mut Graph, tree: &Tree, link: &Link, rates: &[Id]) -> Self {
         let mut acceleration = self.acceleration;
-        for (freedom, rate) in link.freedoms.iter().zip(rates) {
+        for (freedom, rate) in link.open().zip(rates) {
             let made = freedom.twist.scaled(graph, *rate);
             acceleration = acceleration.plus(graph, made);
         }

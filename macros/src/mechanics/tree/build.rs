@@ -120,16 +120,16 @@ impl Making<'_> {
                 Part::Free => 6,
                 Part::Turn(_) | Part::Slide(_) | Part::Screw => 1,
             };
-            let drives = &joint.drives[next..next + count];
+            self.part(*part, rates, next, is_planar);
             next += count;
-            self.part(*part, rates, drives, is_planar);
         }
         if joint.kind.parts.is_empty() {
             self.link(Turning::Parallel, Vec::new());
         }
     }
 
-    fn part(&mut self, part: Part, rates: &Rates, drives: &[Id], is_planar: bool) {
+    /// A part of the joint, the first of whose freedoms has this number.
+    fn part(&mut self, part: Part, rates: &Rates, first: usize, is_planar: bool) {
         let graph = &mut self.work.graph;
         let zero = graph.zero();
         let get = |variable: Variable, part: usize| rates.get(variable, part).unwrap_or(zero);
@@ -143,7 +143,7 @@ impl Making<'_> {
                     get(Variable::Angle, number.min(1)),
                     get(Variable::AngularVelocity, number.min(1)),
                 );
-                self.hinge(direction, twist, [angle, rate, drives[0]]);
+                self.hinge(direction, twist, [angle, rate], first);
             }
             Part::Screw => {
                 let direction = direction(0).unwrap_or(units[2]);
@@ -156,22 +156,22 @@ impl Making<'_> {
                 let [angle, rate] = [get(Variable::Angle, 0), get(Variable::AngularVelocity, 0)];
                 let step = graph.scale_vector(angle, along);
                 self.place = graph.add_vectors(self.place, step);
-                self.hinge(direction, twist, [angle, rate, drives[0]]);
+                self.hinge(direction, twist, [angle, rate], first);
             }
             Part::Slide(number) => {
                 let direction = direction(number).unwrap_or(units[0]);
                 let step = graph.scale_vector(get(Variable::Position, 0), direction);
                 self.place = graph.add_vectors(self.place, step);
                 let twist = Pair::along(graph, direction);
-                let freedom = self.freedom(twist, get(Variable::Velocity, 0), drives[0]);
+                let freedom = self.freedom(twist, get(Variable::Velocity, 0), first);
                 self.link(Turning::Parallel, vec![freedom]);
             }
-            Part::Ball => self.ball(rates, drives),
-            Part::Free => self.float(rates, drives, is_planar),
+            Part::Ball => self.ball(rates, first),
+            Part::Free => self.float(rates, first, is_planar),
         }
     }
 
-    fn ball(&mut self, rates: &Rates, drives: &[Id]) {
+    fn ball(&mut self, rates: &Rates, first: usize) {
         let units = self.work.graph.unit_vectors();
         let zero = self.work.graph.zero();
         let get = |variable: Variable, part: usize| rates.get(variable, part).unwrap_or(zero);
@@ -180,14 +180,14 @@ impl Making<'_> {
         let rates = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
         let freedoms = (0..3).map(|axis| {
             let twist = Pair::about(&self.work.graph, units[axis]);
-            self.freedom(twist, rates[axis], drives[axis])
+            self.freedom(twist, rates[axis], first + axis)
         });
         let freedoms = freedoms.collect();
         self.link(turning, freedoms);
     }
 
     /// All directions, those along axes first.
-    fn float(&mut self, rates: &Rates, drives: &[Id], is_planar: bool) {
+    fn float(&mut self, rates: &Rates, first: usize, is_planar: bool) {
         let units = self.work.graph.unit_vectors();
         let zero = self.work.graph.zero();
         let get = |variable: Variable, part: usize| rates.get(variable, part).unwrap_or(zero);
@@ -195,14 +195,14 @@ impl Making<'_> {
         let mut freedoms: Vec<Freedom> = (0..linear)
             .map(|axis| {
                 let twist = Pair::along(&self.work.graph, units[axis]);
-                self.freedom(twist, get(Variable::Velocity, axis), drives[axis])
+                self.freedom(twist, get(Variable::Velocity, axis), first + axis)
             })
             .collect();
         let axes = if is_planar { 2..3 } else { 0..3 };
         for (part, axis) in axes.enumerate() {
             let twist = Pair::about(&self.work.graph, units[axis]);
             let rate = get(Variable::AngularVelocity, part);
-            freedoms.push(self.freedom(twist, rate, drives[linear + part]));
+            freedoms.push(self.freedom(twist, rate, first + linear + part));
         }
         let turning = if is_planar {
             Turning::by_angle(&mut self.work.graph, 2, get(Variable::Angle, 0))
@@ -215,7 +215,7 @@ impl Making<'_> {
     }
 
     /// A link that turns about a direction.
-    fn hinge(&mut self, direction: Components, twist: Pair, [angle, rate, drive]: [Id; 3]) {
+    fn hinge(&mut self, direction: Components, twist: Pair, [angle, rate]: [Id; 2], number: usize) {
         let graph = &mut self.work.graph;
         let cosine = graph.apply(Function::Cos, &[angle]);
         let sine = graph.apply(Function::Sin, &[angle]);
@@ -224,16 +224,18 @@ impl Making<'_> {
             Turning::About { axis, .. } => Some(graph.multiply(direction[axis], angle)),
             Turning::Parallel | Turning::By(_) => None,
         };
-        let freedom = self.freedom(twist, rate, drive);
+        let freedom = self.freedom(twist, rate, number);
         let index = self.link(turning, vec![freedom]);
         self.links[index].angle = about;
     }
 
-    fn freedom(&self, twist: Pair, rate: Id, drive: Id) -> Freedom {
+    /// The freedom of this number of the joint.
+    fn freedom(&self, twist: Pair, rate: Id, number: usize) -> Freedom {
         Freedom {
             twist,
             rate,
-            drive,
+            drive: self.joint.drives[number],
+            given: self.joint.given[number],
             name: self.joint.name.to_string(),
         }
     }

@@ -45,10 +45,17 @@ pub struct Freedom {
     pub rate: Id,
     /// The load along it, which acts on the link, and on the carrier with the opposite sign.
     pub drive: Id,
+    /// Its acceleration, if it moves as is prescribed.
+    pub given: Option<Id>,
     pub name: String,
 }
 
 impl Link {
+    /// The freedoms that accelerate as they are driven.
+    pub fn open(&self) -> impl Iterator<Item = &Freedom> + Clone {
+        self.freedoms.iter().filter(|one| one.given.is_none())
+    }
+
     /// The loads on it but gravity.
     pub fn load(&self) -> Pair {
         Pair {

@@ -29,7 +29,7 @@ impl MassMatrix {
             lacking.push(*own);
         }
         let first = first_freedoms(links);
-        let count = links.iter().map(|link| link.freedoms.len()).sum();
+        let count = links.iter().map(|link| link.open().count()).sum();
         let zero = graph.zero();
         let (mut rows, mut driving) = (vec![vec![zero; count]; count], vec![zero; count]);
         for (index, link) in links.iter().enumerate().rev() {
@@ -37,7 +37,7 @@ impl MassMatrix {
             let load = lacking[index].quantities(graph);
             own.name(labels, &link.name);
             load.name(labels, ["moment", "force"], &link.name);
-            for (number, freedom) in link.freedoms.iter().enumerate() {
+            for (number, freedom) in link.open().enumerate() {
                 let row = first[index] + number;
                 let needed = freedom.twist.dot(graph, load);
                 driving[row] = graph.subtract(freedom.drive, needed);
@@ -45,7 +45,7 @@ impl MassMatrix {
                 let mut wrench = own.times(graph, &freedom.twist).quantities(graph);
                 let mut at = index;
                 loop {
-                    for (number, other) in links[at].freedoms.iter().enumerate() {
+                    for (number, other) in links[at].open().enumerate() {
                         let entry = other.twist.dot(graph, wrench);
                         let column = first[at] + number;
                         rows[row][column] = graph.quantity(entry);
@@ -65,7 +65,7 @@ impl MassMatrix {
                 lacking[carrier] = lacking[carrier].plus(graph, wrench);
             }
         }
-        let freedoms = links.iter().flat_map(|link| &link.freedoms);
+        let freedoms = links.iter().flat_map(Link::open);
         let names: Vec<String> = freedoms.map(|freedom| freedom.name.clone()).collect();
         for (row, first) in rows.iter().zip(&names) {
             for (entry, second) in row.iter().zip(&names) {
@@ -129,7 +129,7 @@ fn first_freedoms(links: &[Link]) -> Vec<usize> {
     let mut next = 0;
     let firsts = links.iter().map(|link| {
         let first = next;
-        next += link.freedoms.len();
+        next += link.open().count();
         first
     });
     firsts.collect()

@@ -46,7 +46,7 @@ fn cost(graph: &Graph, found: &Accelerations) -> u32 {
 fn solve(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
     let mut names = Labels::default();
     let mut best = recursion(graph, &mut names, tree).folded(graph, &mut names);
-    let freedoms = || tree.links.iter().map(|link| link.freedoms.len());
+    let freedoms = || tree.links.iter().map(|link| link.open().count());
     if freedoms().sum::<usize>() <= 2 {
         let mut others = Labels::default();
         let mut solved = MassMatrix::derive(graph, &mut others, tree).solve(graph, &mut others);
@@ -89,7 +89,7 @@ fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Acceleratio
         load = load.quantities(graph);
         own.name(labels, &link.name);
         load.name(labels, ["moment", "force"], &link.name);
-        let gone = link.freedoms.iter().map(|freedom| {
+        let gone = link.open().map(|freedom| {
             let gone = own.eliminate(graph, freedom.twist, freedom.drive, &mut load);
             gone.name(labels, &freedom.name);
             own = own.quantities(graph);
@@ -140,7 +140,7 @@ fn outwards(
             let linear: Components = acceleration.linear;
             let linear = link.turning.to_carrier(graph, linear);
             let linear = graph.add_vectors(linear, tree.gravity);
-            for ((rate, part), freedom) in found.iter_mut().zip(linear).zip(&link.freedoms) {
+            for ((rate, part), freedom) in found.iter_mut().zip(linear).zip(link.open()) {
                 if graph.is_zero_vector(&freedom.twist.angular) {
                     *rate = part;
                 }

@@ -29,10 +29,14 @@ pub struct Outline {
     pub is_system: bool,
     /// Of a system: its joints that move, each a field of its state.
     pub joints: Vec<Jointed>,
+    /// Of a system: the joints that hold what they carry, in some direction.
+    pub holding: Vec<Ident>,
     /// Of a system: the joints whose reactions are asked for, if not all.
     pub held: Option<Vec<Ident>>,
     /// Of a system: the points whose Jacobians are asked for, each `body_point`.
     pub points: Vec<Ident>,
+    /// Of a system: the drives of joints whose motion is prescribed, by joint and as reactions.
+    pub driving: Vec<(Ident, Ident)>,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
     pub outputs: Vec<Asked>,

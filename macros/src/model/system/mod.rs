@@ -66,8 +66,17 @@ pub struct TreeJoint {
     pub drives: Vec<Id>,
     /// The given drives, by name.
     pub driven_by: Vec<(Ident, Vec<Id>)>,
+    /// The acceleration along each freedom, if its motion is prescribed.
+    pub given: Vec<Option<Id>>,
     /// The unknown load along a freedom, by its name, if there is one.
     pub open: Vec<Option<Ident>>,
+}
+
+impl TreeJoint {
+    /// Its motion is prescribed.
+    pub fn is_driven(&self) -> bool {
+        self.given.iter().any(Option::is_some)
+    }
 }
 
 impl System {

@@ -37,16 +37,17 @@ impl ByName {
         }
     }
 
-    /// The struct, each field filled from the next values.
+    /// The struct, each field, by its number, filled from the next values.
     pub fn filled(
         &self,
         site: &Site<'_>,
         values: &mut Values<'_>,
-        fill: impl Fn(&mut Values<'_>) -> TokenStream,
+        fill: impl Fn(usize, &mut Values<'_>) -> TokenStream,
     ) -> TokenStream {
         let name = self.name(site);
-        let fields = self.fields.iter().map(|(field, _)| {
-            let value = fill(values);
+        let fields = self.fields.iter().enumerate();
+        let fields = fields.map(|(number, (field, _))| {
+            let value = fill(number, values);
             quote!(#field: #value)
         });
         quote!(#name { #(#fields),* })

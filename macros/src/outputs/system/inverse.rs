@@ -32,7 +32,7 @@ impl Output<System> for Inverse {
         let undriven = system
             .joints
             .iter()
-            .find(|joint| joint.open.iter().any(Option::is_none));
+            .find(|joint| !joint.is_driven() && joint.open.iter().any(Option::is_none));
         if let Some(joint) = undriven {
             let name = &joint.name;
             basis.errors.push(
@@ -70,7 +70,7 @@ impl Output<System> for Inverse {
         let method = site.method(self.0.as_ref(), |writer, drives| {
             let loads: Vec<Id> = drives.iter().map(|(_, load)| *load).collect();
             Method::write(writer, &loads, |values| {
-                by_name.filled(site, values, |values| {
+                by_name.filled(site, values, |_, values| {
                     let value = values.next();
                     quote!(#value)
                 })

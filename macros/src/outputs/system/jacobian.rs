@@ -56,7 +56,7 @@ impl Output<System> for Jacobian {
             });
             let entries: Vec<Id> = entries.collect();
             Method::write(writer, &entries, |values| {
-                by_name.filled(site, values, |values| shapes.matrix(size, values))
+                by_name.filled(site, values, |_, values| shapes.matrix(size, values))
             })
         });
         let kind = site.own_type("Jacobians");

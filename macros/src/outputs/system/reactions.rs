@@ -6,8 +6,8 @@ use quote::quote;
 use crate::emit::code::{COMMON, Method, Site};
 use crate::emit::items::Addition;
 use crate::lower::Offer;
-use crate::mechanics::derive_system_reactions;
-use crate::model::System;
+use crate::mechanics::{derive_system_driving, derive_system_reactions};
+use crate::model::{Outline, System};
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::{Components, Id};
 
@@ -18,9 +18,16 @@ const OFFER: Offer = Offer {
     ..Offer::new("reactions")
 };
 
-/// Force and moment of each joint, by name.
+/// What joints carry.
+struct Carried {
+    /// Force and moment of each joint, by name.
+    wrenches: Vec<(Ident, [Components; 2])>,
+    /// Along coordinates whose motion is prescribed, by name.
+    drives: Vec<(Ident, Id)>,
+}
+
 #[derive(Default)]
-pub struct Reactions(Option<Vec<(Ident, [Components; 2])>>);
+pub struct Reactions(Option<Carried>);
 
 impl Output<System> for Reactions {
     fn offer(&self) -> Option<&'static Offer> {
@@ -30,51 +37,72 @@ impl Output<System> for Reactions {
     fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
         let loads = derive_system_reactions(basis.work, basis.equations);
         let joints = basis.model.joints.iter().zip(loads);
-        let held =
-            joints.filter(|(joint, _)| !joint.kind.is_free() && basis.outline.is_held(&joint.name));
-        let held: Vec<_> = held
-            .map(|(joint, load)| (joint.name.clone(), load))
-            .collect();
+        let held = held(basis.outline).filter_map(|name| {
+            let mut all = joints.clone();
+            let (_, load) = all.find(|(joint, _)| joint.name == *name)?;
+            Some((name.clone(), load))
+        });
+        let held: Vec<_> = held.collect();
         for (name, [force, moment]) in &held {
             let labels = &mut basis.work.labels;
             labels.vector(&format!("{name}_force"), *force);
             labels.vector(&format!("{name}_moment"), *moment);
         }
-        self.0 = Some(held);
+        let driving = derive_system_driving(basis.work, basis.equations);
+        let joints = basis.model.joints.iter().zip(&driving);
+        let drives = driving_of(basis.outline).filter_map(|(joint, name)| {
+            let mut all = joints.clone();
+            let (_, loads) = all.find(|(other, _)| other.name == *joint)?;
+            let mut same = driving_of(basis.outline).filter(|(other, _)| other == joint);
+            let number = same.position(|(_, other)| other == name)?;
+            Some((name.clone(), *loads.get(number)?))
+        });
+        let drives: Vec<(Ident, Id)> = drives.collect();
+        for (name, drive) in &drives {
+            basis.work.labels.name(*drive, name.to_string());
+        }
+        self.0 = Some(Carried {
+            wrenches: held,
+            drives,
+        });
         Some(())
     }
 
     fn roots(&self) -> Vec<Id> {
-        let held = self.0.iter().flatten();
-        held.flat_map(|(_, pair)| pair.concat()).collect()
+        let wrenches = self.0.iter().flat_map(|carried| &carried.wrenches);
+        let drives = self.0.iter().flat_map(|carried| &carried.drives);
+        let wrenches = wrenches.flat_map(|(_, pair)| pair.concat());
+        wrenches.chain(drives.map(|(_, drive)| *drive)).collect()
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
         let (shapes, outline) = (&site.shapes, site.outline);
-        let held = self.0.as_ref();
-        let held = held.map(|held| held.iter().map(|(name, _)| name.clone()).collect());
-        let names: Vec<Ident> = held.unwrap_or_else(|| {
-            let joints = outline.joints.iter().map(|joint| joint.name.clone());
-            joints.filter(|name| outline.is_held(name)).collect()
-        });
-        let wrench = shapes.wrench_type();
+        let (wrench, scalar) = (shapes.wrench_type(), shapes.scalar.kind());
+        let wrenches = held(outline).map(|name| (name.clone(), wrench.clone()));
+        let drives = driving_of(outline).map(|(_, name)| (name.clone(), scalar.clone()));
         let by_name = ByName {
             suffix: "Reactions",
             doc: format!(
                 " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
                 outline.name
             ),
-            fields: names
-                .into_iter()
-                .map(|name| (name, wrench.clone()))
-                .collect(),
+            fields: wrenches.chain(drives).collect(),
         };
-        let method = site.method(self.0.as_ref(), |writer, held| {
-            let parts = held.iter();
-            let parts = parts.flat_map(|(_, [force, moment])| shapes.wrench_part(force, moment));
-            let parts: Vec<Id> = parts.collect();
+        let count = held(outline).count();
+        let method = site.method(self.0.as_ref(), |writer, carried| {
+            let wrenches = carried.wrenches.iter();
+            let parts = wrenches.flat_map(|(_, [force, moment])| shapes.wrench_part(force, moment));
+            let drives = carried.drives.iter().map(|(_, drive)| *drive);
+            let parts: Vec<Id> = parts.chain(drives).collect();
             Method::write(writer, &parts, |values| {
-                by_name.filled(site, values, |values| shapes.wrench(values))
+                by_name.filled(site, values, |field, values| {
+                    if field < count {
+                        shapes.wrench(values)
+                    } else {
+                        let value = values.next();
+                        quote!(#value)
+                    }
+                })
             })
         });
         let kind = site.own_type("Reactions");
@@ -83,4 +111,15 @@ impl Output<System> for Reactions {
         let addition = Addition::implement(site, "Reactions", [types, quote!()], &methods);
         by_name.beside(site, addition)
     }
+}
+
+/// The joints whose reactions are asked for.
+fn held(outline: &Outline) -> impl Iterator<Item = &Ident> {
+    outline.holding.iter().filter(|name| outline.is_held(name))
+}
+
+/// The drives of joints whose reactions are asked for.
+fn driving_of(outline: &Outline) -> impl Iterator<Item = &(Ident, Ident)> {
+    let all = outline.driving.iter();
+    all.filter(|(joint, _)| outline.is_held(joint))
 }

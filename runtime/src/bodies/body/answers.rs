@@ -53,6 +53,62 @@ pub trait Energy: RigidBody {
     ) -> Self::Scalar;
 }
 
+/// [`Energy`] of a system with joints whose motion is prescribed, `.driven(speed * t)`: it depends
+/// on time, and on inputs.
+///
+/// The drives of these joints do work on the system: with their loads M and rates w, they bring in
+/// the power `M w`.
+pub trait DrivenEnergy: RigidBody {
+    /// `½ m v² + ½ ω·Jω` of all bodies.
+    fn kinetic_energy(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Scalar;
+
+    /// As [`Energy::potential_energy`].
+    fn potential_energy(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Scalar;
+}
+
+/// [`Momentum`] of a system with joints whose motion is prescribed: it depends on time, and on
+/// inputs.
+pub trait DrivenMomentum: RigidBody {
+    /// A vector in space or in the plane.
+    type Linear;
+    /// A vector, or in the plane a scalar.
+    type Angular;
+
+    /// `P = Σ m v_G` \[kg m/s\].
+    fn linear_momentum(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Linear;
+
+    /// Angular momentum about G of the whole \[kg m²/s\].
+    fn angular_momentum(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Angular;
+
+    /// Angular momentum about the origin of the world \[kg m²/s\].
+    fn angular_momentum_about_pole(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Angular;
+}
+
 /// Momenta of the absolute velocities, world axes.
 ///
 /// About a pole O moving with `v_O`, the angular momentum obeys `dL_O/dt = M_O - v_O × P`.

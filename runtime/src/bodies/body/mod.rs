@@ -22,7 +22,10 @@ mod invalid;
 mod rigid_body;
 mod singular;
 
-pub use answers::{Balance, Energy, Flow, Inverse, Jacobian, MassMatrix, Momentum, Reactions};
+pub use answers::{
+    Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, Inverse, Jacobian, MassMatrix, Momentum,
+    Reactions,
+};
 pub use invalid::InvalidBody;
 pub use rigid_body::RigidBody;
 pub use singular::Singular;

@@ -3,6 +3,7 @@
 
 mod body;
 mod energy;
+mod loads;
 mod momentum;
 mod output;
 mod subject;

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
+use crate::families::LoadKind;
 use crate::model::{AXES, Declared, Field, Jointed, Meaning, Motion, Outline, Variable};
 use crate::symbolic::{Id, Number, Program, Stage};
 
@@ -100,6 +101,22 @@ fn places_of_body(motion: Motion) -> Vec<(Source, TokenStream, Vec<String>, Vari
     ]
 }
 
+/// What reactions are called, where they are, and what they are; of a system force and moment of each
+/// joint that holds.
+fn reactions(outline: &Outline) -> Vec<(String, TokenStream, LoadKind)> {
+    let own = outline.reactions.iter().map(|(word, kind)| {
+        let field = local(&word.to_string());
+        (word.to_string(), quote!(#field), *kind)
+    });
+    let joints = outline.holding.iter().flat_map(|joint| {
+        [("force", LoadKind::Force), ("moment", LoadKind::Moment)].map(|(part, kind)| {
+            let field = format_ident!("{part}");
+            (format!("{joint}_{part}"), quote!(#joint.#field), kind)
+        })
+    });
+    own.chain(joints).collect()
+}
+
 impl Block<'_> {
     /// Reads the symbols of `program`, and gives them names.
     pub fn read(&mut self, program: &Program) -> TokenStream {
@@ -180,7 +197,7 @@ impl Block<'_> {
     /// `let [pin_x, pin_y]: [f64; 2] = reactions.pin.into();`
     fn read_reactions(&mut self, symbols: &[(Id, Meaning)]) -> TokenStream {
         let mut tokens = TokenStream::new();
-        for (index, (word, kind)) in self.writer.outline.reactions.iter().enumerate() {
+        for (index, (word, path, kind)) in reactions(self.writer.outline).iter().enumerate() {
             let component = |meaning: Meaning| match meaning {
                 Meaning::Reaction(reaction, axis) if reaction == index => Some(axis),
                 _ => None,
@@ -190,13 +207,12 @@ impl Block<'_> {
                 continue;
             }
             self.reads.push(Source::Reactions);
-            let (reactions, field) = (local("reactions"), local(&word.to_string()));
-            let motion = self.writer.outline.motion;
+            let (reactions, motion) = (local("reactions"), self.writer.outline.motion);
             let names: Vec<String> = match &AXES[motion.axes_of(*kind)] {
-                [_] => vec![word.to_string()],
+                [_] => vec![word.clone()],
                 axes => axes.iter().map(|axis| format!("{word}_{axis}")).collect(),
             };
-            tokens.extend(self.read_components(&found, &quote!(#reactions.#field), &names));
+            tokens.extend(self.read_components(&found, &quote!(#reactions.#path), &names));
         }
         tokens
     }

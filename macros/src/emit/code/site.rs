@@ -65,7 +65,8 @@ impl<'a> Site<'a> {
 
     /// The type of the unknown reactions, if there are any.
     pub fn reactions_type(&self) -> TokenStream {
-        let is_there = !self.outline.reactions.is_empty();
+        let outline = self.outline;
+        let is_there = !outline.reactions.is_empty() || !outline.holding.is_empty();
         is_there
             .then(|| self.own_type("Reactions"))
             .unwrap_or(quote!(()))

@@ -80,6 +80,7 @@ pub fn outline(
         motion,
         is_system: false,
         joints: Vec::new(),
+        bodies: Vec::new(),
         holding: Vec::new(),
         held: None,
         points: Vec::new(),

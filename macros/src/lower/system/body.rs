@@ -196,6 +196,7 @@ impl<'a> Reader<'a> {
             mass: mass.known()?,
             inertia: inertia?,
             loads: loads.into_iter().collect::<Option<_>>()?,
+            weights: Vec::new(),
         })
     }
 }
@@ -226,7 +227,8 @@ pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member], fields: usize
         if falls.iter().all(|other| other.as_ref() == Some(fall)) {
             gravity = work.graph.add_vectors(gravity, *fall);
             for body in &mut *bodies {
-                body.loads.remove(field);
+                let weight = body.loads.remove(field);
+                body.weights.insert(0, weight);
             }
         }
     }

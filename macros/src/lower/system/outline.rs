@@ -19,6 +19,10 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     outline.body_keys.clone_from(&system.keys);
     outline.held.clone_from(&system.held);
     let mut seen = HashSet::new();
+    let bodies = system.bodies.iter().map(|body| body.name.clone());
+    outline.bodies = bodies
+        .filter(|name| seen.insert(format!("body {name}")))
+        .collect();
     let points = system.points.iter().filter_map(name_of_point);
     let points = points.filter(|name| seen.insert(format!("point {name}")));
     outline.points = points.collect();

@@ -39,7 +39,7 @@ pub fn derive_system_inverse(
 }
 
 /// The symbols of the accelerations of a joint, by its freedoms.
-fn given_accelerations(joint: &TreeJoint) -> Vec<Id> {
+pub fn given_accelerations(joint: &TreeJoint) -> Vec<Id> {
     let second = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
     let parts = second
         .flat_map(|field| (0..field.names.len()).map(|part| (field.variable, field.first + part)));
@@ -56,6 +56,16 @@ fn loads(
     tree: &Tree,
     accelerations: &[Vec<Id>],
 ) -> Vec<Pair> {
+    let by_link = by_link(equations, tree, accelerations);
+    tree::joint_loads(&mut work.graph, tree, &by_link)
+}
+
+/// The accelerations of the joints, link by link.
+pub fn by_link(
+    equations: &SystemEquations,
+    tree: &Tree,
+    accelerations: &[Vec<Id>],
+) -> Vec<Vec<Id>> {
     let mut by_link: Vec<Vec<Id>> = Vec::new();
     for (links, joint) in equations.built.links.iter().zip(accelerations) {
         let mut rest = joint.iter().copied();
@@ -64,7 +74,7 @@ fn loads(
             by_link.push(rest.by_ref().take(count).collect());
         }
     }
-    tree::joint_loads(&mut work.graph, tree, &by_link)
+    by_link
 }
 
 /// Force and moment of each joint on the body that it carries, at its point there, world axes, drives

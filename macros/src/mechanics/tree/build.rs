@@ -1,6 +1,6 @@
 //! From the bodies and joints of a system to the links of a tree.
 
-use crate::model::{Member, Part, Rates, System, TreeJoint, Variable, Vector, Workspace};
+use crate::model::{Load, Member, Part, Rates, System, TreeJoint, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Function, Id};
 
 use super::link::{Freedom, Link, Tree};
@@ -50,7 +50,7 @@ pub fn build(system: &System, work: &mut Workspace) -> Built {
             name: body.name.to_string(),
         };
         making.joint(system.is_planar);
-        let (force, moment) = wrench(work, body, joint.pin);
+        let (force, moment) = wrench(work, body, &body.loads, joint.pin);
         let center = work.graph.negate_vector(joint.pin);
         let rows = body.inertia.rows(&mut work.graph);
         let properties = Properties::of_body(&mut work.graph, body.mass, center, &rows);
@@ -62,16 +62,21 @@ pub fn build(system: &System, work: &mut Workspace) -> Built {
     built
 }
 
-/// The loads on a body, about its joint, in its axes.
-fn wrench(work: &mut Workspace, body: &Member, pin: Components) -> (Components, Components) {
+/// Loads on a body, about a point of it, in its axes.
+pub fn wrench<'l>(
+    work: &mut Workspace,
+    body: &Member,
+    loads: impl IntoIterator<Item = &'l Load>,
+    pin: Components,
+) -> (Components, Components) {
     let frame = body.state.body;
     let pin = work.vector(frame, pin);
     let (mut force, mut moment) = (Vector::ZERO, Vector::ZERO);
-    for load in &body.loads {
+    for load in loads {
         force = work.add(force, load.force);
         moment = work.add(moment, load.moment);
         if !load.force.is_zero() {
-            // from the joint to where the force acts
+            // from the point to where the force acts
             let arm = if let Some(offset) = load.point.offset(frame) {
                 work.vector(frame, offset)
             } else {

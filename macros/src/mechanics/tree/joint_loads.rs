@@ -7,21 +7,28 @@ use super::bias::Moving;
 use super::link::{Link, Tree};
 use super::pair::Pair;
 
-/// The force and the moment of each joint on what it carries, about the origin of the link, in its
-/// axes, when the freedoms accelerate so, link by link.
-pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Pair> {
+/// The motions of all links, when the freedoms accelerate so, link by link.
+pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Moving> {
     let ground = Moving::ground(graph, tree.gravity);
     let mut motions: Vec<Moving> = Vec::new();
-    let mut loads: Vec<Pair> = Vec::new();
     for (link, rates) in tree.links.iter().zip(accelerations) {
         let carrier = link.carrier.map_or(ground, |carrier| motions[carrier]);
-        let moving = carrier
-            .carried(graph, link)
-            .accelerated(graph, tree, link, rates);
-        let taken = moving.taken_by(graph, link);
-        loads.push(taken.minus(graph, link.load()));
-        motions.push(moving);
+        let moving = carrier.carried(graph, link);
+        motions.push(moving.accelerated(graph, tree, link, rates));
     }
+    motions
+}
+
+/// The force and the moment of each joint on what it carries, about the origin of the link, in its
+/// axes, when the freedoms accelerate so.
+pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Pair> {
+    let motions = motions(graph, tree, accelerations);
+    let links = tree.links.iter().zip(&motions);
+    let taken = links.map(|(link, moving)| {
+        let taken = moving.taken_by(graph, link);
+        taken.minus(graph, link.load())
+    });
+    let mut loads: Vec<Pair> = taken.collect();
     for (index, link) in tree.links.iter().enumerate().rev() {
         loads[index] = loads[index].quantities(graph);
         if let Some(carrier) = link.carrier {

@@ -18,8 +18,9 @@ mod reductions;
 mod regrouping;
 pub mod turning;
 
-pub use build::{Built, build};
-pub use joint_loads::{in_world, joint_loads};
+pub use bias::Moving;
+pub use build::{Built, build, wrench};
+pub use joint_loads::{in_world, joint_loads, motions};
 pub use link::Tree;
 pub use mass_matrix::MassMatrix;
 pub use pair::Pair;

@@ -27,6 +27,8 @@ pub struct Outline {
     pub motion: Motion,
     /// It is a system, and not a body alone.
     pub is_system: bool,
+    /// Of a system: its bodies.
+    pub bodies: Vec<Ident>,
     /// Of a system: its joints that move, each a field of its state.
     pub joints: Vec<Jointed>,
     /// Of a system: the joints that hold what they carry, in some direction.

@@ -38,6 +38,8 @@ pub struct Member {
     pub inertia: Inertia,
     /// All but gravity.
     pub loads: Vec<Load>,
+    /// The fields that make up gravity.
+    pub weights: Vec<Load>,
 }
 
 /// A joint between a body and one before it, or the ground.

@@ -1,16 +1,16 @@
 //! `balance`: the balances as they are written, given loads, resultants and residuals.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::Literal;
 use quote::quote;
 
-use crate::emit::code::{COMMON, Method, Site, Source, Writer};
+use crate::emit::code::{COMMON, Method, Site, Source};
 use crate::emit::items::Addition;
-use crate::families::Family;
 use crate::lower::Offer;
-use crate::mechanics::{self, LoadExpressions, Resultant, derive_balance};
+use crate::mechanics::{self, Resultant, derive_balance};
 use crate::symbolic::Id;
 
 use crate::model::Model;
+use crate::outputs::loads::{list_loads, load_parts};
 use crate::outputs::output::{Basis, Output};
 
 const OFFER: Offer = Offer {
@@ -53,7 +53,10 @@ impl Output<Model> for Balance {
             wrench(|balance| &balance.residual),
         );
         let loads = site.method(self.0.as_ref(), |writer, balance| {
-            write_loads(writer, &balance.loads)
+            let parts = load_parts(shapes, &balance.loads);
+            Method::write(writer, &parts, |values| {
+                list_loads(shapes, &balance.loads, values)
+            })
         });
         let (wrench, load) = (shapes.wrench_type(), shapes.load_type());
         let count = Literal::usize_unsuffixed(site.outline.loads);
@@ -73,34 +76,4 @@ impl Output<Model> for Balance {
         let types = quote!(type Wrench = #wrench; type Reactions = #reactions; type Loads = #list;);
         Addition::implement(site, "Balance", [types, quote!()], &methods)
     }
-}
-
-/// `[Load { name, family, force, point, moment }, ..]`
-fn write_loads(writer: &Writer<'_>, loads: &[LoadExpressions]) -> Method {
-    let shapes = &writer.shapes;
-    let parts = |load: &LoadExpressions| {
-        let (force, point, moment) = (
-            shapes.vector_part(&load.force),
-            shapes.vector_part(&load.point),
-            shapes.moment_part(&load.moment),
-        );
-        [force, point, moment].concat()
-    };
-    let outputs: Vec<Id> = loads.iter().flat_map(parts).collect();
-    let (private, kind) = (&shapes.private, shapes.load_type());
-    Method::write(writer, &outputs, |values| {
-        let loads = loads.iter().map(|load| {
-            let name = &load.name;
-            let family = match load.family {
-                Family::Reaction => quote!(Reaction),
-                Family::Joint => quote!(Joint),
-                Family::External => quote!(External),
-                Family::Field => quote!(Field),
-            };
-            let (force, point, moment) = (shapes.vector(values), shapes.vector(values), shapes.moment(values));
-            quote!(#kind { name: #name, family: #private::Family::#family, force: #force, point: #point, moment: #moment })
-        });
-        let loads: Vec<TokenStream> = loads.collect();
-        quote!([#(#loads),*])
-    })
 }

@@ -11,6 +11,8 @@ pub struct ByName {
     pub suffix: &'static str,
     pub doc: String,
     pub fields: Vec<(Ident, TokenStream)>,
+    /// Whether its fields have defaults.
+    pub has_default: bool,
 }
 
 impl ByName {
@@ -24,6 +26,7 @@ impl ByName {
     fn declared(&self, site: &Site<'_>) -> TokenStream {
         let (name, doc) = (self.name(site), &self.doc);
         let declared = site.shapes.scalar.declared();
+        let default = self.has_default.then(|| quote!(Default,));
         let lints = lints(self.fields.iter().map(|(name, _)| name));
         let fields = self.fields.iter().map(|(name, kind)| {
             let doc = format!(" `{name}`");
@@ -32,7 +35,7 @@ impl ByName {
         quote! {
             #[doc = #doc]
             #lints
-            #[derive(Clone, Copy, Debug, Default, PartialEq)]
+            #[derive(Clone, Copy, Debug, #default PartialEq)]
             pub struct #name #declared { #(#fields),* }
         }
     }

@@ -66,6 +66,7 @@ impl Output<System> for Inverse {
                 .into_iter()
                 .map(|name| (name, scalar.clone()))
                 .collect(),
+            has_default: true,
         };
         let method = site.method(self.0.as_ref(), |writer, drives| {
             let loads: Vec<Id> = drives.iter().map(|(_, load)| *load).collect();

@@ -48,6 +48,7 @@ impl Output<System> for Jacobian {
                 outline.name
             ),
             fields: points.map(|point| (point.clone(), kind.clone())).collect(),
+            has_default: true,
         };
         let method = site.method(self.0.as_ref(), |writer, points| {
             let columns = points.iter().flatten();

@@ -1,5 +1,6 @@
 //! The outputs of a system. One that is new is a file, and a line in the list.
 
+mod balance;
 mod by_name;
 mod inverse;
 mod jacobian;
@@ -18,6 +19,7 @@ impl Listed for System {
         vec![
             Box::<Energy>::default(),
             Box::<Momentum>::default(),
+            Box::<balance::Balance>::default(),
             Box::<reactions::Reactions>::default(),
             Box::<inverse::Inverse>::default(),
             Box::<mass_matrix::MassMatrix>::default(),

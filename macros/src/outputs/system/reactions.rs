@@ -77,17 +77,7 @@ impl Output<System> for Reactions {
 
     fn emit(&self, site: &Site<'_>) -> Addition {
         let (shapes, outline) = (&site.shapes, site.outline);
-        let (wrench, scalar) = (shapes.wrench_type(), shapes.scalar.kind());
-        let wrenches = held(outline).map(|name| (name.clone(), wrench.clone()));
-        let drives = driving_of(outline).map(|(_, name)| (name.clone(), scalar.clone()));
-        let by_name = ByName {
-            suffix: "Reactions",
-            doc: format!(
-                " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
-                outline.name
-            ),
-            fields: wrenches.chain(drives).collect(),
-        };
+        let by_name = reactions_by_name(site);
         let count = held(outline).count();
         let method = site.method(self.0.as_ref(), |writer, carried| {
             let wrenches = carried.wrenches.iter();
@@ -110,6 +100,23 @@ impl Output<System> for Reactions {
         let types = quote!(type Reactions = #kind;);
         let addition = Addition::implement(site, "Reactions", [types, quote!()], &methods);
         by_name.beside(site, addition)
+    }
+}
+
+/// The struct that holds them.
+pub fn reactions_by_name(site: &Site<'_>) -> ByName {
+    let (shapes, outline) = (&site.shapes, site.outline);
+    let (wrench, scalar) = (shapes.wrench_type(), shapes.scalar.kind());
+    let wrenches = held(outline).map(|name| (name.clone(), wrench.clone()));
+    let drives = driving_of(outline).map(|(_, name)| (name.clone(), scalar.clone()));
+    ByName {
+        suffix: "Reactions",
+        doc: format!(
+            " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
+            outline.name
+        ),
+        fields: wrenches.chain(drives).collect(),
+        has_default: true,
     }
 }
 

@@ -267,7 +267,9 @@ where
     /// The state at the end \[s\].
     ///
     /// # Errors
-    /// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers.
+    /// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers; or where
+    /// the motion is driven to and fro about a place where its equations jump, by some hundred
+    /// thousand steps that are ever so short, as by friction along `velocity.normalize()` at rest.
     pub fn to(self, end: f64) -> Result<B::State, IntegrationError<B::State>> {
         let mut course = self.course(end);
         course.seek(end)?;

@@ -12,6 +12,9 @@ use crate::taylor::{Taylor, increment};
 
 /// How much shorter a step is than those before it, where the motion may not be smooth.
 const SUDDEN: f64 = 1.0 / 8.0;
+/// After how many steps a motion is looked at, whether it chatters; where it does, each costs about
+/// four of DOP853 or more.
+pub(super) const LOOK: u32 = 1 << 16;
 /// How much longer a crossing may be than the one before.
 const GROW: f64 = 6.0;
 
@@ -66,6 +69,33 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
                 }
             }
         }
+    }
+
+    /// Looks, every now and then, whether the motion chatters.
+    #[inline(always)]
+    pub(super) fn look(
+        &mut self,
+        rest: f64,
+        input: &B::Input,
+        tolerance: f64,
+    ) -> Result<(), IntegrationError<B::State>> {
+        if !self.watch.is_due() {
+            return Ok(());
+        }
+        let equations = Seen {
+            equations: Equations {
+                body: &self.within,
+                input,
+            },
+            axes: &self.axes,
+        };
+        let chatters = self
+            .watch
+            .chatters(&equations, &self.now, rest > 0.0, tolerance);
+        chatters.map_or(Ok(()), |step| {
+            let (time, state) = (self.now.time, self.state());
+            Err(IntegrationError::StepTooSmall { time, state, step })
+        })
     }
 
     /// Takes a step, to a time if it is known, if the equations agree to it; or says after what

@@ -127,7 +127,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>> Heun<'_, E> {
         let (mut taken, mut length, mut jumps) = (0, 0.0, 0);
         for _ in 0..TRIES {
             let later = self.rates(time + step, &plus(&here, step, &rates));
-            let error = 0.5 * self.error(step, [&rates, &later], &here);
+            let error = 0.5 * Self::error(step, [&rates, &later], &here);
             // what is not a number is an error
             if error.is_nan() || error > self.tolerance {
                 step *= 0.5;
@@ -155,12 +155,12 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>> Heun<'_, E> {
     /// Whether a step \[s\] goes wrong for rates that differ from state to state.
     fn is_over_jump(&self, step: f64, rates: [&Array<E>; 2], here: &Array<E>) -> bool {
         let whole = relative_size::<E::State>(rates[1], here) * step.abs();
-        let error = self.error(step, rates, here);
+        let error = Self::error(step, rates, here);
         error >= SHARE * self.tolerance && error >= LEAST * whole
     }
 
     /// What the difference of two rates makes in a step \[s\], beside a state.
-    fn error(&self, step: f64, [one, other]: [&Array<E>; 2], beside: &Array<E>) -> f64 {
+    fn error(step: f64, [one, other]: [&Array<E>; 2], beside: &Array<E>) -> f64 {
         let difference = plus(other, -1.0, one);
         if difference.as_ref().iter().any(|part| part.is_nan()) {
             return f64::NAN;

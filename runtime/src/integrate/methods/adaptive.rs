@@ -5,7 +5,7 @@ use core::fmt;
 use super::runge_kutta::{DormandPrince8, runge_kutta_step};
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
-use crate::integrate::steps::chatter::Watch;
+use crate::integrate::steps::chatter::{LOOK, Watch};
 use crate::integrate::steps::equations::{Equations, Rates};
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
@@ -18,8 +18,6 @@ use crate::state::Coordinates;
 const SAFETY: f64 = 0.9;
 pub(super) const SHRINK: f64 = 1.0 / 3.0;
 const GROW: f64 = 6.0;
-/// After how many steps a motion is looked at, whether it chatters.
-const LOOK: u32 = 1 << 18;
 
 /// DOP853: [`DormandPrince8`] with steps as long as the tolerance permits.
 ///
@@ -109,10 +107,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
             input,
         };
         if self.watch.is_due() {
-            let forwards = end >= self.now.time;
+            let rest = self.now.rest(end);
             let chatters = self
                 .watch
-                .chatters(&equations, &self.now, forwards, self.tolerance);
+                .chatters(&equations, &self.now, rest, self.tolerance);
             if let Some(step) = chatters {
                 return Err(self.now.step_too_small(step));
             }
@@ -163,6 +161,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
             permitted = step.abs() * factor;
             longest = 1.0;
         }
+    }
+
+    fn heads_for(&mut self, end: f64) {
+        self.watch.heads_for(end);
     }
 
     fn enter(&mut self, stretch: Stretch) {

@@ -9,10 +9,12 @@
 //!
 //! What tells is how the length of steps goes with the tolerance. By a method of order p it goes
 //! with the power 1 / (p + 1) where the equations are smooth, not at all where they are stiff, and
-//! in proportion where they jump. So every now and then the motion is followed for a
-//! little way by a method of order one, with its tolerance and with a finer one. Where steps are
-//! short in proportion, for jumps that the change of the state makes and not that of time, and no
-//! step since the last look was much longer, all of them were spent there.
+//! in proportion where they jump. So where many steps are behind, and with steps as long as the
+//! longest of these many more are ahead, the motion is followed for a little way by a method of
+//! order one, with its tolerance and with a finer one. Where steps are short in proportion, for
+//! jumps that the change of the state makes and not that of time, and no step since the last look
+//! was much longer, all of them were spent there. A motion whose end is near in steps is never
+//! looked at: it comes to its end.
 
 use super::equations::Rates;
 use super::point::Point;
@@ -41,6 +43,11 @@ const LEAST: f64 = 1.0 / 1_048_576.0;
 /// How often steps are tried, at most.
 const TRIES: usize = 8 * (LEADING + SEEN);
 
+/// After how many steps of DOP853 a motion is looked at.
+pub(in crate::integrate) const LOOK: u32 = 1 << 18;
+/// How many steps are ahead, at least, of a motion that is looked at.
+const AHEAD: f64 = 4_194_304.0; // 2²²
+
 /// The steps of a motion since it was looked at last.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Watch {
@@ -48,6 +55,8 @@ pub(in crate::integrate) struct Watch {
     /// After how many steps it is looked at.
     period: u32,
     longest: f64,
+    /// Where the motion is to end \[s\], if that is known.
+    end: f64,
 }
 
 impl Watch {
@@ -57,7 +66,13 @@ impl Watch {
             steps: 0,
             period,
             longest: 0.0,
+            end: f64::NAN,
         }
+    }
+
+    /// Hears where the motion is to end \[s\].
+    pub(in crate::integrate) fn heads_for(&mut self, end: f64) {
+        self.end = end;
     }
 
     /// Hears of a step \[s\]; one that is cut short counts for its length only.
@@ -73,28 +88,30 @@ impl Watch {
         self.steps >= self.period
     }
 
-    /// Looks at the motion: the step \[s\] that jumps of its equations leave it, if it chatters.
+    /// Looks at the motion, which goes on for `rest` \[s\] at least: the step \[s\] that jumps of
+    /// its equations leave it, if it chatters and comes to no end.
     #[cold]
     #[inline(never)]
     pub(in crate::integrate) fn chatters<E: Rates<State: Coordinates<Scalar = f64>>>(
         &mut self,
         equations: &E,
         now: &Point<E::State>,
-        forwards: bool,
+        rest: f64,
         tolerance: f64,
     ) -> Option<f64> {
-        let Self {
-            period, longest, ..
-        } = *self;
-        *self = Self::every(period);
-        let first = if forwards { longest } else { -longest };
+        let longest = self.longest;
+        (self.steps, self.longest) = (0, 0.0);
+        let ahead = larger((self.end - now.time).abs(), rest.abs());
+        if ahead < AHEAD * longest {
+            return None;
+        }
         let coarse = larger(tolerance, COARSEST);
         let [way, finer] = [coarse, FINER * coarse].map(|tolerance| {
             let heun = Heun {
                 equations,
                 tolerance,
             };
-            heun.follow(now, first)
+            heun.follow(now, longest.copysign(rest))
         });
         let (way, finer) = (way?, finer?);
         let is_for_jumps = finer.jumps >= JUMPS && finer.step.abs() <= SHORTER * way.step.abs();

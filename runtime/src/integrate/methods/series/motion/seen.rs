@@ -12,9 +12,6 @@ use crate::taylor::{Taylor, increment};
 
 /// How much shorter a step is than those before it, where the motion may not be smooth.
 const SUDDEN: f64 = 1.0 / 8.0;
-/// After how many steps a motion is looked at, whether it chatters; where it does, each costs about
-/// four of DOP853 or more.
-pub(super) const LOOK: u32 = 1 << 16;
 /// How much longer a crossing may be than the one before.
 const GROW: f64 = 6.0;
 
@@ -89,9 +86,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
             },
             axes: &self.axes,
         };
-        let chatters = self
-            .watch
-            .chatters(&equations, &self.now, rest > 0.0, tolerance);
+        let chatters = self.watch.chatters(&equations, &self.now, rest, tolerance);
         chatters.map_or(Ok(()), |step| {
             let (time, state) = (self.now.time, self.state());
             Err(IntegrationError::StepTooSmall { time, state, step })

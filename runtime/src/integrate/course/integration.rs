@@ -267,7 +267,11 @@ where
     /// The state at the end \[s\].
     ///
     /// # Errors
-    /// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers.
+    /// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers; or where
+    /// the motion is driven to and fro about a place where its equations jump, by steps that are
+    /// ever so short, as by friction along `velocity.normalize()` at rest: after some hundred
+    /// thousand of these, if millions are ahead. End such a motion by an
+    /// [event](Self::events), or write friction that is smooth: `(v / eps).tanh()`.
     pub fn to(self, end: f64) -> Result<B::State, IntegrationError<B::State>> {
         let mut course = self.course(end);
         course.seek(end)?;

@@ -82,8 +82,10 @@ where
         B: 'b,
     {
         let (time, state) = start;
+        let mut run = method.start(body, time, state);
+        run.heads_for(end);
         Self {
-            run: method.start(body, time, state),
+            run,
             control,
             input: B::Input::default(),
             given: None,

@@ -5,6 +5,7 @@ use core::fmt;
 use super::runge_kutta::{DormandPrince8, runge_kutta_step};
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
+use crate::integrate::steps::chatter::{LOOK, Watch};
 use crate::integrate::steps::equations::{Equations, Rates};
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
@@ -25,7 +26,8 @@ const GROW: f64 = 6.0;
 /// time](crate::rigid_body#conditions-on-time). A smooth load that acts for a short time only,
 /// after a long time of rest, may lie between the twelve places where a step looks: say where, by
 /// [`breaks`](crate::integrate::Integration::breaks) or
-/// [`max_step`](crate::integrate::Integration::max_step). Between the ends of a step, states are
+/// [`max_step`](crate::integrate::Integration::max_step). A motion that is driven back and forth
+/// over a jump ends with [`IntegrationError::StepTooSmall`]. Between the ends of a step, states are
 /// those of a shorter step from its start, where nothing switches of the same accuracy as the end.
 ///
 /// E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition,
@@ -57,6 +59,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for DormandPrince
             before: (time, now.coordinates),
             now,
             next: None,
+            watch: Watch::every(LOOK),
         }
     }
 }
@@ -70,6 +73,7 @@ pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>> {
     before: (f64, <B::State as Coordinates>::Array),
     /// How long the next step may be.
     next: Option<f64>,
+    watch: Watch,
 }
 
 impl<B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug for AdaptiveRun<'_, B> {
@@ -102,6 +106,15 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
             body: &self.within,
             input,
         };
+        if self.watch.is_due() {
+            let rest = self.now.rest(end);
+            let chatters = self
+                .watch
+                .chatters(&equations, &self.now, rest, self.tolerance);
+            if let Some(step) = chatters {
+                return Err(self.now.step_too_small(step));
+            }
+        }
         self.before = (self.now.time, self.now.coordinates);
         let (time, rest) = (self.now.time, self.now.rest(end));
         let mut permitted = match self.next {
@@ -139,6 +152,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
                     self.now.advance(change, step)
                 };
                 return if is_finite {
+                    self.watch.saw(step, is_last);
                     Ok(())
                 } else {
                     Err(self.now.not_finite())
@@ -147,6 +161,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
             permitted = step.abs() * factor;
             longest = 1.0;
         }
+    }
+
+    fn heads_for(&mut self, end: f64) {
+        self.watch.heads_for(end);
     }
 
     fn enter(&mut self, stretch: Stretch) {

@@ -152,6 +152,10 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
         }
     }
 
+    fn heads_for(&mut self, end: f64) {
+        self.run.heads_for(end);
+    }
+
     /// Constraints may contain inputs.
     fn renew(&mut self) {
         self.run.renew();

@@ -24,7 +24,9 @@ pub enum IntegrationError<S> {
     },
     /// The step that is asked for is lost in the rounding of time, or no number: a singularity is
     /// near, the tolerance is below what doubles can hold, or a step or period that was given is
-    /// not positive.
+    /// not positive. Or it is so short that it comes to no end: the equations jump, and drive the
+    /// motion back from both sides of the jump, as friction along `velocity.normalize()` does
+    /// where a point comes to rest.
     StepTooSmall {
         /// \[s\]
         time: f64,
@@ -114,7 +116,7 @@ impl<S> fmt::Display for IntegrationError<S> {
             }
             Self::StepTooSmall { time, step, .. } => write!(
                 f,
-                "at {time} s the step or period is {step:e} s, which is not positive or lost in rounding"
+                "at {time} s the step or period is {step:e} s, which is not positive, lost in rounding, or too short to come to an end"
             ),
             Self::StepTooLong { time, step, .. } => write!(
                 f,

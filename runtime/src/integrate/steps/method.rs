@@ -49,6 +49,9 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     /// The state within the step taken last, which was under this input.
     fn within(&self, time: f64, input: &B::Input) -> B::State;
 
+    /// Hears where the motion is to end \[s\], before its first step.
+    fn heads_for(&mut self, _end: f64) {}
+
     /// Hears that the input of the next step is another than that of the last.
     fn renew(&mut self) {}
 

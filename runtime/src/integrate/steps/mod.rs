@@ -2,6 +2,7 @@
 //! a step.
 
 pub mod agreement;
+pub mod chatter;
 pub mod equations;
 pub mod error;
 pub mod event;

@@ -117,6 +117,10 @@ impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
         with!(&self.motion, motion => motion.taken(self.start, self.length).at(time))
     }
 
+    fn heads_for(&mut self, end: f64) {
+        with!(&mut self.motion, motion => motion.heads_for(end));
+    }
+
     fn renew(&mut self) {
         with!(&mut self.motion, motion => motion.renew());
     }

@@ -43,8 +43,10 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
             let (time, state) = (self.now.time, self.state());
             return Err(IntegrationError::not_finite(time, state));
         }
-        self.expand(input);
         let (time, tolerance) = (self.now.time, finest(tolerance));
+        self.look(rest, input, tolerance)?;
+        self.expand(input);
+        let until = end;
         let end = match self.doubt {
             Some(doubt) if (doubt - time) * rest > 0.0 && (doubt - end) * rest < 0.0 => doubt,
             _ => end,
@@ -59,6 +61,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
             Some(step) => step,
             None => self.follow(permitted, end, input, (tolerance, is_held && self.goes_on))?,
         };
+        self.watch.saw(step, self.now.time == until);
         Ok(Some(self.taken(time, step)))
     }
 

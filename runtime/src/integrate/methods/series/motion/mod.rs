@@ -29,6 +29,7 @@
 use core::fmt;
 
 use crate::bodies::switches::Stretch;
+use crate::integrate::steps::chatter::{LOOK, Watch};
 use crate::integrate::steps::point::Point;
 use crate::integrate::steps::step::Step;
 use crate::integrate::steps::stretch::Within;
@@ -89,6 +90,7 @@ pub struct Motion<'b, B: Taylor, const N: usize> {
     is_crossing: bool,
     /// Whether each step goes on from where the last one ended.
     goes_on: bool,
+    watch: Watch,
 }
 
 impl<B: Taylor, const N: usize> fmt::Debug for Motion<'_, B, N> {
@@ -122,11 +124,17 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             crossing: [<B::State as Coordinates>::Array::default(); crossing::ROWS],
             is_crossing: false,
             goes_on: true,
+            // where motions chatter, each step costs about four of DOP853
+            watch: Watch::every(LOOK / 4),
         }
     }
 
     pub(super) fn body(&self) -> &'b B {
         self.within.body
+    }
+
+    pub(super) fn heads_for(&mut self, end: f64) {
+        self.watch.heads_for(end);
     }
 
     pub(super) fn enter(&mut self, stretch: Stretch) {

@@ -68,6 +68,31 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         }
     }
 
+    /// Looks, every now and then, whether the motion chatters.
+    #[inline(always)]
+    pub(super) fn look(
+        &mut self,
+        rest: f64,
+        input: &B::Input,
+        tolerance: f64,
+    ) -> Result<(), IntegrationError<B::State>> {
+        if !self.watch.is_due() {
+            return Ok(());
+        }
+        let equations = Seen {
+            equations: Equations {
+                body: &self.within,
+                input,
+            },
+            axes: &self.axes,
+        };
+        let chatters = self.watch.chatters(&equations, &self.now, rest, tolerance);
+        chatters.map_or(Ok(()), |step| {
+            let (time, state) = (self.now.time, self.state());
+            Err(IntegrationError::StepTooSmall { time, state, step })
+        })
+    }
+
     /// Takes a step, to a time if it is known, if the equations agree to it; or says after what
     /// time \[s\] they do not. One that is longer than those before it is looked at throughout. A
     /// step that `goes_on` is held against the rates of the next one.

@@ -20,3 +20,4 @@ mod references;
 mod series;
 mod shapes;
 mod spatial;
+mod unequal;

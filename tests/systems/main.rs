@@ -10,6 +10,7 @@ mod described;
 mod driven;
 mod large;
 mod laws;
+mod loops;
 mod matrices;
 mod oracle;
 mod params;

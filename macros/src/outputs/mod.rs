@@ -2,6 +2,7 @@
 //! it documents. What both one body and a system have is here, the rest in a wing of each.
 
 mod body;
+mod constrained;
 mod energy;
 mod loads;
 mod momentum;

@@ -3,9 +3,9 @@
 use crate::errors::{Errors, Extent};
 use crate::families::Family;
 use crate::mechanics::{
-    Energy, Equations, Momentum, SystemEquations, Taylor, derive_energy, derive_momentum,
-    derive_system_energy, derive_system_momentum, derive_system_taylor, derive_taylor,
-    uniform_field,
+    Consistency, Energy, Equations, Momentum, Reach, SystemEquations, Taylor, derive_energy,
+    derive_momentum, derive_reach, derive_system_consistency, derive_system_energy,
+    derive_system_momentum, derive_system_taylor, derive_taylor, uniform_field,
 };
 use crate::model::{Frame, Load, Model, System, Workspace};
 
@@ -19,6 +19,13 @@ pub trait Subject: Sized + 'static {
     fn fields_without_potential(&self, work: &Workspace) -> Vec<&Load>;
 
     fn momentum(&self, work: &mut Workspace) -> Momentum;
+
+    /// The constraints that the motion keeps, and how far rounding reaches in each.
+    fn constraints(
+        &self,
+        work: &mut Workspace,
+        equations: &Self::Equations,
+    ) -> Vec<(Consistency, Reach)>;
 
     /// The recurrences of series, if they exist.
     fn taylor(
@@ -44,6 +51,15 @@ impl Subject for Model {
 
     fn momentum(&self, work: &mut Workspace) -> Momentum {
         derive_momentum(self, work)
+    }
+
+    fn constraints(
+        &self,
+        work: &mut Workspace,
+        equations: &Equations,
+    ) -> Vec<(Consistency, Reach)> {
+        let reach = derive_reach(self, work, &equations.constraints);
+        equations.constraints.iter().cloned().zip(reach).collect()
     }
 
     fn taylor(
@@ -81,6 +97,14 @@ impl Subject for System {
 
     fn momentum(&self, work: &mut Workspace) -> Momentum {
         derive_system_momentum(self, work)
+    }
+
+    fn constraints(
+        &self,
+        work: &mut Workspace,
+        equations: &SystemEquations,
+    ) -> Vec<(Consistency, Reach)> {
+        derive_system_consistency(self, work, equations)
     }
 
     fn taylor(

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::families::LoadKind;
-use crate::model::{AXES, Field, Motion, Orientation, Outline, Pair, Shape};
+use crate::model::{AXES, Field, Motion, Orientation, Outline, Pair, Shape, Variable};
 use crate::symbolic::{Components, Id};
 
 use super::naming::local;
@@ -266,6 +266,15 @@ impl Shapes {
     /// velocities or at rest.
     pub fn moving_state(&self, values: &mut Values<'_>, moves: bool) -> TokenStream {
         let (kind, state) = (self.state_type(), local("state"));
+        if let Some((system, joints)) = &self.system {
+            let joints = joints.iter().map(|(joint, shape)| {
+                let rates = self.moving_joint(joint, shape, values, moves);
+                quote!(#joint: #rates)
+            });
+            let joints: Vec<TokenStream> = joints.collect();
+            let name = format_ident!("{system}State");
+            return quote!(#name { #(#joints),* });
+        }
         let field = |name: &str, value: TokenStream| {
             let name = format_ident!("{name}");
             let value = if moves {
@@ -291,6 +300,37 @@ impl Shapes {
             Orientation::Line => fields.extend(field("axis_rate", self.vector(values))),
         }
         quote!(#kind { #fields ..*#state })
+    }
+
+    /// `Hinge { angular_velocity: .., ..state.elbow }`
+    fn moving_joint(
+        &self,
+        joint: &Ident,
+        shape: &Shape,
+        values: &mut Values<'_>,
+        moves: bool,
+    ) -> TokenStream {
+        let (state, private) = (local("state"), &self.private);
+        let kind = format_ident!("{}", shape.state);
+        let rates = shape.fields.iter().filter(|field| {
+            matches!(
+                field.variable,
+                Variable::Velocity | Variable::AngularVelocity
+            )
+        });
+        let rates = rates.map(|field| {
+            let name = format_ident!("{}", field.path);
+            let parts = values.by_ref().take(field.names.len());
+            let value = match (moves, field.names.len()) {
+                (false, _) => quote!(::core::default::Default::default()),
+                (_, 1) => quote!(#(#parts)*),
+                (_, 2) => quote!(#private::Vector2::new(#(#parts),*)),
+                _ => quote!(#private::Vector3::new(#(#parts),*)),
+            };
+            quote!(#name: #value,)
+        });
+        let rates: TokenStream = rates.collect();
+        quote!(#private::generic::#kind { #rates ..#state.#joint })
     }
 
     pub fn wrench(&self, values: &mut Values<'_>) -> TokenStream {

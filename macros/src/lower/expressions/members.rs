@@ -63,6 +63,10 @@ impl Lowering<'_> {
             );
             return Some(self.report(name.span(), message));
         }
+        if joint.closes {
+            let message = format!("`{named}` closes a loop: the state has no coordinates of it");
+            return Some(self.report(name.span(), message));
+        }
         if !joint.is_known {
             return Some(None);
         }

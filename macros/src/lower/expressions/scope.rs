@@ -181,6 +181,8 @@ pub struct JointNames {
     pub values: Vec<(&'static str, Value)>,
     /// Whether anything is known of it.
     pub is_known: bool,
+    /// It closes a loop: the state has no coordinates of it.
+    pub closes: bool,
 }
 
 impl Members {

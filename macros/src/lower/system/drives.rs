@@ -175,6 +175,13 @@ impl Reader<'_> {
     fn check_joint(&self, name: &Ident, errors: &mut Errors) -> Option<()> {
         let mut joints = self.members.joints.iter();
         if let Some(known) = joints.find(|joint| *name == joint.name.as_str()) {
+            if known.closes {
+                let message = format!(
+                    "`{name}` closes a loop, and no drive acts on it: write it before the other joint of the \
+                     body that it carries, which then closes the loop"
+                );
+                errors.push(name.span(), message);
+            }
             return known.is_known.then_some(());
         }
         if self.scope.is_lost(&name.to_string()) {

@@ -119,6 +119,7 @@ impl Reader<'_> {
             name: joint.name.to_string(),
             values: Vec::new(),
             is_known: false,
+            closes: false,
         });
         let value = joint.value.as_ref()?;
         let kinds = JointKind::all(self.system.is_planar);

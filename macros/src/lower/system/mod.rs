@@ -5,6 +5,7 @@ mod asked;
 mod axes;
 mod between;
 mod body;
+mod closing;
 mod driven;
 mod drives;
 mod joints;
@@ -23,7 +24,8 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Members, Scope};
 use crate::model::{
-    Declared, Defaults, Meaning, Member, Outline, PLANAR, SPATIAL, System, TreeJoint, Workspace,
+    Closing, Declared, Defaults, Meaning, Member, Outline, PLANAR, SPATIAL, System, TreeJoint,
+    Workspace,
 };
 use crate::symbolic::{Components, Stage};
 use crate::syntax;
@@ -79,7 +81,8 @@ pub fn lower_system(
     }
     let joints = reader.joints(errors);
     reader.check_held(&joints, errors);
-    let order = reader.tree(&joints, errors);
+    let (order, closing) = reader.tree(&joints, errors);
+    let (closings, joints) = reader.closings(&closing, joints);
     let joints = reader.motions(order, joints, &mut drafts);
     reader.members.are_moving = true;
     reader.locals(errors, true);
@@ -99,7 +102,8 @@ pub fn lower_system(
         ..
     } = reader;
     let gravity = body::common_gravity(&mut work, &mut bodies, system.top.loads.len());
-    let bodies = carriers_first(bodies, &mut joints, &mut points)?;
+    let mut closings = closings;
+    let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
     let mut written = Vec::new();
     for known in &mut outline.joints {
         let place = joints.iter().position(|joint| joint.name == known.name);
@@ -111,6 +115,7 @@ pub fn lower_system(
         is_planar: system.is_planar,
         bodies,
         joints,
+        closings,
         written,
         points,
         gravity,
@@ -128,6 +133,7 @@ pub fn lower_system(
 fn carriers_first(
     bodies: Vec<Member>,
     joints: &mut [TreeJoint],
+    closings: &mut [Closing],
     points: &mut [(usize, Components)],
 ) -> Option<Vec<Member>> {
     let place = |body: usize| joints.iter().position(|joint| joint.carried == body);
@@ -138,6 +144,10 @@ fn carriers_first(
     for joint in joints {
         joint.carrier = joint.carrier.and_then(new);
         joint.carried = new(joint.carried)?;
+    }
+    for closing in closings {
+        closing.carrier = closing.carrier.and_then(new);
+        closing.carried = new(closing.carried)?;
     }
     for (body, _) in points {
         *body = new(*body)?;

@@ -11,7 +11,7 @@ use crate::syntax::{self, Definition, Expression, Kind};
 
 use super::driven::coordinates;
 use super::drives::behind;
-use super::joints::{call, kind_of};
+use super::joints::{call, first_name_of, kind_of};
 
 /// The joints that move are the fields of its state.
 pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
@@ -26,6 +26,7 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     let points = system.points.iter().filter_map(name_of_point);
     let points = points.filter(|name| seen.insert(format!("point {name}")));
     outline.points = points.collect();
+    let mut carried = HashSet::new();
     let joints = system.joints.iter();
     let joints = joints
         .filter(|joint| seen.insert(joint.name.to_string()))
@@ -33,6 +34,11 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
             let kind = likely_kind(joint, system.is_planar)?;
             if !kind.is_free() {
                 outline.holding.push(joint.name.clone());
+            }
+            let body = name_of_carried(joint, kind);
+            if body.is_some_and(|body| !carried.insert(body)) {
+                outline.is_constrained = true;
+                return None;
             }
             if is_driven(joint) {
                 outline.driving.extend(drives_of(&joint.name, kind));
@@ -58,6 +64,13 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
 fn is_driven(joint: &Definition) -> bool {
     let call = joint.value.as_ref().and_then(call);
     call.is_some_and(|(_, methods)| methods.iter().any(|(method, _)| *method == "driven"))
+}
+
+/// The body that a joint carries.
+fn name_of_carried(joint: &Definition, kind: &JointKind) -> Option<String> {
+    let ((_, arguments), _) = joint.value.as_ref().and_then(call)?;
+    let written = arguments.get(usize::from(!kind.is_free()))?;
+    first_name_of(written).map(ToString::to_string)
 }
 
 /// `crank_drive`, of a joint of several coordinates `gimbal_drive_angle_1`.

@@ -6,24 +6,36 @@ use super::joints::Written;
 use super::reader::Reader;
 
 impl Reader<'_> {
-    /// The joints in an order in which each carrier comes before what it carries.
-    pub fn tree(&self, joints: &[Option<Written>], errors: &mut Errors) -> Vec<usize> {
+    /// The joints in an order in which each carrier comes before what it carries, and those that close
+    /// loops: a body is carried by the first joint that is written of it.
+    pub fn tree(
+        &self,
+        joints: &[Option<Written>],
+        errors: &mut Errors,
+    ) -> (Vec<usize>, Vec<usize>) {
         let bodies = &self.system.bodies;
         let mut carried_by: Vec<Option<usize>> = vec![None; bodies.len()];
         let is_lost = self.system.has_lost_joints || self.system.has_lost_bodies;
+        let mut closing = Vec::new();
         let mut is_sound = joints.iter().all(Option::is_some) && !is_lost;
         for (index, joint) in joints.iter().enumerate() {
             let Some(joint) = joint else { continue };
             let body = &bodies[joint.carried].name;
             match carried_by[joint.carried].and_then(|other| joints[other].as_ref()) {
                 None => carried_by[joint.carried] = Some(index),
-                Some(other) => {
-                    is_sound = false;
-                    errors.push(
-                        joint.mention,
-                        format!("`{body}` is carried by `{}` already: another joint closes a loop, and this version has trees of bodies alone", other.name),
-                    );
-                }
+                Some(other) => match may_close(joint) {
+                    Ok(()) => closing.push(index),
+                    Err(reason) => {
+                        is_sound = false;
+                        errors.push(
+                            joint.mention,
+                            format!(
+                                "`{body}` is carried by `{}` already, and {reason}",
+                                other.name
+                            ),
+                        );
+                    }
+                },
             }
         }
         if bodies.is_empty() && errors.is_empty() {
@@ -60,7 +72,23 @@ impl Reader<'_> {
                 format!("`{name}` is carried by `{joint}` in a circle: one of the bodies in it is joined to the ground, or `free`"),
             );
         }
-        order
+        (order, closing)
+    }
+}
+
+/// Whether a joint may close a loop, or why not.
+fn may_close(joint: &Written) -> Result<(), &'static str> {
+    if joint.kind.is_free() {
+        Err("what is free has no other joint: leave one of both out")
+    } else if joint.kind.is_screw() {
+        Err("a screw cannot close a loop: write it before the other one, which then does")
+    } else if joint.driven.is_some() {
+        Err(
+            "a joint that closes a loop has no coordinates to prescribe: write it before the other one, \
+             which then closes the loop",
+        )
+    } else {
+        Ok(())
     }
 }
 

@@ -49,7 +49,7 @@ pub fn derive_system_balances(
         let (force, moment) = tree::wrench(work, body, loads(), zeros);
         let [force, moment] = [force, moment].map(|part| work.vector(body.state.body, part));
         let mut sums = [force, moment];
-        for (joint, [force, moment]) in system.joints.iter().zip(&carried) {
+        for (joint, [force, moment]) in &carried {
             let (on_it, is_carrier) = (joint.carried == number, joint.carrier == Some(number));
             if !on_it && !is_carrier {
                 continue;
@@ -83,14 +83,35 @@ pub fn derive_system_balances(
     all
 }
 
+/// Which bodies a joint is between, and where it is on the one that it carries.
+struct Between<'a> {
+    name: &'a Ident,
+    carrier: Option<usize>,
+    carried: usize,
+    pin: Components,
+}
+
 /// Force and moment of each joint on what it carries, as they are given, world axes.
-fn joint_loads(system: &System, work: &mut Workspace, holding: &[Ident]) -> Vec<[Vector; 2]> {
-    let joints = system.joints.iter().map(|joint| {
-        let place = holding.iter().position(|name| *name == joint.name);
-        let Some(place) = place else {
-            return [Vector::ZERO; 2];
-        };
-        [0, 1].map(|part| {
+fn joint_loads<'a>(
+    system: &'a System,
+    work: &mut Workspace,
+    holding: &[Ident],
+) -> Vec<(Between<'a>, [Vector; 2])> {
+    let joints = system.joints.iter().map(|joint| Between {
+        name: &joint.name,
+        carrier: joint.carrier,
+        carried: joint.carried,
+        pin: joint.pin,
+    });
+    let closings = system.closings.iter().map(|joint| Between {
+        name: &joint.name,
+        carrier: joint.carrier,
+        carried: joint.carried,
+        pin: joint.pin,
+    });
+    let loads = joints.chain(closings).filter_map(|joint| {
+        let place = holding.iter().position(|name| name == joint.name)?;
+        let load = [0, 1].map(|part| {
             let axes = match (part, system.is_planar) {
                 (0, true) => 0..2,
                 (_, true) => 2..3,
@@ -102,9 +123,10 @@ fn joint_loads(system: &System, work: &mut Workspace, holding: &[Ident]) -> Vec<
                 components[axis] = work.symbol(Stage::State, meaning);
             }
             work.vector(Frame::WORLD, components)
-        })
+        });
+        Some((joint, load))
     });
-    joints.collect()
+    loads.collect()
 }
 
 /// `m a_G` and `J w' + w x J w`: what its motion takes.

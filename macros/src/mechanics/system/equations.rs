@@ -1,11 +1,15 @@
 //! The equations of motion of a system, and what is told of it.
 
+use std::mem::take;
+
 use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
 use crate::mechanics::tree::link::Tree;
-use crate::mechanics::tree::{self, Built};
+use crate::mechanics::tree::{self, Built, Solved};
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
+
+use super::loops::{self, Closed};
 
 /// The equations of motion of a system.
 pub struct SystemEquations {
@@ -17,21 +21,31 @@ pub struct SystemEquations {
     /// With other origins and axes, and without what joints cannot tell.
     pub(super) reduced: Tree,
     pub(super) built: Built,
+    /// What closes loops, if there are any.
+    pub(super) closed: Option<Closed>,
 }
 
 /// Derives the equations of motion of a system.
 pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let built = tree::build(system, work);
-    let found = tree::derive_tree(&mut work.graph, &mut work.labels, &built.tree);
+    let (found, closed) = if system.closings.is_empty() {
+        let found = tree::derive_tree(&mut work.graph, &mut work.labels, &built.tree);
+        (found, None)
+    } else {
+        let mut closed = loops::close(system, work, &built);
+        let found = Solved {
+            accelerations: take(&mut closed.accelerations),
+            left_out: Vec::new(),
+            reduced: built.tree.clone(),
+        };
+        (found, Some(closed))
+    };
     let accelerations: Vec<Vec<Id>> = built
         .links
         .iter()
-        .map(|links| found.accelerations[links.clone()].concat())
-        .collect();
-    let accelerations: Vec<Vec<Id>> = accelerations
-        .into_iter()
-        .map(|joint| {
-            joint
+        .map(|links| {
+            let links = found.accelerations[links.clone()].concat();
+            links
                 .into_iter()
                 .map(|one| work.graph.result(one))
                 .collect()
@@ -55,6 +69,21 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         left_out: found.left_out,
         reduced: found.reduced,
         built,
+        closed,
+    }
+}
+
+impl SystemEquations {
+    /// The tree, with the loads of joints that close loops on its links.
+    pub(super) fn loaded(&self) -> &Tree {
+        let closed = self.closed.as_ref();
+        closed.map_or(&self.built.tree, |closed| &closed.loaded)
+    }
+
+    /// The joints that close loops whose loads are not determined, by number.
+    pub fn undetermined(&self) -> &[usize] {
+        let closed = self.closed.as_ref();
+        closed.map_or(&[], |closed| &closed.undetermined)
     }
 }
 
@@ -79,13 +108,22 @@ pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEqua
             name(joint.carried)
         )
     });
+    let closings = system.closings.iter().map(|joint| {
+        let carrier = joint.carrier.map_or("the ground".to_owned(), name);
+        format!(
+            "`{}`: {} from {carrier} to {}, closes a loop",
+            joint.name,
+            joint.kind.word,
+            name(joint.carried)
+        )
+    });
     let mut skipped = equations.left_out.clone();
     if !work.graph.is_zero_vector(&system.gravity) {
         skipped
             .push("the weight of each body: the ground accelerates against it instead".to_owned());
     }
     Report {
-        lists: vec![("Joints", joints.collect())],
+        lists: vec![("Joints", joints.chain(closings).collect())],
         skipped,
     }
 }

@@ -1,5 +1,7 @@
 //! What joints carry, and the drives that make them move as is given.
 
+use proc_macro2::Ident;
+
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Pair};
 use crate::model::{Rates, System, TreeJoint, Variable, Workspace};
@@ -78,30 +80,37 @@ pub fn by_link(
 }
 
 /// Force and moment of each joint on the body that it carries, at its point there, world axes, drives
-/// included.
+/// included; by name, those that close loops too.
 pub fn derive_system_reactions(
+    system: &System,
     work: &mut Workspace,
     equations: &SystemEquations,
-) -> Vec<[Components; 2]> {
-    let loads = loads(
-        work,
-        equations,
-        &equations.built.tree,
-        &equations.accelerations,
-    );
-    let built = &equations.built;
-    let reactions = (0..built.links.len()).map(|body| {
-        let link = built.body(body);
-        let load = tree::in_world(&mut work.graph, &built.tree.links, link, loads[link]);
-        [load.linear, load.angular]
+) -> Vec<(Ident, [Components; 2])> {
+    let tree = equations.loaded();
+    let loads = loads(work, equations, tree, &equations.accelerations);
+    let joints = system.joints.iter().enumerate().map(|(body, joint)| {
+        let link = equations.built.body(body);
+        let load = tree::in_world(&mut work.graph, &tree.links, link, loads[link]);
+        (joint.name.clone(), [load.linear, load.angular])
     });
-    reactions.collect()
+    let mut all: Vec<(Ident, [Components; 2])> = joints.collect();
+    let closed = equations.closed.iter().flat_map(|closed| &closed.wrenches);
+    for (closing, wrench) in system.closings.iter().zip(closed) {
+        let wrench = wrench.map(|part| part.map(|one| work.graph.result(one)));
+        all.push((closing.name.clone(), wrench));
+    }
+    all
 }
 
 /// The loads along the freedoms whose motion is prescribed, joint by joint: the drives that make it so.
 pub fn derive_system_driving(work: &mut Workspace, equations: &SystemEquations) -> Vec<Vec<Id>> {
     let built = &equations.built;
-    let loads = loads(work, equations, &built.tree, &equations.accelerations);
+    let loads = loads(
+        work,
+        equations,
+        equations.loaded(),
+        &equations.accelerations,
+    );
     let joints = built.links.iter().map(|links| {
         let links = links
             .clone()

@@ -1,10 +1,12 @@
 //! The mass matrix of a system, and what drives its freedoms.
 
-use crate::mechanics::tree::{MassMatrix, Tree};
+use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
 
 use super::equations::SystemEquations;
+use super::loops::moved_in_world;
+use super::rates::order;
 
 /// `M q'' = f`, in the order in which the state has its rates.
 pub struct Inertias {
@@ -19,24 +21,9 @@ pub fn derive_inertias(
     work: &mut Workspace,
     equations: &SystemEquations,
 ) -> Inertias {
-    let mut tree: Tree = equations.built.tree.clone();
-    for link in tree.links.iter_mut().filter(|link| link.is_free) {
-        // accelerations of G along world axes
-        link.is_free = false;
-        for freedom in &mut link.freedoms {
-            freedom.twist.linear = link.turning.to_link(&mut work.graph, freedom.twist.linear);
-        }
-    }
+    let tree = moved_in_world(work, &equations.built.tree);
     let found = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
-    let firsts = tree.links.iter().scan(0, |next, link| {
-        let first = *next;
-        *next += link.open().count();
-        Some(first..*next)
-    });
-    let firsts: Vec<_> = firsts.collect();
-    let written = system.written.iter();
-    let links = written.flat_map(|joint| equations.built.links[*joint].clone());
-    let order: Vec<usize> = links.flat_map(|link| firsts[link].clone()).collect();
+    let order = order(system, equations);
     let mut result = |id: Id| work.graph.result(id);
     Inertias {
         rows: order

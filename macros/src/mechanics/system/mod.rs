@@ -1,15 +1,18 @@
 //! The equations of a system, and what else is asked of it, from its tree of bodies.
 
 mod balance;
+mod consistency;
 mod equations;
 mod jacobian;
 mod loads;
+mod loops;
 mod matrix;
 mod rates;
 mod series;
 mod totals;
 
 pub use balance::{BodyBalance, derive_system_balances};
+pub use consistency::derive_system_consistency;
 pub use equations::{SystemEquations, derive_system, describe_system};
 pub use jacobian::{Jacobian, derive_jacobians};
 pub use loads::{derive_system_driving, derive_system_inverse, derive_system_reactions};

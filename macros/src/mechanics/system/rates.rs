@@ -3,6 +3,8 @@
 use crate::model::{System, TreeJoint, Variable};
 use crate::symbolic::Id;
 
+use super::equations::SystemEquations;
+
 /// Those of all joints that move.
 pub fn rates(system: &System) -> Vec<Id> {
     let joints = system.written.iter();
@@ -25,4 +27,18 @@ pub fn velocities(joint: &TreeJoint) -> Vec<Id> {
     parts
         .filter_map(|(variable, part)| joint.coordinates.get(variable, part))
         .collect()
+}
+
+/// The numbers of the open freedoms, link by link, in the order in which the state has their rates.
+pub fn order(system: &System, equations: &SystemEquations) -> Vec<usize> {
+    let built = &equations.built;
+    let firsts = built.tree.links.iter().scan(0, |next, link| {
+        let first = *next;
+        *next += link.open().count();
+        Some(first..*next)
+    });
+    let firsts: Vec<_> = firsts.collect();
+    let written = system.written.iter();
+    let links = written.flat_map(|joint| built.links[*joint].clone());
+    links.flat_map(|link| firsts[link].clone()).collect()
 }

@@ -21,7 +21,6 @@ pub mod turning;
 pub use bias::Moving;
 pub use build::{Built, build, wrench};
 pub use joint_loads::{in_world, joint_loads, motions};
-pub use link::Tree;
 pub use mass_matrix::MassMatrix;
 pub use pair::Pair;
-pub use recursion::derive_tree;
+pub use recursion::{Solved, derive_tree};

@@ -21,8 +21,8 @@ pub struct Consistency {
     pub position: Option<(Id, Id)>,
     /// `h`, and the size of what it is summed from.
     pub velocity: (Id, Id),
-    /// `M^-1 A^T`; the change of the axis of a rod is in the place of the angular one.
-    pub direction: Pair,
+    /// `M^-1 A^T`, in the order of the acceleration.
+    pub direction: Vec<Id>,
     /// The row of `S`.
     pub coupling: Vec<Id>,
 }
@@ -36,7 +36,7 @@ impl Consistency {
             .into_iter()
             .flat_map(|(value, size)| [value, size]);
         let own = [value, size].into_iter().chain(position);
-        own.chain(self.direction.entries())
+        own.chain(self.direction.iter().copied())
             .chain(self.coupling.iter().copied())
             .collect()
     }
@@ -74,12 +74,19 @@ pub fn derive_consistency(
             name: constraint.name.clone(),
             position,
             velocity,
-            direction: match model.state.axis {
-                Some(axis) => Pair {
-                    angular: turned_by(work, axis, directions[row].angular),
-                    ..directions[row]
-                },
-                None => directions[row],
+            direction: {
+                let Pair { linear, angular } = directions[row];
+                let angular = match model.state.axis {
+                    // the change of the axis of a rod is in the place of the angular one
+                    Some(axis) => turned_by(work, axis, angular),
+                    None => angular,
+                };
+                let motion = model.motion;
+                [
+                    &linear[motion.linear_axes()],
+                    &angular[motion.angular_axes()],
+                ]
+                .concat()
             },
             coupling,
         }
@@ -137,7 +144,7 @@ fn spread(model: &Model, work: &mut Workspace) -> Id {
 }
 
 /// The size of the terms that a value is summed from; of a product, of those of its factors.
-fn summed_size(graph: &mut Graph, value: Id) -> Id {
+pub fn summed_size(graph: &mut Graph, value: Id) -> Id {
     let (mut factors, mut sums, mut rest) = (vec![value], Vec::new(), graph.one());
     while let Some(factor) = factors.pop() {
         match *graph.node(factor) {

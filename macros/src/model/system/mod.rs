@@ -19,6 +19,8 @@ pub struct System {
     pub bodies: Vec<Member>,
     /// Each carrier before what it carries; the joint of a body has the number of the body.
     pub joints: Vec<TreeJoint>,
+    /// The joints that close loops.
+    pub closings: Vec<Closing>,
     /// The joints that move, by number, in the order in which the state has them.
     pub written: Vec<usize>,
     /// Points whose Jacobians are asked for: the body, and where on it, from its G, in its axes.
@@ -40,6 +42,23 @@ pub struct Member {
     pub loads: Vec<Load>,
     /// The fields that make up gravity.
     pub weights: Vec<Load>,
+}
+
+/// A joint between bodies that others carry already: it closes a loop.
+pub struct Closing {
+    pub name: Ident,
+    pub kind: &'static JointKind,
+    /// The body, or the ground, that would carry.
+    pub carrier: Option<usize>,
+    pub carried: usize,
+    /// Where it is on the carrier, and on the carried body, from G, in its axes; of the ground, in those
+    /// of the world.
+    pub place: Components,
+    pub pin: Components,
+    /// Unit vectors, in the axes of the carried body.
+    pub directions: Vec<Components>,
+    /// How the carried body is turned where the coordinates are zero: an axis and an angle.
+    pub turned: Option<(Components, Id)>,
 }
 
 /// A joint between a body and one before it, or the ground.

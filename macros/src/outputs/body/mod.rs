@@ -1,7 +1,6 @@
 //! The outputs of one body. One that is new is a file, and a line in one of two lists.
 
 mod balance;
-mod constrained;
 mod flow;
 mod inverse;
 mod reactions;
@@ -9,6 +8,7 @@ mod structured;
 
 use crate::model::Model;
 
+use super::constrained::Constrained;
 use super::energy::Energy;
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
@@ -31,7 +31,7 @@ fn observed() -> [Box<dyn Output<Model>>; 5] {
         Box::<Momentum>::default(),
         Box::<balance::Balance>::default(),
         Box::<reactions::Reactions>::default(),
-        Box::<constrained::Constrained>::default(),
+        Box::<Constrained>::default(),
     ]
 }
 

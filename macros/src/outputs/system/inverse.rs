@@ -29,6 +29,12 @@ impl Output<System> for Inverse {
 
     fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
         let (system, place) = (basis.model, basis.outline.place(INVERSE)?);
+        if !system.closings.is_empty() {
+            let message = "inverse dynamics of loops is not there yet: prescribe a joint by `.driven(..)`, and \
+                           its drive is a field of the reactions";
+            basis.errors.push(place, message);
+            return None;
+        }
         let undriven = system
             .joints
             .iter()

@@ -9,6 +9,7 @@ mod reactions;
 
 use crate::model::System;
 
+use super::constrained::Constrained;
 use super::energy::Energy;
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
@@ -25,6 +26,7 @@ impl Listed for System {
             Box::<mass_matrix::MassMatrix>::default(),
             Box::<jacobian::Jacobian>::default(),
             Box::<Taylor>::default(),
+            Box::<Constrained>::default(),
         ]
     }
 

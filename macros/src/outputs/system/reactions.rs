@@ -35,12 +35,21 @@ impl Output<System> for Reactions {
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
-        let loads = derive_system_reactions(basis.work, basis.equations);
-        let joints = basis.model.joints.iter().zip(loads);
+        let closings = &basis.model.closings;
+        let open = basis.equations.undetermined();
+        if let Some(closing) = open.first().and_then(|number| closings.get(*number)) {
+            let place = basis.outline.place(OFFER.word)?;
+            let name = &closing.name;
+            basis.errors.push(
+                place,
+                format!("the loop that `{name}` closes is held more than it needs: the balances do not determine its reactions; write it as a joint that holds less, such as `spherical`"),
+            );
+            return None;
+        }
+        let loads = derive_system_reactions(basis.model, basis.work, basis.equations);
         let held = held(basis.outline).filter_map(|name| {
-            let mut all = joints.clone();
-            let (_, load) = all.find(|(joint, _)| joint.name == *name)?;
-            Some((name.clone(), load))
+            let mut all = loads.iter();
+            all.find(|(joint, _)| joint == name).cloned()
         });
         let held: Vec<_> = held.collect();
         for (name, [force, moment]) in &held {

@@ -6,11 +6,12 @@ use quote::quote;
 
 use crate::emit::code::{COMMON, Method, Site, Source, Values, Writer, local};
 use crate::emit::items::Addition;
-use crate::mechanics::{Consistency, Reach, derive_reach};
-use crate::model::{Model, Outline};
+use crate::mechanics::{Consistency, Reach};
+use crate::model::Outline;
 use crate::symbolic::Id;
 
-use crate::outputs::output::{Basis, Output, Place};
+use super::output::{Basis, Output, Place};
+use super::subject::Subject;
 
 #[derive(Default)]
 pub struct Constrained(Option<Kept>);
@@ -21,14 +22,19 @@ struct Kept {
     reach: Vec<Reach>,
 }
 
-impl Output<Model> for Constrained {
+impl<S: Subject> Output<S> for Constrained {
     fn place(&self, outline: &Outline) -> Option<Place> {
         outline.is_constrained.then_some(Place::First)
     }
 
-    fn derive(&mut self, basis: &mut Basis<'_, Model>) -> Option<()> {
-        let constraints = basis.equations.constraints.clone();
-        let reach = derive_reach(basis.model, basis.work, &constraints);
+    fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {
+        let Basis {
+            model,
+            equations,
+            work,
+            ..
+        } = basis;
+        let (constraints, reach) = model.constraints(work, equations).into_iter().unzip();
         self.0 = Some(Kept { constraints, reach });
         Some(())
     }
@@ -119,7 +125,6 @@ fn write_check(writer: &Writer<'_>, kept: &Kept) -> Method {
 /// `project(state, |state| [Row { name, position, velocity, shift, push, coupling }, ..])`
 fn write_project(writer: &Writer<'_>, kept: &Kept) -> Method {
     let (shapes, constraints) = (&writer.shapes, &kept.constraints);
-    let direction = |constraint: &Consistency| shapes.pair_part(&constraint.direction);
     let values = |constraint: &Consistency| {
         let (velocity, size) = constraint.velocity;
         let position = constraint
@@ -127,7 +132,12 @@ fn write_project(writer: &Writer<'_>, kept: &Kept) -> Method {
             .into_iter()
             .flat_map(|(value, size)| [value, size]);
         let measured = position.chain([velocity, size]).collect::<Vec<_>>();
-        [measured, direction(constraint), constraint.coupling.clone()].concat()
+        [
+            measured,
+            constraint.direction.clone(),
+            constraint.coupling.clone(),
+        ]
+        .concat()
     };
     let outputs: Vec<Id> = constraints.iter().flat_map(values).collect();
     let (private, state, kind) = (&shapes.private, local("state"), shapes.state_type());

@@ -1,0 +1,163 @@
+//! How links move, in world axes, if no joint accelerates: what constraints between them are made of.
+
+use crate::mechanics::tree::link::{Link, Tree};
+use crate::mechanics::tree::turning::Turning;
+use crate::symbolic::{Components, Graph, Id};
+
+/// The place and the motion of a link, world axes; the accelerations are those that there are if no
+/// joint accelerates.
+#[derive(Clone)]
+pub struct Placed {
+    pub turning: Turning,
+    /// In the plane, the angle that it is turned by, and of links that turn about one axis.
+    angle: Option<(usize, Id)>,
+    pub origin: Components,
+    pub velocity: Components,
+    pub acceleration: Components,
+    pub w: Components,
+    pub alpha: Components,
+}
+
+/// A point that is fixed in a link: its place and its motion.
+#[derive(Clone, Copy)]
+pub struct Spot {
+    pub place: Components,
+    pub velocity: Components,
+    pub acceleration: Components,
+}
+
+impl Placed {
+    pub fn ground(graph: &Graph) -> Self {
+        let zeros = graph.zeros();
+        Self {
+            turning: Turning::Parallel,
+            angle: None,
+            origin: zeros,
+            velocity: zeros,
+            acceleration: zeros,
+            w: zeros,
+            alpha: zeros,
+        }
+    }
+
+    /// A point at an offset from the origin, in the axes of the link.
+    pub fn spot(&self, graph: &mut Graph, offset: Components) -> Spot {
+        let arm = self.turning.to_carrier(graph, offset);
+        let arm = graph.quantities(arm);
+        let swept = graph.cross(self.w, arm);
+        let swept = graph.quantities(swept);
+        let inwards = graph.cross(self.w, swept);
+        let turned = graph.cross(self.alpha, arm);
+        let bent = graph.add_vectors(inwards, turned);
+        let [place, velocity, acceleration] = [
+            graph.add_vectors(self.origin, arm),
+            graph.add_vectors(self.velocity, swept),
+            graph.add_vectors(self.acceleration, bent),
+        ]
+        .map(|vector| graph.quantities(vector));
+        Spot {
+            place,
+            velocity,
+            acceleration,
+        }
+    }
+
+    /// A vector of the link, in world axes.
+    pub fn to_world(&self, graph: &mut Graph, vector: Components) -> Components {
+        let turned = self.turning.to_carrier(graph, vector);
+        graph.quantities(turned)
+    }
+
+    /// A link that this one carries; of one that is free, where it is.
+    fn carried(&self, graph: &mut Graph, link: &Link, free: Option<[Components; 2]>) -> Self {
+        let spot = self.spot(graph, link.place);
+        let (turning, angle) = self.turned(graph, link);
+        let mut next = Self {
+            turning,
+            angle,
+            origin: spot.place,
+            velocity: spot.velocity,
+            acceleration: spot.acceleration,
+            w: self.w,
+            alpha: self.alpha,
+        };
+        if let Some([origin, velocity]) = free {
+            (next.origin, next.velocity) = (origin, velocity);
+        }
+        for freedom in &link.freedoms {
+            let about = next.to_world(graph, freedom.twist.angular);
+            let turning = graph.scale_vector(freedom.rate, about);
+            let swung = graph.cross(self.w, turning);
+            next.w = graph.add_vectors(next.w, turning);
+            next.alpha = graph.add_vectors(next.alpha, swung);
+            if let Some(given) = freedom.given {
+                let driven = graph.scale_vector(given, about);
+                next.alpha = graph.add_vectors(next.alpha, driven);
+            }
+            if free.is_some() || graph.is_zero_vector(&freedom.twist.linear) {
+                continue;
+            }
+            let along = next.to_world(graph, freedom.twist.linear);
+            let sliding = graph.scale_vector(freedom.rate, along);
+            let twice = graph.add_vectors(sliding, sliding);
+            let coriolis = graph.cross(self.w, twice);
+            next.velocity = graph.add_vectors(next.velocity, sliding);
+            next.acceleration = graph.add_vectors(next.acceleration, coriolis);
+            if let Some(given) = freedom.given {
+                let driven = graph.scale_vector(given, along);
+                next.acceleration = graph.add_vectors(next.acceleration, driven);
+            }
+        }
+        for vector in [
+            &mut next.velocity,
+            &mut next.acceleration,
+            &mut next.w,
+            &mut next.alpha,
+        ] {
+            *vector = graph.quantities(*vector);
+        }
+        next
+    }
+
+    /// How a link that this one carries is turned: about one axis by the sum of the angles.
+    fn turned(&self, graph: &mut Graph, link: &Link) -> (Turning, Option<(usize, Id)>) {
+        let own = match (link.turning, link.angle) {
+            (Turning::About { axis, .. }, Some(angle)) => Some((axis, angle)),
+            _ => None,
+        };
+        match (self.turning, link.turning) {
+            (_, Turning::Parallel) => (self.turning, self.angle),
+            (Turning::Parallel, turning) => (turning, own),
+            (_, turning) => {
+                if let (Some((axis, sum)), Some((other, angle))) = (self.angle, own)
+                    && axis == other
+                {
+                    let sum = graph.add(sum, angle);
+                    return (Turning::by_angle(graph, axis, sum), Some((axis, sum)));
+                }
+                let columns = graph.unit_vectors().map(|unit| {
+                    let turned = turning.to_carrier(graph, unit);
+                    self.to_world(graph, turned)
+                });
+                let rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[j][i]));
+                (Turning::By(rows), None)
+            }
+        }
+    }
+}
+
+/// All links; `free` is where those are that are free, by link.
+pub fn place_links(
+    graph: &mut Graph,
+    tree: &Tree,
+    free: impl Fn(usize) -> Option<[Components; 2]>,
+) -> Vec<Placed> {
+    let ground = Placed::ground(graph);
+    let mut all: Vec<Placed> = Vec::new();
+    for (index, link) in tree.links.iter().enumerate() {
+        let carrier = link.carrier.map_or(&ground, |carrier| &all[carrier]);
+        let next = carrier.carried(graph, link, free(index));
+        all.push(next);
+    }
+    all
+}

@@ -1,0 +1,172 @@
+//! Loops: published numbers, and laws.
+
+use newton_euler::prelude::*;
+
+use super::compare::close;
+
+macro_rules! four_bar {
+    ($name:ident, $crank:expr, $outputs:tt) => {
+        rigid_system!($name {
+            motion: planar,
+            bodies: [
+                crank {
+                    mass: 0.4[kg],
+                    inertia: 4e-4[kg * m ^ 2],
+                    points: [o = (-0.04, 0), a = (0.06, 0)],
+                },
+                coupler {
+                    mass: 1.1[kg],
+                    inertia: 0.012[kg * m ^ 2],
+                    points: [a = (-0.16, 0), b = (0.19, 0)],
+                },
+                rocker {
+                    mass: 0.8[kg],
+                    inertia: 4.5e-3[kg * m ^ 2],
+                    points: [c = (-0.11, 0), b = (0.14, 0)],
+                },
+            ],
+            joints: [
+                o = $crank,
+                a = revolute(crank.a, coupler.a),
+                b = revolute(coupler.b, rocker.b),
+                c = revolute(world(0.3, 0), rocker.c),
+            ],
+            fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+            moments: [load = moment(-0.6[N * m]).on(rocker)],
+            outputs: $outputs,
+        });
+    };
+}
+four_bar!(
+    FourBar,
+    revolute(world(0, 0), crank.o),
+    [reactions, energy, balance]
+);
+four_bar!(
+    Cranked,
+    revolute(world(0, 0), crank.o).driven(0.7[rad] + 12[rad / s] * t - 15[rad / s ^ 2] * t.powi(2)),
+    [reactions, energy]
+);
+
+const PHI: f64 = 0.513_679_082_047_022_6;
+const PSI: f64 = 1.239_513_404_417_099_6;
+const PHI_RATE: f64 = -2.653_551_909_435_223;
+const PSI_RATE: f64 = 1.339_603_476_620_209;
+
+fn start() -> FourBarState {
+    FourBarState {
+        o: Hinge {
+            angle: 0.7,
+            angular_velocity: 12.0,
+        },
+        a: Hinge {
+            angle: PHI - 0.7,
+            angular_velocity: PHI_RATE - 12.0,
+        },
+        b: Hinge {
+            angle: PSI - PHI,
+            angular_velocity: PSI_RATE - PHI_RATE,
+        },
+    }
+}
+
+// reference/systems/four_bar.json: maximal coordinates with multipliers, 45 digits
+#[test]
+fn a_four_bar_by_its_crank() {
+    let free = start();
+    let state = CrankedState {
+        a: free.a,
+        b: free.b,
+    };
+    let system = Cranked::default();
+    let found = system.acceleration(0.0, &state, &());
+    let expected = [
+        65.817_348_730_974_429 + 30.0,
+        94.7568854113893 - 65.817_348_730_974_429,
+    ];
+    close(
+        "accelerations",
+        &[found.a, found.b],
+        &expected,
+        100.0,
+        1e-13,
+    );
+    let reactions = system.reactions(0.0, &state, &());
+    close(
+        "torque",
+        &[reactions.o_drive],
+        &[1.295_124_497_292_162],
+        10.0,
+        1e-13,
+    );
+    for (found, expected) in [
+        (reactions.o, [-34.30971663269149, -9.8315076474076]),
+        (
+            reactions.a,
+            [-32.85674472306212, -11.902765846115404],
+        ),
+        (
+            reactions.b,
+            [-16.096095244387385, -19.441603230488976],
+        ),
+        (reactions.c, [8.159529723221798, 29.849776105426336]),
+    ] {
+        close("pins", found.force.as_slice(), &expected, 30.0, 1e-13);
+    }
+}
+
+#[test]
+fn a_four_bar_that_is_free() {
+    let (system, state) = (FourBar::default(), start());
+    let found = system.acceleration(0.0, &state, &());
+    close(
+        "crank",
+        &[found.o],
+        &[-228.291_150_244_825_16],
+        300.0,
+        1e-13,
+    );
+    let reactions = system.reactions(0.0, &state, &());
+    for (found, expected) in [
+        (
+            reactions.o,
+            [-18.022701002646038, -14.498211357584896],
+        ),
+        (
+            reactions.a,
+            [-18.613611752383434, -14.142886563134155],
+        ),
+        (
+            reactions.b,
+            [-12.112517932792592, -11.720243822593009],
+        ),
+        (reactions.c, [6.017997925390057, 21.49482867971677]),
+    ] {
+        close("pins", found.force.as_slice(), &expected, 30.0, 1e-12);
+        close("pins", &[found.moment], &[0.0], 30.0, 1e-14);
+    }
+    let left = system.residual(0.0, &state, &found, &reactions, &());
+    for body in [left.crank, left.coupler, left.rocker] {
+        close("balance", body.force.as_slice(), &[0.0; 2], 30.0, 1e-13);
+        close("balance", &[body.moment], &[0.0], 30.0, 1e-13);
+    }
+    let mut from = state;
+    system.project(0.0, &mut from, &()).unwrap();
+    let end = system.integrate(&from).tolerance(1e-12).to(0.05).unwrap();
+    close(
+        "angle",
+        &[end.o.angle],
+        &[1.1074475152344245],
+        1.0,
+        1e-10,
+    );
+    close(
+        "rate",
+        &[end.o.angular_velocity],
+        &[5.535594739426658],
+        1.0,
+        1e-9,
+    );
+    let phi = end.o.angle + end.a.angle;
+    close("coupler", &[phi], &[0.4537348420038438], 1.0, 1e-10);
+}

@@ -101,14 +101,8 @@ fn a_four_bar_by_its_crank() {
     );
     for (found, expected) in [
         (reactions.o, [-34.30971663269149, -9.8315076474076]),
-        (
-            reactions.a,
-            [-32.85674472306212, -11.902765846115404],
-        ),
-        (
-            reactions.b,
-            [-16.096095244387385, -19.441603230488976],
-        ),
+        (reactions.a, [-32.85674472306212, -11.902765846115404]),
+        (reactions.b, [-16.096095244387385, -19.441603230488976]),
         (reactions.c, [8.159529723221798, 29.849776105426336]),
     ] {
         close("pins", found.force.as_slice(), &expected, 30.0, 1e-13);
@@ -128,18 +122,9 @@ fn a_four_bar_that_is_free() {
     );
     let reactions = system.reactions(0.0, &state, &());
     for (found, expected) in [
-        (
-            reactions.o,
-            [-18.022701002646038, -14.498211357584896],
-        ),
-        (
-            reactions.a,
-            [-18.613611752383434, -14.142886563134155],
-        ),
-        (
-            reactions.b,
-            [-12.112517932792592, -11.720243822593009],
-        ),
+        (reactions.o, [-18.022701002646038, -14.498211357584896]),
+        (reactions.a, [-18.613611752383434, -14.142886563134155]),
+        (reactions.b, [-12.112517932792592, -11.720243822593009]),
         (reactions.c, [6.017997925390057, 21.49482867971677]),
     ] {
         close("pins", found.force.as_slice(), &expected, 30.0, 1e-12);
@@ -153,13 +138,7 @@ fn a_four_bar_that_is_free() {
     let mut from = state;
     system.project(0.0, &mut from, &()).unwrap();
     let end = system.integrate(&from).tolerance(1e-12).to(0.05).unwrap();
-    close(
-        "angle",
-        &[end.o.angle],
-        &[1.1074475152344245],
-        1.0,
-        1e-10,
-    );
+    close("angle", &[end.o.angle], &[1.1074475152344245], 1.0, 1e-10);
     close(
         "rate",
         &[end.o.angular_velocity],

@@ -12,6 +12,7 @@ mod large;
 mod laws;
 mod loops;
 mod matrices;
+mod mechanisms;
 mod oracle;
 mod params;
 mod plane;

@@ -83,6 +83,9 @@ fn relative(value: f64, size: f64) -> f64 {
 /// Steps of Newton's method: from an error of the size of the body it takes about six.
 const STEPS: usize = 20;
 
+/// So many of them may leave more than half of what they begin with.
+const SLOW: usize = 4;
+
 /// Moves a state to its constraints; `rows` evaluates them.
 ///
 /// # Errors
@@ -105,8 +108,8 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
 ) -> Result<(), Inconsistent> {
     // terms vanish together with what they sum to: the largest seen counts
     let mut sizes = [0.0_f64; N];
-    let mut previous = f64::INFINITY;
-    for _ in 0..STEPS {
+    let (mut previous, mut slow) = (f64::INFINITY, 0);
+    for step in 0..=STEPS {
         let system = rows(state);
         let mut values = [None; N];
         let mut worst = (0.0_f64, "", 0.0);
@@ -124,17 +127,21 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         if worst.0 <= 4.0 * f64::EPSILON {
             return Ok(());
         }
-        if worst.0.is_nan() || worst.0 > 0.5 * previous {
-            return if worst.0 <= Inconsistent::TOLERANCE {
-                Ok(())
-            } else {
-                Err(Inconsistent {
+        let is_last = step == STEPS;
+        if worst.0.is_nan() || worst.0 > 0.5 * previous || is_last {
+            if worst.0 <= Inconsistent::TOLERANCE {
+                return Ok(());
+            }
+            // far from the constraints, some steps overshoot
+            slow += 1;
+            if worst.0.is_nan() || slow > SLOW || is_last {
+                return Err(Inconsistent {
                     constraint: worst.1,
                     violation: worst.2,
                     is_velocity,
                     is_start: false,
-                })
-            };
+                });
+            }
         }
         previous = worst.0;
         let factors = solve(&system, values);

@@ -38,15 +38,19 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built) -> Closed {
         .iter()
         .map(|closing| ends(system, work, built, closing))
         .collect();
-    let mut constraints = Vec::new();
+    let (mut constraints, mut undetermined) = (Vec::new(), Vec::new());
     for (number, ends) in ends.iter().enumerate() {
         let rows = rows(&mut work.graph, &built.tree, &placed, ends);
-        // what holds in all states, as parallel axes in space do, says nothing
-        let rows = rows.into_iter().filter(|row| {
-            let mut parts = row.slopes.iter().chain([&row.value, &row.rate, &row.bias]);
-            !parts.all(|part| work.graph.vanishes(*part))
-        });
-        constraints.extend(rows.map(|row| (number, row)));
+        for row in rows {
+            // what holds in all states, as parallel axes in space do, says nothing, and has any load
+            let parts = [row.slopes.clone(), vec![row.value, row.rate, row.bias]].concat();
+            let is_idle = parts.iter().all(|part| work.graph.vanishes(*part));
+            if is_idle {
+                undetermined.push(number);
+            } else {
+                constraints.push((number, row));
+            }
+        }
     }
     let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
     let (count, loads) = (matrix.driving.len(), constraints.len());
@@ -83,8 +87,7 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built) -> Closed {
     let solved = work.graph.solve(equations, count + loads);
     let open = solved.undetermined.iter();
     let open = open.filter_map(|one| Some(constraints.get(one.column.checked_sub(count)?)?.0));
-    let mut undetermined: Vec<usize> = open.collect();
-    undetermined.dedup();
+    undetermined.extend(open);
     let mut found = solved.values.into_iter();
     let links = built.tree.links.iter();
     let accelerations = links.map(|link| found.by_ref().take(link.open().count()).collect());

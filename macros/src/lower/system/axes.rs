@@ -3,13 +3,15 @@
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::model::{Dimension, JointKind};
-use crate::symbolic::{Components, Id};
+use crate::model::{Axes, Dimension, JointKind};
+use crate::symbolic::{Components, Graph, Id, Node};
 use crate::syntax::Expression;
 
+use super::joints::first_name_of;
 use super::reader::{Reader, still};
 
 impl Reader<'_> {
+    /// What the parts of a joint go by.
     pub fn directions(
         &mut self,
         body: usize,
@@ -17,7 +19,7 @@ impl Reader<'_> {
         arguments: &[Expression],
         errors: &mut Errors,
     ) -> Option<Vec<Components>> {
-        let written = &arguments[2..2 + kind.directions];
+        let written = &arguments[arguments.len().min(2)..][..kind.directions()];
         let directions: Vec<Option<Components>> = written
             .iter()
             .map(|direction| self.direction(body, direction, errors))
@@ -32,7 +34,23 @@ impl Reader<'_> {
                 return None;
             }
         }
-        directions.into_iter().collect()
+        let directions: Vec<Components> = directions.into_iter().collect::<Option<_>>()?;
+        match (kind.axes, directions.as_slice()) {
+            (Axes::Own, _) => Some(self.work.graph.unit_vectors().to_vec()),
+            (Axes::Normal, [normal]) => {
+                let Some([along, across]) = across(&mut self.work.graph, *normal) else {
+                    let name = first_name_of(&written[0]).map(|name| name.span().into());
+                    errors.push(
+                        name.unwrap_or(written[0].extent),
+                        "the normal of a planar joint is made of numbers: from it follows which way its \
+                         coordinates are measured",
+                    );
+                    return None;
+                };
+                Some(vec![*normal, along, across])
+            }
+            _ => Some(directions),
+        }
     }
 
     /// That of a screw; the inner `None` is any other joint.
@@ -148,4 +166,34 @@ impl Reader<'_> {
             Some(angle)
         })
     }
+}
+
+/// Two unit vectors that make right-handed axes with a unit vector of numbers: the two axes after
+/// the one that is nearest to it, the first of those that are, turned with that one by the shortest
+/// way.
+fn across(graph: &mut Graph, normal: Components) -> Option<[Components; 2]> {
+    let is_symbol = |id: Id| matches!(graph.node(id), Node::Symbol(_));
+    if graph.depends_on(&normal, is_symbol) {
+        return None;
+    }
+    let sizes = graph.evaluate(&normal, |_| 0.0);
+    let nearer = |a: usize, b: usize| sizes[b].abs() > sizes[a].abs() * (1.0 + 1e-12);
+    let nearest = (1..3).fold(0, |best, axis| if nearer(best, axis) { axis } else { best });
+    let units = graph.unit_vectors();
+    let [first, mut second] = [1, 2].map(|step| units[(nearest + step) % 3]);
+    let mut axis = units[nearest];
+    if sizes[nearest] < 0.0 {
+        (axis, second) = (graph.negate_vector(axis), graph.negate_vector(second));
+    }
+    // v - (v . n) / (1 + e . n) (e + n), across e
+    let one = graph.one();
+    let along = graph.dot(axis, normal);
+    let more = graph.add(one, along);
+    let both = graph.add_vectors(axis, normal);
+    Some([first, second].map(|v| {
+        let lean = graph.dot(v, normal);
+        let share = graph.divide(lean, more);
+        let less = graph.scale_vector(share, both);
+        graph.subtract_vectors(v, less)
+    }))
 }

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint};
 use crate::lower::expressions::{JointNames, Value};
-use crate::model::{Dimension, Frame, JointKind};
+use crate::model::{Dimension, Frame, Holds, JointKind};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Definition, Expression, Kind};
 
@@ -26,15 +26,7 @@ pub struct Written {
 }
 
 /// Joints that are not there yet.
-const LATER: [&str; 7] = [
-    "cable",
-    "planar",
-    "link",
-    "rotation",
-    "translation",
-    "planar_translation",
-    "rod",
-];
+const LATER: [&str; 2] = ["cable", "link"];
 
 /// The kind of joint that an expression begins with, and what is written behind it.
 pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
@@ -69,13 +61,25 @@ fn unknown_kind(word: &Ident, is_planar: bool) -> String {
             "`{word}` is a joint of the language, but this version does not have it yet"
         );
     }
+    if word == "rod" {
+        return "a rod has no axes of its own, which joints are written in, and no inertia about its \
+                line: write `free(b)` and a small moment of inertia about that line, or a `rigid_body!` \
+                with `motion: rod(..)` for a rod alone"
+            .to_owned();
+    }
     let kinds = JointKind::all(is_planar).iter();
     let all: Vec<&str> = kinds.map(|kind| kind.word).collect();
     let hint = hint(&word.to_string(), all.iter().copied());
-    let is_spatial = is_planar && JointKind::all(false).iter().any(|kind| word == kind.word);
-    let plane = if is_spatial { " in the plane" } else { "" };
+    let is_elsewhere = JointKind::all(!is_planar)
+        .iter()
+        .any(|kind| word == kind.word);
+    let here = match (is_elsewhere, is_planar) {
+        (false, _) => "",
+        (true, true) => " in the plane",
+        (true, false) => " in space",
+    };
     let all = all.join("`, `");
-    format!("there is no joint `{word}`{plane}: expected one of `{all}`{hint}")
+    format!("there is no joint `{word}`{here}: expected one of `{all}`{hint}")
 }
 
 fn check_count(
@@ -84,10 +88,10 @@ fn check_count(
     arguments: &[Expression],
     errors: &mut Errors,
 ) -> Option<()> {
-    let expected = if kind.is_free() {
+    let expected = if kind.holds == Holds::Center {
         1
     } else {
-        2 + kind.directions + usize::from(kind.is_screw())
+        2 + kind.directions() + usize::from(kind.is_screw())
     };
     if arguments.len() == expected {
         return Some(());
@@ -133,8 +137,8 @@ impl Reader<'_> {
             return None;
         };
         check_count(kind, word, arguments, errors)?;
-        if kind.is_free() {
-            return self.free_joint(joint, kind, &arguments[0], &methods, errors);
+        if kind.holds == Holds::Center {
+            return self.joint_of_center(joint, kind, &arguments[0], &methods, errors);
         }
         let carrier = self.anchor(&arguments[0], errors);
         let carried = self.anchor(&arguments[1], errors);
@@ -171,7 +175,7 @@ impl Reader<'_> {
     }
 
     /// `free(hub)`
-    fn free_joint(
+    fn joint_of_center(
         &mut self,
         joint: &Definition,
         kind: &'static JointKind,
@@ -180,7 +184,7 @@ impl Reader<'_> {
         errors: &mut Errors,
     ) -> Option<Written> {
         if let Some((method, _)) = methods.first() {
-            errors.push(method.span(), "nothing follows `free(b)`");
+            errors.push(method.span(), format!("nothing follows `{}`", kind.form));
             return None;
         }
         let named = match &body.kind {
@@ -205,7 +209,10 @@ impl Reader<'_> {
             let hint = hint(&written, names);
             errors.push(
                 body.extent,
-                format!("expected the name of a body, as in `free(hub)`{hint}"),
+                format!(
+                    "expected the name of a body, as in `{}(hub)`{hint}",
+                    kind.word
+                ),
             );
             return None;
         };
@@ -217,7 +224,7 @@ impl Reader<'_> {
             carried,
             place: zeros,
             pin: zeros,
-            directions: Vec::new(),
+            directions: self.work.graph.unit_vectors().to_vec(),
             pitch: None,
             turned: None,
             mention: name.span(),

@@ -1,8 +1,8 @@
 //! How the bodies of a tree move: their states, from the ground to the tips.
 
 use crate::model::{
-    Attitude, Coordinate, Frame, Meaning, Part, Rates, Shape, State, TreeJoint, Variable, Vector,
-    Workspace,
+    Attitude, Coordinate, Frame, JointKind, Meaning, Part, Rates, Shape, State, TreeJoint,
+    Variable, Vector, Workspace,
 };
 use crate::symbolic::{Components, Function, Graph, Id, Stage};
 
@@ -71,7 +71,7 @@ impl Reader<'_> {
             .any(|part| !matches!(part, Part::Slide(_)));
         let is_carried = written.carrier.is_some_and(|carrier| self.turning[carrier]);
         self.turning[written.carried] = turns || is_carried;
-        let freedoms = freedoms(kind.parts, self.system.is_planar).len();
+        let freedoms = freedoms(kind, self.system.is_planar).len();
         TreeJoint {
             name: written.name,
             kind,
@@ -105,16 +105,12 @@ fn symbols(
 }
 
 /// The rates of the freedoms of a joint, in the order in which mechanics has them.
-pub fn freedoms(parts: &[Part], is_planar: bool) -> Vec<(Variable, usize)> {
+pub fn freedoms(kind: &JointKind, is_planar: bool) -> Vec<(Variable, usize)> {
     let mut freedoms = Vec::new();
-    for part in parts {
-        let turns = freedoms
-            .iter()
-            .filter(|(variable, _)| *variable == Variable::AngularVelocity)
-            .count();
+    for (part, number) in kind.numbered() {
         match part {
-            Part::Turn(_) | Part::Screw => freedoms.push((Variable::AngularVelocity, turns)),
-            Part::Slide(_) => freedoms.push((Variable::Velocity, 0)),
+            Part::Turn(_) | Part::Screw => freedoms.push((Variable::AngularVelocity, number)),
+            Part::Slide(_) => freedoms.push((Variable::Velocity, number)),
             Part::Ball => freedoms.extend((0..3).map(|axis| (Variable::AngularVelocity, axis))),
             Part::Free if is_planar => {
                 freedoms.extend([
@@ -171,15 +167,15 @@ impl Moving {
             frames.push(frame);
         }
         let parts = joint.kind.parts;
-        for (number, part) in parts.iter().enumerate() {
-            let is_last = number + 1 == parts.len();
+        for (place, part) in joint.kind.numbered().enumerate() {
+            let is_last = place + 1 == parts.len();
             let frame = if is_last {
                 body
             } else {
                 work.new_frame(self.frame)
             };
             work.set_carrier(frame, self.frame);
-            self.pass(work, frame, *part, joint, coordinates);
+            self.pass(work, frame, part, joint, coordinates);
             frames.push(frame);
         }
         if parts.is_empty() {
@@ -214,7 +210,7 @@ impl Moving {
         &mut self,
         work: &mut Workspace,
         frame: Frame,
-        part: Part,
+        (part, coordinate): (Part, usize),
         joint: &Written,
         of: &Rates,
     ) {
@@ -222,13 +218,9 @@ impl Moving {
         let get = |variable: Variable, part: usize| of.get(variable, part).unwrap_or(zero);
         match part {
             Part::Turn(number) => {
-                // of a joint about one axis, the only angle
-                let angle = get(Variable::Angle, number.min(1));
-                let rate = get(Variable::AngularVelocity, number.min(1));
-                let direction = match joint.directions.get(number) {
-                    Some(direction) => *direction,
-                    None => work.graph.unit_vectors()[2],
-                };
+                let angle = get(Variable::Angle, coordinate);
+                let rate = get(Variable::AngularVelocity, coordinate);
+                let direction = joint.directions[number];
                 set_angle(work, frame, angle, direction, &joint.name);
                 let rate = work.graph.scale_vector(rate, direction);
                 self.enter(work, frame, rate);
@@ -237,8 +229,8 @@ impl Moving {
                 self.slide(
                     work,
                     joint.directions[number],
-                    get(Variable::Position, 0),
-                    get(Variable::Velocity, 0),
+                    get(Variable::Position, coordinate),
+                    get(Variable::Velocity, coordinate),
                 );
                 let zeros = work.graph.zeros();
                 self.enter(work, frame, zeros);

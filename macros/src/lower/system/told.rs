@@ -1,8 +1,8 @@
 //! What others see of a body that moves, and of its joint.
 
 use crate::lower::expressions::{BodyMotion, Value};
-use crate::model::{Attitude, Dimension, Frame, State, TreeJoint, Variable};
-use crate::symbolic::Id;
+use crate::model::{Attitude, Dimension, Frame, Part, State, TreeJoint, Variable, Vector};
+use crate::symbolic::{Components, Id};
 
 use super::body::Draft;
 use super::reader::Reader;
@@ -77,18 +77,45 @@ impl Reader<'_> {
             let parts = (0..field.names.len())
                 .map(|part| joint.coordinates.get(field.variable, field.first + part));
             let parts: Vec<Id> = parts.flatten().collect();
-            let value = if let [scalar] = *parts.as_slice() {
-                Value::Scalar(scalar, dimension)
-            } else {
-                let mut components = self.work.graph.zeros();
-                components[..parts.len()].copy_from_slice(&parts);
-                let turns = field.variable == Variable::AngularVelocity;
-                let body = joint.frames.last().copied().unwrap_or(Frame::WORLD);
-                let frame = if turns { body } else { Frame::WORLD };
-                Value::Vector(self.work.vector(frame, components), dimension)
+            let value = match *parts.as_slice() {
+                [scalar] => Value::Scalar(scalar, dimension),
+                _ => Value::Vector(self.vector_of(joint, field.variable, &parts), dimension),
             };
             values.push((field.path, value));
         }
         values
+    }
+
+    /// The vector that several components of a state are.
+    fn vector_of(&mut self, joint: &TreeJoint, variable: Variable, parts: &[Id]) -> Vector {
+        let body = joint.frames.last().copied().unwrap_or(Frame::WORLD);
+        if variable == Variable::AngularVelocity {
+            let mut components = self.work.graph.zeros();
+            components[..parts.len()].copy_from_slice(parts);
+            return self.work.vector(body, components);
+        }
+        let (frame, directions) = self.slides(joint);
+        let mut whole = Vector::ZERO;
+        for (part, direction) in parts.iter().zip(directions) {
+            let along = self.work.graph.scale_vector(*part, direction);
+            let along = self.work.vector(frame, along);
+            whole = self.work.add(whole, along);
+        }
+        whole
+    }
+
+    /// The directions in which a joint slides, and the frame that they are fixed in.
+    pub fn slides(&self, joint: &TreeJoint) -> (Frame, Vec<Components>) {
+        if joint.kind.is_free() {
+            return (Frame::WORLD, joint.directions.clone());
+        }
+        let parts = joint.kind.parts;
+        let slides = parts.iter().filter_map(|part| match part {
+            Part::Slide(number) => Some(joint.directions[*number]),
+            _ => None,
+        });
+        let first = joint.frames.len() - parts.len();
+        let frame = self.work.carrier(joint.frames[first]);
+        (frame, slides.collect())
     }
 }

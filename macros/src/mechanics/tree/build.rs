@@ -112,7 +112,7 @@ impl Making<'_> {
             self.link(turning, Vec::new());
         }
         let (mut next, rates) = (0, &joint.coordinates);
-        for part in joint.kind.parts {
+        for (part, coordinate) in joint.kind.numbered() {
             let count = match part {
                 Part::Ball => 3,
                 Part::Free if is_planar => 3,
@@ -121,53 +121,52 @@ impl Making<'_> {
             };
             let drives = &joint.drives[next..next + count];
             next += count;
-            self.part(*part, rates, drives, is_planar);
+            match part {
+                Part::Turn(number) => {
+                    let direction = joint.directions[number];
+                    let twist = Twist::about(&self.work.graph, direction);
+                    self.hinge(direction, twist, coordinate, drives[0]);
+                }
+                Part::Slide(number) => self.slide(joint.directions[number], coordinate, drives[0]),
+                Part::Screw => self.screw(joint.directions[0], coordinate, drives[0]),
+                Part::Ball => self.ball(rates, drives),
+                Part::Free => self.float(rates, drives, is_planar),
+            }
         }
         if joint.kind.parts.is_empty() {
             self.link(Turning::Parallel, Vec::new());
         }
     }
 
-    fn part(&mut self, part: Part, rates: &Rates, drives: &[Id], is_planar: bool) {
+    /// The component of a variable, by the number of the coordinate.
+    fn get(&self, variable: Variable, coordinate: usize) -> Id {
+        let known = self.joint.coordinates.get(variable, coordinate);
+        known.unwrap_or(self.work.graph.zero())
+    }
+
+    fn slide(&mut self, direction: Components, coordinate: usize, drive: Id) {
+        let distance = self.get(Variable::Position, coordinate);
+        let rate = self.get(Variable::Velocity, coordinate);
         let graph = &mut self.work.graph;
-        let zero = graph.zero();
-        let get = |variable: Variable, part: usize| rates.get(variable, part).unwrap_or(zero);
-        let units = graph.unit_vectors();
-        let direction = |number: usize| self.joint.directions.get(number).copied();
-        match part {
-            Part::Turn(number) => {
-                let direction = direction(number).unwrap_or(units[2]);
-                let twist = Twist::about(graph, direction);
-                let (angle, rate) = (
-                    get(Variable::Angle, number.min(1)),
-                    get(Variable::AngularVelocity, number.min(1)),
-                );
-                self.hinge(direction, twist, [angle, rate, drives[0]]);
-            }
-            Part::Screw => {
-                let direction = direction(0).unwrap_or(units[2]);
-                let pitch = self.joint.pitch.unwrap_or(zero);
-                let along = graph.scale_vector(pitch, direction);
-                let twist = Twist {
-                    angular: direction,
-                    linear: along,
-                };
-                let [angle, rate] = [get(Variable::Angle, 0), get(Variable::AngularVelocity, 0)];
-                let step = graph.scale_vector(angle, along);
-                self.place = graph.add_vectors(self.place, step);
-                self.hinge(direction, twist, [angle, rate, drives[0]]);
-            }
-            Part::Slide(number) => {
-                let direction = direction(number).unwrap_or(units[0]);
-                let step = graph.scale_vector(get(Variable::Position, 0), direction);
-                self.place = graph.add_vectors(self.place, step);
-                let twist = Twist::along(graph, direction);
-                let freedom = self.freedom(twist, get(Variable::Velocity, 0), drives[0]);
-                self.link(Turning::Parallel, vec![freedom]);
-            }
-            Part::Ball => self.ball(rates, drives),
-            Part::Free => self.float(rates, drives, is_planar),
-        }
+        let step = graph.scale_vector(distance, direction);
+        self.place = graph.add_vectors(self.place, step);
+        let twist = Twist::along(graph, direction);
+        let freedom = self.freedom(twist, rate, drive);
+        self.link(Turning::Parallel, vec![freedom]);
+    }
+
+    fn screw(&mut self, direction: Components, coordinate: usize, drive: Id) {
+        let angle = self.get(Variable::Angle, coordinate);
+        let graph = &mut self.work.graph;
+        let pitch = self.joint.pitch.unwrap_or(graph.zero());
+        let along = graph.scale_vector(pitch, direction);
+        let step = graph.scale_vector(angle, along);
+        self.place = graph.add_vectors(self.place, step);
+        let twist = Twist {
+            angular: direction,
+            linear: along,
+        };
+        self.hinge(direction, twist, coordinate, drive);
     }
 
     fn ball(&mut self, rates: &Rates, drives: &[Id]) {
@@ -214,7 +213,9 @@ impl Making<'_> {
     }
 
     /// A link that turns about a direction.
-    fn hinge(&mut self, direction: Components, twist: Twist, [angle, rate, drive]: [Id; 3]) {
+    fn hinge(&mut self, direction: Components, twist: Twist, coordinate: usize, drive: Id) {
+        let angle = self.get(Variable::Angle, coordinate);
+        let rate = self.get(Variable::AngularVelocity, coordinate);
         let graph = &mut self.work.graph;
         let cosine = graph.apply(Function::Cos, &[angle]);
         let sine = graph.apply(Function::Sin, &[angle]);

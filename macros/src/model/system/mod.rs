@@ -2,7 +2,7 @@
 
 mod joint_kind;
 
-pub use joint_kind::{JointKind, Part};
+pub use joint_kind::{Axes, Holds, JointKind, Part};
 
 use proc_macro2::Ident;
 
@@ -48,7 +48,8 @@ pub struct TreeJoint {
     pub place: Components,
     /// Where it is on the carried body, from its G, in its axes.
     pub pin: Components,
-    /// Unit vectors, in the axes of the carried body where the coordinates are zero.
+    /// Unit vectors, in the axes of the carried body where the coordinates are zero; what parts of the
+    /// kind go by.
     pub directions: Vec<Components>,
     /// Of a screw, metres per radian.
     pub pitch: Option<Id>,

@@ -100,6 +100,9 @@ pub struct System {
     /// Loads that stand for fields, on every body, with its own `mass`:
     /// `[weight = mass * world(0, 0, -9.80665[m / s ^ 2])]`.
     pub fields: (),
+    /// Energies U, scalars \[J\], of coordinates of joints and of places and axes of bodies; their forces
+    /// and moments are derived: `[coil = 0.5 * stiffness * elbow.angle.powi(2)]`.
+    pub potentials: (),
     /// What is generated beyond the accelerations: `[energy, momentum, reactions, inverse]`.
     pub outputs: (),
 }

@@ -12,6 +12,7 @@ mod laws;
 mod oracle;
 mod params;
 mod plane;
+mod potentials;
 #[path = "../reference/mod.rs"]
 mod reference;
 mod references;

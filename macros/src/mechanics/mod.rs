@@ -26,7 +26,7 @@ pub use system::{
     derive_system_momentum, derive_system_reactions, describe_system,
 };
 pub use unknowns::{Consistency, Reach, derive_inverse, derive_reach};
-pub use variation::with_potentials;
+pub use variation::{with_potentials, with_system_potentials};
 
 use std::cell::OnceCell;
 

@@ -58,7 +58,7 @@ pub fn derive_system_outputs(
             let fields = body
                 .loads
                 .iter()
-                .filter(|load| load.family == Family::Field);
+                .filter(|load| load.family == Family::Field && load.potential.is_none());
             for load in fields {
                 let line = without_potential(load);
                 let has_energy = uniform_field(work, body.state.body, true, load).is_some();

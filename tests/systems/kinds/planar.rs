@@ -28,7 +28,7 @@ rigid_system!(Tables {
         c {
             mass: 0.9[kg],
             inertia: principal(0.05, 0.06, 0.04)[kg * m ^ 2],
-            points: [p = (-0.1, 0.2, 0.3), q = (0.3, 0.1, 0)],
+            points: [p = (-0.1, 0.2, 0.3)],
         },
         d {
             mass: 0.4[kg],

@@ -192,7 +192,7 @@ impl<'a> Reader<'a> {
         });
         Some(Member {
             name: body.name.clone(),
-            state: draft.state.take().filter(|_| known)?,
+            state: draft.state.filter(|_| known)?,
             mass: mass.known()?,
             inertia: inertia?,
             loads: loads.into_iter().collect::<Option<_>>()?,

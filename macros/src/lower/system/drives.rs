@@ -7,7 +7,6 @@ use crate::model::{Dimension, Field, TreeJoint, Variable};
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Expression, Kind};
 
-use super::motion::freedoms;
 use super::reader::Reader;
 
 /// `value.method(arguments)`
@@ -139,7 +138,7 @@ impl Reader<'_> {
         self.check_joint(name, errors)?;
         let place = joints.iter().position(|joint| joint.name == *name)?;
         let joint = &mut joints[place];
-        let all = freedoms(joint.kind, self.system.is_planar);
+        let all = joint.kind.freedoms(self.system.is_planar);
         let chosen = chosen(joint, &all, word, target, errors)?;
         if matches!(load.kind, Kind::Placeholder) {
             return self.open(drive, load, joint, &chosen, errors);

@@ -9,6 +9,7 @@ mod joints;
 mod motion;
 mod names;
 mod outline;
+mod potentials;
 mod reader;
 mod told;
 mod tree;
@@ -80,6 +81,7 @@ pub fn lower_system(
     reader.members.are_moving = true;
     reader.locals(errors, true);
     let bodies = reader.bodies(&mut drafts, &mut wrong, errors);
+    let potentials = reader.potentials(&mut drafts, &joints, errors);
     let joints = reader.drives(joints, errors);
     let loads = reader.loads_between(errors);
     outline.unused = reader.unused(&drafts);
@@ -101,6 +103,8 @@ pub fn lower_system(
         bodies,
         joints,
         gravity,
+        potentials: potentials?,
+        energies: Vec::new(),
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         defaults,
     };

@@ -1,8 +1,8 @@
 //! How the bodies of a tree move: their states, from the ground to the tips.
 
 use crate::model::{
-    Attitude, Coordinate, Frame, JointKind, Meaning, Part, Rates, Shape, State, TreeJoint,
-    Variable, Vector, Workspace,
+    Attitude, Coordinate, Frame, Meaning, Part, Rates, Shape, State, TreeJoint, Variable, Vector,
+    Workspace,
 };
 use crate::symbolic::{Components, Function, Graph, Id, Stage};
 
@@ -71,7 +71,7 @@ impl Reader<'_> {
             .any(|part| !matches!(part, Part::Slide(_)));
         let is_carried = written.carrier.is_some_and(|carrier| self.turning[carrier]);
         self.turning[written.carried] = turns || is_carried;
-        let freedoms = freedoms(kind, self.system.is_planar).len();
+        let freedoms = kind.freedoms(self.system.is_planar).len();
         TreeJoint {
             name: written.name,
             kind,
@@ -102,30 +102,6 @@ fn symbols(
         id: work.symbol(Stage::State, Meaning::Of(body, variable, part)),
     });
     Rates(all.collect())
-}
-
-/// The rates of the freedoms of a joint, in the order in which mechanics has them.
-pub fn freedoms(kind: &JointKind, is_planar: bool) -> Vec<(Variable, usize)> {
-    let mut freedoms = Vec::new();
-    for (part, number) in kind.numbered() {
-        match part {
-            Part::Turn(_) | Part::Screw => freedoms.push((Variable::AngularVelocity, number)),
-            Part::Slide(_) => freedoms.push((Variable::Velocity, number)),
-            Part::Ball => freedoms.extend((0..3).map(|axis| (Variable::AngularVelocity, axis))),
-            Part::Free if is_planar => {
-                freedoms.extend([
-                    (Variable::Velocity, 0),
-                    (Variable::Velocity, 1),
-                    (Variable::AngularVelocity, 0),
-                ]);
-            }
-            Part::Free => {
-                freedoms.extend((0..3).map(|axis| (Variable::Velocity, axis)));
-                freedoms.extend((0..3).map(|axis| (Variable::AngularVelocity, axis)));
-            }
-        }
-    }
-    freedoms
 }
 
 impl Moving {

@@ -64,11 +64,8 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
         }
     }
     let fields = top.loads.iter().map(|load| &load.name);
-    let loads = system
-        .forces
-        .iter()
-        .chain(&system.moments)
-        .chain(&system.drives);
+    let lists = [&system.forces, &system.moments, &system.drives];
+    let loads = lists.into_iter().flatten().chain(&top.potentials);
     check_distinct("load", fields.chain(loads.map(|load| &load.name)), errors);
     repeated
 }

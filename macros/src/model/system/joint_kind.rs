@@ -3,6 +3,7 @@
 use crate::model::joints::{
     BALL, CYLINDER, FREE, HINGE, PLANE, SHIFT, SHIFT_IN_THE_PLANE, SLIDE, Shape, UNIVERSAL,
 };
+use crate::model::words::Variable;
 
 /// What a joint is made of, from the carrier to what it carries.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -218,5 +219,24 @@ impl JointKind {
             *next += 1;
             (*part, *next - 1)
         })
+    }
+
+    /// The rates of its freedoms, in the order in which mechanics has them.
+    pub fn freedoms(&self, is_planar: bool) -> Vec<(Variable, usize)> {
+        let mut freedoms = Vec::new();
+        let (along, about) = (Variable::Velocity, Variable::AngularVelocity);
+        for (part, number) in self.numbered() {
+            match part {
+                Part::Turn(_) | Part::Screw => freedoms.push((about, number)),
+                Part::Slide(_) => freedoms.push((along, number)),
+                Part::Ball => freedoms.extend((0..3).map(|axis| (about, axis))),
+                Part::Free if is_planar => freedoms.extend([(along, 0), (along, 1), (about, 0)]),
+                Part::Free => {
+                    let both = [along, about].into_iter();
+                    freedoms.extend(both.flat_map(|rate| (0..3).map(move |axis| (rate, axis))));
+                }
+            }
+        }
+        freedoms
     }
 }

@@ -8,7 +8,7 @@ use proc_macro2::Ident;
 
 use crate::symbolic::{Components, Id};
 
-use super::body::{Defaults, Inertia, Load, Substance};
+use super::body::{Defaults, Inertia, Load, Potentials, Substance};
 use super::joints::Rates;
 use super::kinematics::State;
 use super::words::Frame;
@@ -21,6 +21,9 @@ pub struct System {
     pub joints: Vec<TreeJoint>,
     /// The acceleration of free fall in the field that acts on all mass alike, world axes.
     pub gravity: Components,
+    pub potentials: Potentials,
+    /// Energies besides those of uniform fields: of cables, and of potentials once these are loads.
+    pub energies: Vec<Id>,
     /// How many derivatives of each input are given.
     pub derivatives: Vec<usize>,
     pub defaults: Defaults,

@@ -59,14 +59,7 @@ const OF_SYSTEMS: [&str; 8] = [
     "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives",
 ];
 /// Keys of the language of systems that are not there yet.
-const LATER: [&str; 6] = [
-    "constraints",
-    "reactions",
-    "independent",
-    "urdf",
-    "drawing",
-    "potentials",
-];
+const LATER: [&str; 5] = ["constraints", "reactions", "independent", "urdf", "drawing"];
 
 /// Parses `(runtime) Name { key: value, .. }` of a system.
 pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {

@@ -1,0 +1,4 @@
+//! Potentials of systems and of their bodies.
+
+mod plane;
+mod space;

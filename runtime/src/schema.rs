@@ -87,7 +87,8 @@ pub struct System {
     /// each direction.
     pub bodies: (),
     /// The joints, which carry the bodies: `[elbow = revolute(upper.tip, lower.hinge, body(0, 0, 1))]`,
-    /// from a point of the carrier to one of what it carries.
+    /// from a point of the carrier to one of what it carries. `cable(P, Q, length, stiffness)` among
+    /// them only pulls.
     pub joints: (),
     /// Loads along the coordinates of joints: `[motor = torque.on(elbow)]`; `_` marks an unknown one,
     /// for inverse dynamics.

@@ -1,4 +1,5 @@
 //! Potentials of systems and of their bodies.
 
+mod cables;
 mod plane;
 mod space;

@@ -6,7 +6,7 @@ use crate::errors::{Errors, hint};
 use crate::lower::expressions::{JointNames, Value};
 use crate::model::{Dimension, Frame, Holds, JointKind};
 use crate::symbolic::{Components, Id};
-use crate::syntax::{Definition, Expression, Kind};
+use crate::syntax::{CABLE, Definition, Expression, Kind};
 
 use super::reader::Reader;
 
@@ -26,7 +26,7 @@ pub struct Written {
 }
 
 /// Joints that are not there yet.
-const LATER: [&str; 2] = ["cable", "link"];
+const LATER: [&str; 1] = ["link"];
 
 /// The kind of joint that an expression begins with, and what is written behind it.
 pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
@@ -68,7 +68,7 @@ fn unknown_kind(word: &Ident, is_planar: bool) -> String {
             .to_owned();
     }
     let kinds = JointKind::all(is_planar).iter();
-    let all: Vec<&str> = kinds.map(|kind| kind.word).collect();
+    let all: Vec<&str> = kinds.map(|kind| kind.word).chain([CABLE]).collect();
     let hint = hint(&word.to_string(), all.iter().copied());
     let is_elsewhere = JointKind::all(!is_planar)
         .iter()

@@ -86,7 +86,8 @@ pub fn lower_system(
     let loads = reader.loads_between(errors);
     outline.unused = reader.unused(&drafts);
     let (mut bodies, joints) = (bodies?, joints?);
-    for (body, load) in loads? {
+    let (loads, energies) = loads?;
+    for (body, load) in loads {
         bodies[body].loads.push(load);
     }
     let Reader {
@@ -104,7 +105,7 @@ pub fn lower_system(
         joints,
         gravity,
         potentials: potentials?,
-        energies: Vec::new(),
+        energies,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         defaults,
     };

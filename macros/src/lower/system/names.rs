@@ -49,7 +49,8 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     seen.extend(declared.chain(locals));
     let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
     let joints = system.joints.iter().map(|joint| (&joint.name, "joint"));
-    for (name, what) in bodies.chain(joints) {
+    let cables = system.cables.iter().map(|cable| (&cable.name, "cable"));
+    for (name, what) in bodies.chain(joints).chain(cables) {
         if BUILT_IN.contains(&name.to_string().as_str()) {
             let message = format!("`{name}` is built in: choose another name for this {what}");
             errors.push(name.span(), message);

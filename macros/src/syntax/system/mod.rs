@@ -9,6 +9,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use crate::errors::{Errors, similar};
 
 use super::entries::{parse_name, parse_value};
+use super::expression::{Expression, Kind};
 use super::head::parse_head;
 use super::parse::{check_length, key_meant, key_value, parse_key};
 use super::tokens::{Entry, split, start, without_attributes};
@@ -21,6 +22,8 @@ pub struct System {
     /// A description each, with the motion that all bodies have.
     pub bodies: Vec<Description>,
     pub joints: Vec<Definition>,
+    /// What is written among the joints and carries nothing.
+    pub cables: Vec<Definition>,
     pub drives: Vec<Definition>,
     /// Forces between points, and moments on bodies and between them.
     pub forces: Vec<Definition>,
@@ -36,6 +39,9 @@ pub struct System {
     pub has_lost_bodies: bool,
     pub has_lost_joints: bool,
 }
+
+/// Stands among the joints, and is none: it only pulls.
+pub const CABLE: &str = "cable";
 
 /// Lists of a system that a body does not have, or has with other entries, each with one to show.
 const LISTS: [(&str, &str); 5] = [
@@ -69,6 +75,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         top,
         bodies: Vec::new(),
         joints: Vec::new(),
+        cables: Vec::new(),
         drives: Vec::new(),
         forces: Vec::new(),
         moments: Vec::new(),
@@ -175,6 +182,7 @@ impl System {
             let value = parse_value(&name, rest, errors);
             let definition = Definition { name, value };
             match list {
+                "joints" if is_cable(&definition) => self.cables.push(definition),
                 "joints" => self.joints.push(definition),
                 "drives" => self.drives.push(definition),
                 "forces" => self.forces.push(definition),
@@ -182,6 +190,19 @@ impl System {
             }
         }
     }
+}
+
+/// `cable(..)`, and whatever is written behind it.
+fn is_cable(joint: &Definition) -> bool {
+    let mut inner = joint.value.as_ref();
+    while let Some(Expression {
+        kind: Kind::Method(receiver, ..),
+        ..
+    }) = inner
+    {
+        inner = Some(receiver);
+    }
+    inner.is_some_and(|inner| matches!(&inner.kind, Kind::Call(word, _) if word == CABLE))
 }
 
 /// The list of a system that a key, perhaps misspelt, is meant to be.

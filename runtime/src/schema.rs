@@ -76,6 +76,8 @@ pub struct System {
     pub doc: (),
     /// `planar` for a system in the plane; left out in space.
     pub motion: (),
+    /// `zero_pose`: all bodies and joints are drawn in one frame, where all coordinates are zero.
+    pub drawing: (),
     /// Constants of a run, with or without a default: `[arm = 0.17[m], gain]`.
     pub params: (),
     /// Quantities given at each evaluation: `[torque[N * m]]`.

@@ -6,6 +6,7 @@ mod compare;
 mod corners;
 mod counts;
 mod described;
+mod drawings;
 mod kinds;
 mod large;
 mod laws;

@@ -9,10 +9,10 @@ mod system;
 mod words;
 
 pub use body::{
-    Asked, Charges, Composed, Constraint, Declared, Defaults, Displaced, ENTRIES, Form, Inertia,
-    Jointed, Level, Load, Mass, Matrix, Outline, Potential, Potentials, Reaction, SOLIDS, Solid,
-    Substance, Violation, displaced, is_flat, is_possible, is_solid, least_moment, matrix,
-    thinnest, words,
+    Asked, Charges, Composed, Constraint, Declared, Defaults, Displaced, Drawn, ENTRIES, Form,
+    Inertia, Jointed, Level, Load, Mass, Matrix, Origin, Outline, Potential, Potentials, Reaction,
+    SOLIDS, Solid, Substance, Violation, displaced, is_flat, is_possible, is_solid, least_moment,
+    matrix, thinnest, words,
 };
 pub use joints::{
     Coordinate, Field, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,

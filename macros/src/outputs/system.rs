@@ -82,27 +82,24 @@ pub fn derive_system_outputs(
             work.labels.vector(&format!("{name}_moment"), *moment);
         }
     }
-    if let Some(place) = outline.place("inverse") {
+    if outline.rank("inverse").is_some() {
         let loads = derive_system_inverse(system, work, equations);
         let mut is_sound = true;
         for (joint, loads) in system.joints.iter().zip(loads) {
-            for (open, load) in joint.open.iter().zip(loads) {
-                match open {
-                    Some(name) => outputs.drives.push((name.clone(), load)),
-                    None => is_sound = false,
-                }
+            let found = joint.open.iter().zip(loads);
+            let found = found.filter_map(|(open, load)| Some((open.clone()?, load)));
+            outputs.drives.extend(found);
+            if joint.open.iter().any(Option::is_none) {
+                let name = &joint.name;
+                let message = format!(
+                    "nothing drives `{name}`, and inverse dynamics finds the drives that make all joints \
+                     move as is given: write `motor = _.on({name})` for each coordinate"
+                );
+                errors.push(name.span(), message);
+                is_sound = false;
             }
         }
         if !is_sound {
-            let undriven = system
-                .joints
-                .iter()
-                .find(|joint| joint.open.iter().any(Option::is_none));
-            let name = undriven.map_or(String::new(), |joint| joint.name.to_string());
-            errors.push(
-                place,
-                format!("inverse dynamics finds the drives that make the joints move as is given, and nothing drives `{name}`: write `motor = _.on({name})` for each coordinate"),
-            );
             return None;
         }
     }

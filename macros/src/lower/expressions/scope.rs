@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::errors::hint;
-use crate::model::{Frame, Vector};
+use crate::model::{Frame, Origin, Vector};
 use crate::symbolic::Components;
 use crate::syntax::Description;
 
@@ -157,6 +157,8 @@ pub struct Members {
 pub struct BodyNames {
     pub name: String,
     pub frame: Frame,
+    /// Where its G is, if others are drawn in the same frame.
+    pub origin: Option<Origin>,
     /// Its points, from its G in its axes; without components those that are reported.
     pub points: Vec<(String, Option<Components>)>,
     /// Once the joints are known.

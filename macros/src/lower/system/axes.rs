@@ -3,10 +3,11 @@
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::model::{Axes, Dimension, JointKind};
+use crate::model::{Axes, Dimension, Drawn, JointKind};
 use crate::symbolic::{Components, Graph, Id, Node};
 use crate::syntax::Expression;
 
+use super::drawing::in_drawing;
 use super::joints::first_name_of;
 use super::reader::{Reader, still};
 
@@ -94,10 +95,15 @@ impl Reader<'_> {
             is_constrained: false,
             composed: None,
             has_parts: false,
+            drawn: Drawn::Alone,
             members: &self.members,
             is_whole: false,
         };
-        let found = lowering.direction(written, &defaults);
+        let found = if self.system.is_drawn() {
+            lowering.direction(&in_drawing(written), &defaults)
+        } else {
+            lowering.direction(written, &defaults)
+        };
         self.scope = scope;
         found
     }
@@ -119,23 +125,38 @@ impl Reader<'_> {
             return None;
         }
         for (method, arguments) in methods {
-            let later = ["driven", "at", "locked"];
+            let later = ["driven", "locked"];
             match (method.to_string().as_str(), *arguments) {
-                ("turned", [axis, angle]) if !self.system.is_planar => {
+                ("turned", [axis, angle]) if !self.system.is_planar && !self.system.is_drawn() => {
                     let axis = self.direction(body, axis, errors);
                     let angle = self.fixed_angle(angle, errors);
                     turned = turned.and_then(|_| Some(Some((axis?, angle?))));
                 }
-                ("turned", [angle]) if self.system.is_planar => {
+                ("turned", [angle]) if self.system.is_planar && !self.system.is_drawn() => {
                     let axis = self.work.graph.unit_vectors()[2];
                     let angle = self.fixed_angle(angle, errors);
                     turned = turned.and_then(|_| Some(Some((axis, angle?))));
+                }
+                ("turned", _) if self.system.is_drawn() => {
+                    let message =
+                        "in a drawing all bodies are as they are drawn: leave `.turned(..)` out";
+                    errors.push(method.span(), message);
+                    turned = None;
                 }
                 ("turned", _) => {
                     errors.push(
                         method.span(),
                         "write `.turned(axis, angle)`, in the plane `.turned(angle)`",
                     );
+                    turned = None;
+                }
+                ("at", _) => {
+                    let message = if self.system.is_drawn() {
+                        "a joint is in one place: leave this out"
+                    } else {
+                        "`.at(..)` places a joint in a drawing: write `drawing: zero_pose`, or points of bodies"
+                    };
+                    errors.push(method.span(), message);
                     turned = None;
                 }
                 (word, _) if later.contains(&word) => {

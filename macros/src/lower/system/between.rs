@@ -8,14 +8,11 @@ use crate::symbolic::{Comparison, Components, Id, Number};
 use crate::syntax::{Definition, Expression, Kind};
 
 use super::drives::behind;
-use super::joints::call;
+use super::joints::{End, call};
 use super::reader::Reader;
 
 /// Loads, each with the number of the body that it acts on.
 type Loads = Vec<(usize, Load)>;
-
-/// A point of a body, by its number, or of the ground.
-type End = (Option<usize>, Components);
 
 impl Reader<'_> {
     /// The loads between points and bodies, and the energies of cables.

@@ -6,7 +6,7 @@ use crate::errors::{Errors, Extent};
 use crate::lower::definitions::{check_names, definition_order, split_at_points};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
 use crate::model::{
-    Composed, Dimension, Frame, Inertia, Load, Mass, Meaning, Member, State, Workspace,
+    Composed, Dimension, Drawn, Frame, Inertia, Load, Mass, Meaning, Member, State, Workspace,
 };
 use crate::symbolic::{Components, Stage};
 use crate::syntax::{self, Description, Kind};
@@ -21,13 +21,19 @@ pub struct Draft<'a> {
     pub scope: Scope,
     pub mass: Mass,
     pub composed: Option<Composed>,
+    pub drawn: Drawn,
     /// Once the joints are known.
     pub state: Option<State>,
 }
 
 impl<'a> Reader<'a> {
     /// Reads the points and the mass of a body, and tells others of them.
-    pub fn points(&mut self, body: &'a Description, errors: &mut Errors) -> Draft<'a> {
+    pub fn points(
+        &mut self,
+        number: usize,
+        body: &'a Description,
+        errors: &mut Errors,
+    ) -> Draft<'a> {
         let frame = self.work.new_frame(Frame::WORLD);
         let mut repeated = check_names(body, errors);
         repeated.extend(check_own_names(self.system, body, errors));
@@ -37,6 +43,7 @@ impl<'a> Reader<'a> {
             scope: Scope::new(body, repeated),
             mass: Mass::Reported,
             composed: None,
+            drawn: self.drawn(number, body, errors),
             state: Some(self.unknown_state(frame)),
         };
         let (order, circular) = definition_order(body, errors);
@@ -53,15 +60,28 @@ impl<'a> Reader<'a> {
         });
         draft.state = None;
         let mass = draft.mass.known();
+        let composed = draft.composed.map(|composed| composed.origin);
         let values = mass.map(|mass| ("mass", Value::Scalar(mass, Dimension::MASS)));
         self.members.bodies.push(BodyNames {
             name: body.name.to_string(),
             frame,
+            origin: composed.or(draft.drawn.origin()),
             points: points(&draft.scope, body, frame),
             motion: None,
             values: values.into_iter().collect(),
         });
         draft
+    }
+
+    /// Where G of a body is in a drawing; of parts that follows.
+    fn drawn(&mut self, number: usize, body: &Description, errors: &mut Errors) -> Drawn {
+        match self.system.centers.as_ref().and_then(|all| all.get(number)) {
+            Some(center) if body.composition.is_none() => {
+                let origin = self.drawn_center(center, &body.name, errors);
+                origin.map_or(Drawn::Lost, Drawn::From)
+            }
+            _ => Drawn::Alone,
+        }
     }
 
     /// A state of which nothing is known before the system moves.
@@ -104,6 +124,7 @@ impl<'a> Reader<'a> {
             is_constrained: false,
             composed: draft.composed,
             has_parts: draft.description.composition.is_some(),
+            drawn: draft.drawn,
             members: &self.members,
             is_whole: false,
         };

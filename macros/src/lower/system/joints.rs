@@ -25,6 +25,9 @@ pub struct Written {
     pub mention: proc_macro2::Span,
 }
 
+/// A point of a body, by its number, or of the ground, and where it is there.
+pub type End = (Option<usize>, Components);
+
 /// Joints that are not there yet.
 const LATER: [&str; 1] = ["link"];
 
@@ -37,7 +40,7 @@ pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind
 }
 
 /// A function or a method, with its arguments.
-type Called<'e> = (&'e Ident, &'e [Expression]);
+pub type Called<'e> = (&'e Ident, &'e [Expression]);
 
 /// `kind(arguments)`, and the methods behind it.
 pub fn call(value: &Expression) -> Option<(Called<'_>, Vec<Called<'_>>)> {
@@ -124,7 +127,7 @@ impl Reader<'_> {
         });
         let value = joint.value.as_ref()?;
         let kinds = JointKind::all(self.system.is_planar);
-        let Some(((word, arguments), methods)) = call(value) else {
+        let Some((called, mut methods)) = call(value) else {
             let forms = kinds[0].form;
             errors.push(
                 value.extent,
@@ -132,6 +135,7 @@ impl Reader<'_> {
             );
             return None;
         };
+        let (word, arguments) = called;
         let Some(kind) = kind_of(value, self.system.is_planar) else {
             errors.push(word.span(), unknown_kind(word, self.system.is_planar));
             return None;
@@ -140,9 +144,14 @@ impl Reader<'_> {
         if kind.holds == Holds::Center {
             return self.joint_of_center(joint, kind, &arguments[0], &methods, errors);
         }
-        let carrier = self.anchor(&arguments[0], errors);
-        let carried = self.anchor(&arguments[1], errors);
-        let (carrier, carried) = (carrier?, carried?);
+        let ends = if self.system.is_drawn() {
+            self.drawn_ends(kind, called, &mut methods, errors)?
+        } else {
+            [0, 1].map(|k| self.anchor(&arguments[k], errors))
+        };
+        let [Some(carrier), Some(carried)] = ends else {
+            return None;
+        };
         let (Some(body), pin) = carried else {
             errors.push(
                 arguments[1].extent,
@@ -232,11 +241,7 @@ impl Reader<'_> {
     }
 
     /// A point of a body, by its number, or of the ground, and where it is there.
-    pub fn anchor(
-        &mut self,
-        written: &Expression,
-        errors: &mut Errors,
-    ) -> Option<(Option<usize>, Components)> {
+    pub fn anchor(&mut self, written: &Expression, errors: &mut Errors) -> Option<End> {
         if let Kind::Name(name) = &written.kind
             && let Some(body) = self
                 .members

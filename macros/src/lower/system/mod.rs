@@ -4,6 +4,7 @@
 mod axes;
 mod between;
 mod body;
+mod drawing;
 mod drives;
 mod joints;
 mod motion;
@@ -70,7 +71,7 @@ pub fn lower_system(
             number,
             &mut wrong,
             errors,
-            |errors| reader.points(body, errors),
+            |errors| reader.points(number, body, errors),
         );
         drafts.push(draft);
     }

@@ -45,7 +45,7 @@ impl Reader<'_> {
             })
             .collect();
         let mut forms = Vec::new();
-        let is_known = drafts.iter().all(|draft| draft.state.is_some());
+        let is_known = self.members.bodies.iter().all(|body| body.motion.is_some());
         if !list.is_empty() && is_known {
             forms.push(self.form(drafts, joints, errors)?);
         }

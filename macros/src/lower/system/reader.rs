@@ -3,7 +3,7 @@
 use crate::errors::Errors;
 use crate::lower::definitions::{Definition, definition_order};
 use crate::lower::expressions::{Lowering, Members, Scope, Value};
-use crate::model::{Defaults, Frame, Motion, State, Vector, Workspace};
+use crate::model::{Defaults, Drawn, Frame, Motion, State, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 use crate::syntax;
 
@@ -42,6 +42,7 @@ impl Reader<'_> {
             is_constrained: false,
             composed: None,
             has_parts: false,
+            drawn: Drawn::Alone,
             members: &self.members,
             is_whole: true,
         })

@@ -13,7 +13,7 @@ mod reaction;
 mod solids;
 mod substance;
 
-pub use composed::Composed;
+pub use composed::{Composed, Drawn, Origin};
 pub use constraint::{Constraint, Level};
 pub use defaults::Defaults;
 pub use inertia::{ENTRIES, Inertia, displaced};

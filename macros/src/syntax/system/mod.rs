@@ -1,8 +1,11 @@
 //! A system: bodies, the joints between them, and what drives these.
 
 mod body;
+mod drawing;
 mod lost;
 mod outputs;
+
+pub use drawing::Center;
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
@@ -29,6 +32,8 @@ pub struct System {
     pub forces: Vec<Definition>,
     pub moments: Vec<Definition>,
     pub is_planar: bool,
+    /// Of each body, if bodies and joints are drawn in one frame.
+    pub centers: Option<Vec<Center>>,
     /// The joints that are named behind `reactions`, if any are.
     pub held: Option<Vec<Ident>>,
     /// For each body, the first one that is written in the same braces.
@@ -61,11 +66,11 @@ const OF_BODIES: [&str; 6] = [
     "pole",
 ];
 /// Keys that stand in the system alone.
-const OF_SYSTEMS: [&str; 8] = [
-    "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives",
+const OF_SYSTEMS: [&str; 9] = [
+    "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives", "drawing",
 ];
 /// Keys of the language of systems that are not there yet.
-const LATER: [&str; 5] = ["constraints", "reactions", "independent", "urdf", "drawing"];
+const LATER: [&str; 4] = ["constraints", "reactions", "independent", "urdf"];
 
 /// Parses `(runtime) Name { key: value, .. }` of a system.
 pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {
@@ -80,6 +85,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         forces: Vec::new(),
         moments: Vec::new(),
         is_planar: false,
+        centers: None,
         held: None,
         firsts: Vec::new(),
         keys: Vec::new(),
@@ -90,6 +96,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         system.parse_key(without_attributes(&entry, errors), errors);
     }
     system.is_planar = system.check_motion(errors);
+    system.take_centers(errors);
     system.lose_names();
     let word = if system.is_planar {
         "planar"
@@ -138,6 +145,8 @@ impl System {
                 self.top.keys.push(key.clone());
             }
             self.parse_list(list, example, key, rest, errors);
+        } else if word == "drawing" {
+            self.parse_drawing(key, rest, errors);
         } else if word == "outputs" {
             let entry = self.without_joints(entry, errors);
             parse_key(&mut self.top, &entry, errors);

@@ -148,7 +148,7 @@ fn the_loads_of_potentials() {
 }
 
 // a free base, what it carries, and another free body
-rigid_system!(Tethered {
+rigid_system!(Tethered::<T> {
     bodies: [
         hub {
             mass: 3[kg],
@@ -190,7 +190,7 @@ rigid_system!(Tethered {
 
 #[test]
 fn energy_is_kept() {
-    let system = Tethered::default();
+    let system = Tethered::<f64>::default();
     let mut numbers = Random::new(8);
     for _ in 0..5 {
         let state = TetheredState {
@@ -199,7 +199,7 @@ fn energy_is_kept() {
             flight: Jointed::random(&mut numbers),
             shift: Jointed::random(&mut numbers),
         };
-        let energy = |state: &TetheredState| {
+        let energy = |state: &TetheredState<f64>| {
             system.kinetic_energy(state) + system.potential_energy(0.0, state, &())
         };
         let later = system.integrate(&state).tolerance(1e-14).to(2.0).unwrap();

@@ -64,7 +64,7 @@ impl Reader<'_> {
         };
         self.tell_of(written.carried, &state);
         drafts[written.carried].state = Some(state);
-        self.define_attitude(&mut drafts[written.carried], kind.is_free());
+        self.define_attitude(&mut drafts[written.carried], kind.has_attitude());
         let turns = kind
             .parts
             .iter()

@@ -150,7 +150,7 @@ impl Reader<'_> {
                 body: draft.frame,
                 displacement,
                 angle,
-                has_own_attitude: joint.kind.is_free(),
+                has_own_attitude: joint.kind.has_attitude(),
             });
         }
         for draft in drafts {

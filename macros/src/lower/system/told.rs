@@ -33,7 +33,7 @@ impl Reader<'_> {
     }
 
     /// `attitude`, of a body in the plane the sum of the angles that carry it.
-    pub fn define_attitude(&mut self, draft: &mut Draft<'_>, is_free: bool) {
+    pub fn define_attitude(&mut self, draft: &mut Draft<'_>, is_told: bool) {
         let value = if self.system.is_planar {
             let mut angles = Vec::new();
             let mut frame = draft.frame;
@@ -44,7 +44,7 @@ impl Reader<'_> {
                 frame = self.work.carrier(frame);
             }
             Value::Scalar(self.work.graph.sum(&angles), Dimension::NONE)
-        } else if is_free {
+        } else if is_told {
             Value::Attitude
         } else {
             return;

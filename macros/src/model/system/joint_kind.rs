@@ -195,6 +195,11 @@ impl JointKind {
         self.parts == [Part::Free]
     }
 
+    /// In space, its state has the attitude of what it carries against the ground.
+    pub fn has_attitude(&self) -> bool {
+        self.holds == Holds::Center && matches!(self.parts, [Part::Free | Part::Ball])
+    }
+
     pub fn is_screw(&self) -> bool {
         self.parts == [Part::Screw]
     }

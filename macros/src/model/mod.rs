@@ -20,7 +20,7 @@ pub use joints::{
 pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use system::{Axes, Holds, JointKind, Member, Part, System, TreeJoint};
+pub use system::{Axes, Cable, Holds, JointKind, Member, Part, System, TreeJoint};
 pub use words::{
     AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
 };

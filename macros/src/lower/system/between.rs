@@ -3,7 +3,7 @@
 use crate::errors::Errors;
 use crate::families::Family;
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Frame, Load, Meaning, Point, Vector};
+use crate::model::{Cable, Dimension, Frame, Load, Meaning, Point, Vector};
 use crate::symbolic::{Comparison, Components, Id, Number};
 use crate::syntax::{Definition, Expression, Kind};
 
@@ -14,10 +14,19 @@ use super::reader::Reader;
 /// Loads, each with the number of the body that it acts on.
 type Loads = Vec<(usize, Load)>;
 
+/// What acts between bodies.
+#[derive(Default)]
+pub struct Between {
+    pub loads: Loads,
+    /// The energies of cables.
+    pub energies: Vec<Id>,
+    pub cables: Vec<Cable>,
+}
+
 impl Reader<'_> {
-    /// The loads between points and bodies, and the energies of cables.
-    pub fn loads_between(&mut self, errors: &mut Errors) -> Option<(Loads, Vec<Id>)> {
-        let (mut loads, mut energies) = (Some(Vec::new()), Vec::new());
+    /// The loads between points and bodies.
+    pub fn loads_between(&mut self, errors: &mut Errors) -> Option<Between> {
+        let (mut between, mut is_sound) = (Between::default(), true);
         let system = self.system;
         let tensions = system.forces.iter().map(|load| (load, true));
         let couples = system.moments.iter().map(|load| (load, false));
@@ -27,21 +36,13 @@ impl Reader<'_> {
             } else {
                 self.couple(load, errors)
             };
-            match (found, &mut loads) {
-                (Some(found), Some(all)) => all.extend(found),
-                _ => loads = None,
-            }
+            is_sound &= found.is_some();
+            between.loads.extend(found.unwrap_or_default());
         }
         for cable in &system.cables {
-            match (self.cable(cable, errors), &mut loads) {
-                (Some((found, energy)), Some(all)) => {
-                    all.extend(found);
-                    energies.push(energy);
-                }
-                _ => loads = None,
-            }
+            is_sound &= self.cable(cable, &mut between, errors).is_some();
         }
-        Some((loads?, energies))
+        is_sound.then_some(between)
     }
 
     /// `tension.between(P, Q)`: along the line PQ, positive if it pulls them together.
@@ -70,7 +71,7 @@ impl Reader<'_> {
 
     /// `cable(P, Q, length, stiffness)`: a force where the line is longer than the cable, nothing where
     /// it is not, however short it is; and its energy.
-    fn cable(&mut self, cable: &Definition, errors: &mut Errors) -> Option<(Loads, Id)> {
+    fn cable(&mut self, cable: &Definition, into: &mut Between, errors: &mut Errors) -> Option<()> {
         let value = cable.value.as_ref()?;
         let ((word, arguments), methods) = call(value)?;
         let form = "cable(P, Q, length, stiffness)";
@@ -111,7 +112,15 @@ impl Reader<'_> {
         let share = graph.divide(force, distance);
         let zero = graph.zero();
         let [energy, share] = [energy, share].map(|tight| graph.select(is_tight, tight, zero));
-        Some((self.pulls(cable, ends, line, share), energy))
+        let system = self.system;
+        let bodies = ends.map(|(body, _)| Some(system.bodies[body?].name.clone()));
+        into.cables.push(Cable {
+            name: cable.name.clone(),
+            bodies,
+        });
+        into.energies.push(energy);
+        into.loads.extend(self.pulls(cable, ends, line, share));
+        Some(())
     }
 
     /// Two points of different bodies, or of a body and the ground, and the line between them, world

@@ -84,11 +84,11 @@ pub fn lower_system(
     let bodies = reader.bodies(&mut drafts, &mut wrong, errors);
     let potentials = reader.potentials(&mut drafts, &joints, errors);
     let joints = reader.drives(joints, errors);
-    let loads = reader.loads_between(errors);
+    let between = reader.loads_between(errors);
     outline.unused = reader.unused(&drafts);
     let (mut bodies, joints) = (bodies?, joints?);
-    let (loads, energies) = loads?;
-    for (body, load) in loads {
+    let between = between?;
+    for (body, load) in between.loads {
         bodies[body].loads.push(load);
     }
     let Reader {
@@ -106,7 +106,8 @@ pub fn lower_system(
         joints,
         gravity,
         potentials: potentials?,
-        energies,
+        energies: between.energies,
+        cables: between.cables,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         defaults,
     };

@@ -21,6 +21,7 @@ pub struct System {
     pub joints: Vec<TreeJoint>,
     /// The acceleration of free fall in the field that acts on all mass alike, world axes.
     pub gravity: Components,
+    pub cables: Vec<Cable>,
     pub potentials: Potentials,
     /// Energies besides those of uniform fields: of cables, and of potentials once these are loads.
     pub energies: Vec<Id>,
@@ -37,6 +38,13 @@ pub struct Member {
     pub inertia: Inertia,
     /// All but gravity.
     pub loads: Vec<Load>,
+}
+
+/// What only pulls.
+pub struct Cable {
+    pub name: Ident,
+    /// At its ends; none: the ground.
+    pub bodies: [Option<Ident>; 2],
 }
 
 /// A joint between a body and one before it, or the ground.

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use newton_euler::prelude::*;
 
 use crate::agree;
-use crate::compare::{Jointed, Random, link};
+use crate::compare::{Jointed, Random, close, link};
 use crate::oracle::Kind;
 
 rigid_system!(Flat {
@@ -110,5 +110,71 @@ fn energy_is_kept() {
         let size = system.kinetic_energy(&state) + energy(&state).abs();
         let drift = (energy(&later) - energy(&state)).abs();
         assert!(drift <= 1e-12 * size, "{drift} of {size}");
+    }
+}
+
+// with what is no potential: a motor that depends on the time, friction
+rigid_system!(Driven {
+    motion: planar,
+    bodies: [
+        upper {
+            mass: 1.2[kg],
+            inertia: 0.04[kg * m ^ 2],
+            points: [hinge = (-0.28, 0)[m], tip = (0.32, 0)[m]],
+        },
+        lower {
+            mass: 0.8[kg],
+            inertia: 0.015[kg * m ^ 2],
+            points: [hinge = (-0.22, 0)[m], tip = (0.2, 0)[m]],
+        },
+    ],
+    joints: [
+        shoulder = revolute(world(0, 0), upper.hinge),
+        elbow = revolute(upper.tip, lower.hinge),
+        rope = cable(world(0, 5), lower.tip, 0.5[m], 20[N / m]),
+    ],
+    fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    drives: [
+        motor = (2[N * m] * (3[rad / s] * t).cos()).on(shoulder),
+        friction = (-0.1[N * m * s] * elbow.angular_velocity).on(elbow),
+    ],
+    potentials: [
+        coil = 1.5[N * m] * elbow.angle.powi(2),
+        spring = 10[N / m] * (lower.tip.position() - world(1, 0)[m]).norm_squared(),
+    ],
+    outputs: [energy],
+});
+
+#[test]
+fn energy_changes_by_the_power_of_the_drives() {
+    let system = Driven::default();
+    let mut numbers = Random::new(5);
+    for _ in 0..20 {
+        let state = DrivenState {
+            shoulder: Jointed::random(&mut numbers),
+            elbow: Jointed::random(&mut numbers),
+        };
+        let (start, step) = (0.4, 1e-3);
+        let energy = |steps: f64| {
+            let end = start + step * steps;
+            let run = system.integrate(&state).starting_at(start).tolerance(1e-13);
+            let moved = run.to(end).unwrap();
+            system.kinetic_energy(&moved) + system.potential_energy(end, &moved, &())
+        };
+        // by differences of the eighth order
+        let weights = [
+            (1.0, 0.8),
+            (2.0, -0.2),
+            (3.0, 4.0 / 105.0),
+            (4.0, -1.0 / 280.0),
+        ];
+        let rate = weights.map(|(steps, share)| share * (energy(steps) - energy(-steps)) / step);
+        let rate: f64 = rate.iter().sum();
+        let (shoulder, elbow) = (
+            state.shoulder.angular_velocity,
+            state.elbow.angular_velocity,
+        );
+        let power = 2.0 * (3.0 * start).cos() * shoulder - 0.1 * elbow * elbow;
+        close("power", &[rate], &[power], 100.0, 1e-8);
     }
 }

@@ -112,6 +112,10 @@ impl Reader<'_> {
         let share = graph.divide(force, distance);
         let zero = graph.zero();
         let [energy, share] = [energy, share].map(|tight| graph.select(is_tight, tight, zero));
+        let share = graph.quantity(share);
+        for (id, what) in [(distance, "length"), (stretch, "stretch"), (share, "pull")] {
+            self.work.labels.name(id, format!("{what}_{}", cable.name));
+        }
         let system = self.system;
         let bodies = ends.map(|(body, _)| Some(system.bodies[body?].name.clone()));
         into.cables.push(Cable {

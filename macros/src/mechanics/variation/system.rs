@@ -23,7 +23,7 @@ pub fn with_system_potentials(mut system: System, work: &mut Workspace) -> Syste
             );
         }
         for (coordinate, load) in form.coordinates.iter().zip(&derived.along) {
-            drive(&mut system, work, *coordinate, *load);
+            drive(&mut system, work, number, *coordinate, *load);
         }
         system.energies.push(derived.energy);
     }
@@ -67,7 +67,8 @@ fn draw_at(
 }
 
 /// Adds a load along the coordinate of a joint.
-fn drive(system: &mut System, work: &mut Workspace, coordinate: Id, load: Id) {
+fn drive(system: &mut System, work: &mut Workspace, number: usize, coordinate: Id, load: Id) {
+    let name = &system.potentials.list[number].name;
     for joint in &mut system.joints {
         let freedoms = joint.kind.freedoms(system.is_planar);
         for ((rate, part), drive) in freedoms.into_iter().zip(&mut joint.drives) {
@@ -76,6 +77,10 @@ fn drive(system: &mut System, work: &mut Workspace, coordinate: Id, load: Id) {
                 _ => Variable::Angle,
             };
             if joint.coordinates.get(variable, part) == Some(coordinate) {
+                let (is_negative, magnitude) = work.graph.split_sign(load);
+                let minus = if is_negative { "minus_" } else { "" };
+                let label = format!("{minus}{name}_on_{}", joint.name);
+                work.labels.name(magnitude, label);
                 *drive = work.graph.add(*drive, load);
             }
         }

@@ -82,28 +82,35 @@ pub fn derive_system_outputs(
             work.labels.vector(&format!("{name}_moment"), *moment);
         }
     }
-    if outline.rank("inverse").is_some() {
-        let loads = derive_system_inverse(system, work, equations);
-        let mut is_sound = true;
-        for (joint, loads) in system.joints.iter().zip(loads) {
-            let found = joint.open.iter().zip(loads);
-            let found = found.filter_map(|(open, load)| Some((open.clone()?, load)));
-            outputs.drives.extend(found);
-            if joint.open.iter().any(Option::is_none) {
-                let name = &joint.name;
-                let message = format!(
-                    "nothing drives `{name}`, and inverse dynamics finds the drives that make all joints \
-                     move as is given: write `motor = _.on({name})` for each coordinate"
-                );
-                errors.push(name.span(), message);
-                is_sound = false;
-            }
-        }
-        if !is_sound {
-            return None;
-        }
+    if is_asked("inverse") {
+        outputs.drives = derive_drives(system, work, equations, errors)?;
     }
     Some(outputs)
+}
+
+/// The open drives of all joints; each joint without one is an error.
+fn derive_drives(
+    system: &System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+    errors: &mut Errors,
+) -> Option<Vec<(Ident, Id)>> {
+    let loads = derive_system_inverse(system, work, equations);
+    let (mut drives, mut is_sound) = (Vec::new(), true);
+    for (joint, loads) in system.joints.iter().zip(loads) {
+        let found = joint.open.iter().zip(loads);
+        drives.extend(found.filter_map(|(open, load)| Some((open.clone()?, load))));
+        if joint.open.iter().any(Option::is_none) {
+            let name = &joint.name;
+            let message = format!(
+                "nothing drives `{name}`, and inverse dynamics finds the drives that make all joints \
+                 move as is given: write `motor = _.on({name})` for each coordinate"
+            );
+            errors.push(name.span(), message);
+            is_sound = false;
+        }
+    }
+    is_sound.then_some(drives)
 }
 
 impl SystemOutputs {

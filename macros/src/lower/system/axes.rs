@@ -124,60 +124,56 @@ impl Reader<'_> {
             errors.push(again.span(), message);
             return None;
         }
+        let may_turn = !self.system.is_drawn();
         for (method, arguments) in methods {
-            let later = ["driven", "locked"];
-            match (method.to_string().as_str(), *arguments) {
-                ("turned", [axis, angle]) if !self.system.is_planar && !self.system.is_drawn() => {
+            let found = match *arguments {
+                [axis, angle] if *method == "turned" && may_turn && !self.system.is_planar => {
                     let axis = self.direction(body, axis, errors);
                     let angle = self.fixed_angle(angle, errors);
-                    turned = turned.and_then(|_| Some(Some((axis?, angle?))));
+                    axis.zip(angle)
                 }
-                ("turned", [angle]) if self.system.is_planar && !self.system.is_drawn() => {
+                [angle] if *method == "turned" && may_turn && self.system.is_planar => {
                     let axis = self.work.graph.unit_vectors()[2];
                     let angle = self.fixed_angle(angle, errors);
-                    turned = turned.and_then(|_| Some(Some((axis, angle?))));
-                }
-                ("turned", _) if self.system.is_drawn() => {
-                    let message =
-                        "in a drawing all bodies are as they are drawn: leave `.turned(..)` out";
-                    errors.push(method.span(), message);
-                    turned = None;
-                }
-                ("turned", _) => {
-                    errors.push(
-                        method.span(),
-                        "write `.turned(axis, angle)`, in the plane `.turned(angle)`",
-                    );
-                    turned = None;
-                }
-                ("at", _) => {
-                    let message = if self.system.is_drawn() {
-                        "a joint is in one place: leave this out"
-                    } else {
-                        "`.at(..)` places a joint in a drawing: write `drawing: zero_pose`, or points of bodies"
-                    };
-                    errors.push(method.span(), message);
-                    turned = None;
-                }
-                (word, _) if later.contains(&word) => {
-                    errors.push(
-                        method.span(),
-                        format!("`.{word}(..)` of a joint is part of the language, but this version does not have it yet"),
-                    );
-                    turned = None;
+                    angle.map(|angle| (axis, angle))
                 }
                 _ => {
-                    errors.push(
-                        method.span(),
-                        format!(
-                            "a joint has no `{method}`: what may follow is `.turned(axis, angle)`"
-                        ),
-                    );
-                    turned = None;
+                    errors.push(method.span(), self.why_not_behind(method));
+                    None
                 }
-            }
+            };
+            turned = turned.and_then(|_| found.map(Some));
         }
         turned
+    }
+
+    /// What is wrong with a method behind a joint.
+    fn why_not_behind(&self, method: &Ident) -> String {
+        let word = method.to_string();
+        let message = match (word.as_str(), self.system.is_drawn()) {
+            ("turned", true) => {
+                "in a drawing all bodies are as they are drawn: leave `.turned(..)` out"
+            }
+            ("turned", false) => "write `.turned(axis, angle)`, in the plane `.turned(angle)`",
+            ("at", true) => "a joint is in one place: leave this out",
+            ("at", false) => {
+                "`.at(..)` places a joint in a drawing: write `drawing: zero_pose`, or points of bodies"
+            }
+            ("driven" | "locked", _) => {
+                return format!(
+                    "`.{word}(..)` of a joint is part of the language, but this version does not have it yet"
+                );
+            }
+            (_, true) => {
+                return format!("a joint of a drawing has no `{word}`: what follows is `.at(..)`");
+            }
+            (_, false) => {
+                return format!(
+                    "a joint has no `{word}`: what may follow is `.turned(axis, angle)`"
+                );
+            }
+        };
+        message.to_owned()
     }
 
     fn fixed_angle(&mut self, written: &Expression, errors: &mut Errors) -> Option<Id> {

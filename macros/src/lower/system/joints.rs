@@ -144,28 +144,7 @@ impl Reader<'_> {
         if kind.holds == Holds::Center {
             return self.joint_of_center(joint, kind, &arguments[0], &methods, errors);
         }
-        let ends = if self.system.is_drawn() {
-            self.drawn_ends(kind, called, &mut methods, errors)?
-        } else {
-            [0, 1].map(|k| self.anchor(&arguments[k], errors))
-        };
-        let [Some(carrier), Some(carried)] = ends else {
-            return None;
-        };
-        let (Some(body), pin) = carried else {
-            errors.push(
-                arguments[1].extent,
-                "the second point of a joint is on the body that it carries: the ground is carried by nothing",
-            );
-            return None;
-        };
-        if carrier.0 == Some(body) {
-            errors.push(
-                arguments[1].extent,
-                "a joint is between two bodies, or a body and the ground: both points are on one body",
-            );
-            return None;
-        }
+        let (carrier, (body, pin)) = self.joined(kind, called, &mut methods, errors)?;
         let directions = self.directions(body, kind, arguments, errors);
         let pitch = self.pitch(kind, arguments, errors);
         let turned = self.turned(body, &methods, errors)?;
@@ -181,6 +160,36 @@ impl Reader<'_> {
             turned,
             mention: first_name(&arguments[1]).unwrap_or_else(|| joint.name.span()),
         })
+    }
+
+    /// The carrier's end of a joint, and that of the body that it carries.
+    fn joined(
+        &mut self,
+        kind: &JointKind,
+        called: Called<'_>,
+        methods: &mut Vec<Called<'_>>,
+        errors: &mut Errors,
+    ) -> Option<(End, (usize, Components))> {
+        let (_, arguments) = called;
+        let ends = if self.system.is_drawn() {
+            self.drawn_ends(kind, called, methods, errors)?
+        } else {
+            [0, 1].map(|k| self.anchor(&arguments[k], errors))
+        };
+        let [Some(carrier), Some(carried)] = ends else {
+            return None;
+        };
+        let message = match carried.0 {
+            Some(body) if carrier.0 == Some(body) => {
+                "a joint is between two bodies, or a body and the ground: both points are on one body"
+            }
+            Some(body) => return Some((carrier, (body, carried.1))),
+            None => {
+                "the second point of a joint is on the body that it carries: the ground is carried by nothing"
+            }
+        };
+        errors.push(arguments[1].extent, message);
+        None
     }
 
     /// `free(hub)`

@@ -63,18 +63,8 @@ pub fn lower_system(
         lowering.declarations(&system.top, outline)
     });
     reader.locals(errors, false);
-    let mut drafts: Vec<Draft<'_>> = Vec::new();
     let mut wrong = HashSet::new();
-    for (number, body) in system.bodies.iter().enumerate() {
-        let draft = for_copy(
-            system.firsts[number],
-            number,
-            &mut wrong,
-            errors,
-            |errors| reader.points(number, body, errors),
-        );
-        drafts.push(draft);
-    }
+    let mut drafts = reader.drafts(&mut wrong, errors);
     let joints = reader.joints(errors);
     reader.check_held(&joints, errors);
     let order = reader.tree(&joints, errors);
@@ -96,10 +86,7 @@ pub fn lower_system(
     } = reader;
     let gravity = body::common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let (bodies, joints) = carriers_first(bodies, joints)?;
-    for known in &mut outline.joints {
-        let joint = joints.iter().find(|joint| joint.name == known.name);
-        known.frame = joint.and_then(|joint| joint.frames.last().copied());
-    }
+    tell_frames(outline, &joints);
     let system = System {
         is_planar: system.is_planar,
         bodies,
@@ -116,6 +103,14 @@ pub fn lower_system(
         errors.push(outline.name.span(), message);
     }
     errors.is_empty().then_some((system, work))
+}
+
+/// The frames of what joints carry, by which their states are known.
+fn tell_frames(outline: &mut Outline, joints: &[TreeJoint]) {
+    for known in &mut outline.joints {
+        let joint = joints.iter().find(|joint| joint.name == known.name);
+        known.frame = joint.and_then(|joint| joint.frames.last().copied());
+    }
 }
 
 /// Each body with the joint that carries it, after its carrier.
@@ -136,7 +131,20 @@ fn carriers_first(
     Some((bodies, joints))
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    /// All bodies, with their points; those with mistakes become `wrong`.
+    fn drafts(&mut self, wrong: &mut HashSet<usize>, errors: &mut Errors) -> Vec<Draft<'a>> {
+        let system = self.system;
+        let bodies = system.bodies.iter().enumerate();
+        let drafts = bodies.map(|(number, body)| {
+            let first = system.firsts[number];
+            for_copy(first, number, wrong, errors, |errors| {
+                self.points(number, body, errors)
+            })
+        });
+        drafts.collect()
+    }
+
     /// The names of the system that nothing refers to.
     fn unused(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
         let top = &self.system.top;

@@ -8,6 +8,7 @@ use crate::emit::{Sound, emit_body};
 use crate::errors::Errors;
 use crate::mechanics::{
     Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
+    with_system_potentials,
 };
 use crate::model::{Model, Outline, System, Workspace};
 use crate::outputs::{Listed, Outputs, derive_outputs, offers, wanted};
@@ -43,7 +44,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
     let system = lower::lower_system(&description, &mut outline, &mut errors);
     let solved = system
         .filter(|_| errors.is_empty())
-        .and_then(|(system, work)| solve_system(&outline, &system, work, &mut errors));
+        .and_then(|(system, work)| solve_system(&outline, system, work, &mut errors));
     if errors.is_empty() && solved.is_none() {
         let message = "no meaning was found for this description, and no mistake in it either";
         errors.push(outline.name.span(), message);
@@ -103,10 +104,11 @@ fn solve_body(
 /// What a system without mistakes has, and what it is asked for.
 fn solve_system(
     outline: &Outline,
-    system: &System,
+    system: System,
     mut work: Workspace,
     errors: &mut Errors,
 ) -> Option<Solved<System>> {
+    let system = &with_system_potentials(system, &mut work);
     let equations = derive_system(system, &mut work);
     let outputs = derive_outputs(outline, system, &mut work, &equations, errors)?;
     let mut report = describe_system(system, &work, &equations);

@@ -76,6 +76,8 @@ pub struct System {
     pub doc: (),
     /// `planar` for a system in the plane; left out in space.
     pub motion: (),
+    /// `zero_pose`: all bodies and joints are drawn in one frame, where all coordinates are zero.
+    pub drawing: (),
     /// Constants of a run, with or without a default: `[arm = 0.17[m], gain]`.
     pub params: (),
     /// Quantities given at each evaluation: `[torque[N * m]]`.
@@ -87,7 +89,8 @@ pub struct System {
     /// each direction.
     pub bodies: (),
     /// The joints, which carry the bodies: `[elbow = revolute(upper.tip, lower.hinge, body(0, 0, 1))]`,
-    /// from a point of the carrier to one of what it carries.
+    /// from a point of the carrier to one of what it carries. `cable(P, Q, length, stiffness)` among
+    /// them only pulls.
     pub joints: (),
     /// Loads along the coordinates of joints: `[motor = torque.on(elbow)]`; `_` marks an unknown one,
     /// for inverse dynamics.
@@ -100,6 +103,9 @@ pub struct System {
     /// Loads that stand for fields, on every body, with its own `mass`:
     /// `[weight = mass * world(0, 0, -9.80665[m / s ^ 2])]`.
     pub fields: (),
+    /// Energies U, scalars \[J\], of coordinates of joints and of places and axes of bodies; their forces
+    /// and moments are derived: `[coil = 0.5 * stiffness * elbow.angle.powi(2)]`.
+    pub potentials: (),
     /// What is generated beyond the accelerations: `[energy, momentum, reactions, inverse]`.
     pub outputs: (),
 }

@@ -106,6 +106,26 @@ impl Jointed for Planar {
     }
 }
 
+macro_rules! shifts {
+    ($($name:ident)*) => {
+        $(impl Jointed for $name {
+            fn random(random: &mut Random) -> Self {
+                let mut state = Self::default();
+                for place in state.position.iter_mut().chain(state.velocity.iter_mut()) {
+                    *place = 3.0 * random.number();
+                }
+                state
+            }
+
+            fn rates(&self) -> Rates {
+                let list = |vector: &[f64]| vector.to_vec();
+                (list(self.position.as_slice()), list(self.velocity.as_slice()))
+            }
+        })*
+    };
+}
+shifts!(Translation PlanarTranslation);
+
 /// Accelerations, loads and momenta as lists.
 pub trait Listed {
     fn list(&self) -> Vec<f64>;

@@ -7,7 +7,9 @@ mod compare;
 mod corners;
 mod counts;
 mod described;
+mod drawings;
 mod driven;
+mod kinds;
 mod large;
 mod laws;
 mod loops;
@@ -16,6 +18,7 @@ mod mechanisms;
 mod oracle;
 mod params;
 mod plane;
+mod potentials;
 #[path = "../reference/mod.rs"]
 mod reference;
 mod references;

@@ -20,6 +20,10 @@ pub enum Kind {
     Free,
     /// Along x and y, and about z.
     Plane,
+    /// Along the first two, and about the third.
+    Planar(Vec3, Vec3, Vec3),
+    /// Along the first axes, so many.
+    Shift(usize),
 }
 
 /// A body with the joint that carries it.
@@ -75,14 +79,14 @@ impl Kind {
             Self::Weld => 0,
             Self::Revolute(_) | Self::Prismatic(_) | Self::Screw(..) => 1,
             Self::Cylindrical(_) | Self::Universal(..) => 2,
-            Self::Spherical | Self::Plane => 3,
+            Self::Shift(count) => count,
+            Self::Spherical | Self::Plane | Self::Planar(..) => 3,
             Self::Free => 6,
         }
     }
 
     fn pose(self, (q, v): &Rates, a: &[f64]) -> Pose {
         let of = |k: usize| [q[k], v[k], a[k]];
-        let z = Vec3::z();
         match self {
             Self::Weld => Pose::at(Vec3::zeros()),
             Self::Revolute(d) => Pose::turn(d, of(0)),
@@ -91,9 +95,19 @@ impl Kind {
             Self::Screw(d, pitch) => Pose::slide(d * pitch, of(0)).then(&Pose::turn(d, of(0))),
             Self::Universal(d, e) => Pose::turn(d, of(0)).then(&Pose::turn(e, of(1))),
             Self::Spherical => Pose::ball(q, v, a),
-            Self::Plane => Pose::slide(Vec3::x(), of(0))
-                .then(&Pose::slide(Vec3::y(), of(1)))
-                .then(&Pose::turn(z, of(2))),
+            Self::Plane => {
+                Self::Planar(Vec3::x(), Vec3::y(), Vec3::z()).pose(&(q.clone(), v.clone()), a)
+            }
+            Self::Planar(along, across, normal) => Pose::slide(along, of(0))
+                .then(&Pose::slide(across, of(1)))
+                .then(&Pose::turn(normal, of(2))),
+            Self::Shift(count) => {
+                let mut pose = Pose::at(Vec3::zeros());
+                for axis in 0..count {
+                    pose = pose.then(&Pose::slide(Vec3::ith(axis, 1.0), of(axis)));
+                }
+                pose
+            }
             Self::Free => {
                 let vector = |list: &[f64]| Vec3::new(list[0], list[1], list[2]);
                 let mut pose = Pose::ball(&q[3..], &v[3..], &a[3..]);

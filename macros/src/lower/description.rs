@@ -6,7 +6,7 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
 use crate::model::{
-    Declared, ENTRIES, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
+    Declared, Drawn, ENTRIES, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
 };
 use crate::syntax::{self, Description};
 
@@ -29,6 +29,7 @@ pub fn lower_description(
         state: &mut state,
         composed: None,
         has_parts: description.composition.is_some(),
+        drawn: Drawn::Alone,
         reactions: named.map(|(name, _)| name.to_string()).collect(),
         is_constrained: outline.is_constrained,
         members: &Members::default(),

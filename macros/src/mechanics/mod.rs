@@ -28,7 +28,7 @@ pub use system::{
     derive_system_taylor, describe_system,
 };
 pub use unknowns::{Consistency, Reach, derive_inverse, derive_reach};
-pub use variation::with_potentials;
+pub use variation::{with_potentials, with_system_potentials};
 
 use std::cell::OnceCell;
 

@@ -9,9 +9,10 @@ mod system;
 mod words;
 
 pub use body::{
-    Asked, Charges, Composed, Constraint, Declared, Defaults, ENTRIES, Form, Inertia, Jointed,
-    Level, Load, Mass, Matrix, Outline, Potential, Potentials, Reaction, SOLIDS, Solid, Substance,
-    Violation, displaced, is_flat, is_possible, is_solid, least_moment, matrix, thinnest, words,
+    Asked, Charges, Composed, Constraint, Declared, Defaults, Displaced, Drawn, ENTRIES, Form,
+    Inertia, Jointed, Level, Load, Mass, Matrix, Origin, Outline, Potential, Potentials, Reaction,
+    SOLIDS, Solid, Substance, Violation, displaced, is_flat, is_possible, is_solid, least_moment,
+    matrix, thinnest, words,
 };
 pub use joints::{
     Coordinate, Field, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
@@ -19,7 +20,7 @@ pub use joints::{
 pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use system::{Closing, JointKind, Member, Part, System, TreeJoint};
+pub use system::{Axes, Cable, Closing, Holds, JointKind, Member, Part, System, TreeJoint};
 pub use words::{
     AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
 };

@@ -28,7 +28,7 @@ pub use composition::{Composition, Part};
 pub use expression::{Expression, Kind, Operator, Prefix, Step};
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
-pub use system::{System, parse_system};
+pub use system::{CABLE, Center, System, parse_system};
 pub use unit::UnitExpression;
 
 /// A whole description.

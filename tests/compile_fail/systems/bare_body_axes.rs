@@ -12,7 +12,7 @@ rigid_system!(Cart {
         swing = revolute(cart.G, pole.pin),
     ],
     drives: [motor = push.on(rail)],
-    forces: [f = body(1, 0).between(cart.G, pole.pin)],
+    forces: [f = body(1, 0).between(cart.G, pole.G)],
 });
 
 fn main() {}

@@ -1,9 +1,9 @@
 //! Supports: `pivot(P)`, `fixed_point(P)`, `fixed_axis(P, direction)`, held at the world origin or
 //! `.at(world(..))`.
 
-use crate::lower::expressions::Lowering;
+use crate::lower::expressions::{Lowering, dimension};
 use crate::model::{Defaults, Dimension, Frame, Support};
-use crate::syntax::{self, Description, Expression};
+use crate::syntax::{self, Description, Expression, Kind};
 
 impl Lowering<'_> {
     /// Reads the support that `motion` names, and holds the body by it.
@@ -81,6 +81,23 @@ impl Lowering<'_> {
         })
     }
 
+    /// What points somewhere has no unit of its own; from one point to another it has that of both.
+    fn check_no_unit(&mut self, written: &Expression) -> Option<()> {
+        let found = self.value(written).and_then(dimension)?;
+        let mut unit = None;
+        written.visit(|part| {
+            if let Kind::Unit(_, own) = &part.kind {
+                unit = unit.or(Some(own.extent));
+            }
+        });
+        match unit {
+            Some(unit) if !found.fits(Dimension::NONE) => {
+                self.report(unit, "a direction has no unit: leave this out")
+            }
+            _ => Some(()),
+        }
+    }
+
     /// A unit vector along `written`; at the angle zero both axes are the same. That of a rod is
     /// written in the body.
     pub fn direction(
@@ -89,6 +106,7 @@ impl Lowering<'_> {
         defaults: &Defaults,
     ) -> Option<crate::symbolic::Components> {
         let vector = self.vector(written, Dimension::ANY, "a direction")?;
+        self.check_no_unit(written)?;
         let components = match *self.work.parts(vector) {
             [(Frame::WORLD, _)] if self.motion.is_line() => {
                 return self.report(

@@ -4,7 +4,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::model::{
-    Composed, Defaults, Dimension, Doubtful, Motion, State, Vector, Workspace, why_not,
+    Composed, Defaults, Dimension, Doubtful, Drawn, Motion, State, Vector, Workspace, why_not,
 };
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, UnitExpression};
@@ -34,6 +34,8 @@ pub struct Lowering<'a> {
     pub composed: Option<Composed>,
     /// Whether it is.
     pub has_parts: bool,
+    /// Of any other body, how it is drawn.
+    pub drawn: Drawn,
     /// The bodies and joints of a system; none for a body alone.
     pub members: &'a Members,
     /// What is read stands beside the bodies of a system, and in none of them.

@@ -1,7 +1,7 @@
 //! Points, and the components of points and vectors.
 
 use crate::errors::Extent;
-use crate::model::{Dimension, Frame, FrameWord, Point};
+use crate::model::{Dimension, Drawn, Frame, FrameWord, Point};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Expression, Kind};
 
@@ -81,10 +81,12 @@ impl Lowering<'_> {
             return self.report(place, format!("a point is in m, and this is {found}"));
         }
         self.check_early(written, &components, "a point is fixed")?;
-        let offset = match self.composed {
-            Some(composed) if frame == self.state.body => {
-                composed.offset(&mut self.work.graph, components)
+        let composed = self.composed.map(|composed| Drawn::From(composed.origin));
+        let offset = match composed.unwrap_or(self.drawn) {
+            Drawn::From(origin) if frame == self.state.body => {
+                origin.offset(&mut self.work.graph, components)
             }
+            Drawn::Lost if frame == self.state.body => return None,
             _ => components,
         };
         self.on_axis(Point::Fixed(frame, offset), written.extent)

@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::errors::hint;
-use crate::model::{Frame, Vector};
+use crate::model::{Frame, Origin, Vector};
 use crate::symbolic::Components;
 use crate::syntax::Description;
 
@@ -157,12 +157,14 @@ pub struct Members {
 pub struct BodyNames {
     pub name: String,
     pub frame: Frame,
+    /// Where its G is, if others are drawn in the same frame.
+    pub origin: Option<Origin>,
     /// Its points, from its G in its axes; without components those that are reported.
     pub points: Vec<(String, Option<Components>)>,
     /// Once the joints are known.
     pub motion: Option<BodyMotion>,
     /// `position`, `attitude`, `mass`: what it has without a point.
-    pub values: Vec<(&'static str, Value)>,
+    pub values: Values,
 }
 
 /// How a body moves.
@@ -174,11 +176,20 @@ pub struct BodyMotion {
     pub angular_velocity: Components,
 }
 
+/// Words, and what they stand for.
+type Values = Vec<(&'static str, Value)>;
+
+/// What is told of bodies and joints that move.
+pub struct Told {
+    bodies: Vec<(Option<BodyMotion>, Values)>,
+    joints: Vec<Values>,
+}
+
 /// A joint, as others see it.
 pub struct JointNames {
     pub name: String,
     /// Its coordinates and their rates; without a value those that are reported.
-    pub values: Vec<(&'static str, Value)>,
+    pub values: Values,
     /// Whether anything is known of it.
     pub is_known: bool,
     /// It closes a loop: the state has no coordinates of it.
@@ -197,6 +208,30 @@ impl Members {
     /// Whether this is a body or a joint.
     pub fn has(&self, name: &str) -> bool {
         self.body(name).is_some() || self.joint(name).is_some()
+    }
+
+    /// What is told of bodies and joints that move, to be restored.
+    pub fn moving(&self) -> Told {
+        let bodies = self.bodies.iter();
+        Told {
+            bodies: bodies
+                .map(|body| (body.motion, body.values.clone()))
+                .collect(),
+            joints: self
+                .joints
+                .iter()
+                .map(|joint| joint.values.clone())
+                .collect(),
+        }
+    }
+
+    pub fn restore(&mut self, told: Told) {
+        for (body, (motion, values)) in self.bodies.iter_mut().zip(told.bodies) {
+            (body.motion, body.values) = (motion, values);
+        }
+        for (joint, values) in self.joints.iter_mut().zip(told.joints) {
+            joint.values = values;
+        }
     }
 
     /// Whether there is a system at all.

@@ -6,7 +6,7 @@
 
 use crate::errors::Extent;
 use crate::lower::expressions::{Lowering, base, is_of_solid};
-use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, shown};
+use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, Origin, shown};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Composition, Expression, Kind, Part};
 
@@ -85,8 +85,7 @@ impl Lowering<'_> {
         Some(Composed {
             mass,
             inertia,
-            first,
-            center,
+            origin: Origin { first, center },
         })
     }
 

@@ -10,9 +10,18 @@ use std::collections::HashSet;
 use crate::errors::{Errors, Extent};
 use crate::lower::definitions::{Definition, definition_order};
 use crate::lower::expressions::{Lowering, Value, is_drive, is_unknown};
-use crate::model::{Charges, Dimension, Form, Frame, Potential, Potentials, Turns};
+use crate::model::{Charges, Dimension, Displaced, Form, Frame, Potential, Potentials, Turns};
 use crate::symbolic::{Components, Id, Node, Stage};
 use crate::syntax::{Description, Expression, Kind, Load};
+
+/// Words of what moves.
+const RATES: [&str; 5] = [
+    "velocity",
+    "angular_velocity",
+    "angular_velocity_1",
+    "angular_velocity_2",
+    "axis_rate",
+];
 
 impl Lowering<'_> {
     /// Reads all potentials, and the uniform fields on charges.
@@ -53,8 +62,10 @@ impl Lowering<'_> {
     /// The energies in one form, and whether there is another one.
     fn potential_form(&mut self, description: &Description, mixed: Frame) -> Option<(Form, bool)> {
         let (values, position) = (self.scope.values(), self.state.position);
+        let zero = self.work.graph.zero();
         self.work.turns = Some(Turns::new(self.motion.axes(), mixed));
         let displacement = self.displacement();
+        let is_added = !self.motion.translates();
         self.locals_apart(description);
         let on_charges = description
             .loads
@@ -62,9 +73,10 @@ impl Lowering<'_> {
             .filter(|load| load.charges.is_some());
         let fields: Vec<Option<(Id, Charges)>> =
             on_charges.map(|load| self.uniform_field(load)).collect();
+        let rates = self.rates();
         let scalars = description.potentials.iter();
         let scalars: Vec<Option<Id>> = scalars
-            .map(|potential| self.potential(potential.value.as_ref()))
+            .map(|potential| self.potential(potential.value.as_ref(), &rates))
             .collect();
         self.scope.restore(values);
         self.state.position = position;
@@ -77,7 +89,18 @@ impl Lowering<'_> {
             energies,
             charges,
             turns: turns.list,
-            displacement,
+            bodies: vec![Displaced {
+                body: self.state.body,
+                displacement,
+                angle: None,
+                has_own_attitude: true,
+            }],
+            coordinates: Vec::new(),
+            stands_for: displacement
+                .into_iter()
+                .filter(|_| is_added)
+                .map(|symbol| (symbol, zero))
+                .collect(),
         };
         Some((form, turns.met_mixed))
     }
@@ -103,7 +126,7 @@ impl Lowering<'_> {
     }
 
     /// Reads the locals again, with turned vectors kept apart.
-    fn locals_apart(&mut self, description: &Description) {
+    pub fn locals_apart(&mut self, description: &Description) {
         // circles are reported already
         let mut reported = Errors::default();
         let (order, _) = definition_order(description, &mut reported);
@@ -122,19 +145,14 @@ impl Lowering<'_> {
     }
 
     /// A potential follows from where the body is and how it is turned, from the time, parameters
-    /// and inputs.
-    fn potential(&mut self, written: Option<&Expression>) -> Option<Id> {
+    /// and inputs, and not from any of these `rates`.
+    pub fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
         let written = written?;
         let energy = self.scalar(written, Dimension::MOMENT, "a potential")?;
-        let rates = self.rates();
-        if !self.depends(&[energy], &rates) {
+        if !self.depends(&[energy], rates) {
             return Some(energy);
         }
-        let place = self.dependent_name(
-            written,
-            &rates,
-            &["velocity", "angular_velocity", "axis_rate"],
-        );
+        let place = self.dependent_name(written, rates, &RATES);
         self.report(
             place,
             "a potential depends on where the body is, and not on how it moves: what does is a \
@@ -189,7 +207,11 @@ impl Lowering<'_> {
         expression.visit(|part| {
             let name = match &part.kind {
                 Kind::Name(name) => name,
-                Kind::Method(_, method, _) if words.iter().any(|word| method == word) => method,
+                Kind::Method(_, method, _) | Kind::Field(_, method)
+                    if words.iter().any(|word| method == word) =>
+                {
+                    method
+                }
                 _ => return,
             };
             let word = name.to_string();

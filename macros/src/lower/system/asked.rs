@@ -5,9 +5,9 @@ use proc_macro2::Ident;
 use crate::errors::{Errors, hint};
 use crate::symbolic::Components;
 
-use super::joints::Written;
+use super::joints::joint::Written;
 use super::outline::name_of_point;
-use super::reader::Reader;
+use super::reading::reader::Reader;
 
 impl Reader<'_> {
     /// Whether the joints behind `reactions` are joints, and hold something.

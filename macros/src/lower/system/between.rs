@@ -1,19 +1,32 @@
-//! What acts between bodies: tensions along a line, and moments.
+//! What acts between bodies: tensions along a line, cables, and moments.
 
 use crate::errors::Errors;
 use crate::families::Family;
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Frame, Load, Point, Vector};
-use crate::symbolic::{Components, Id};
+use crate::model::{Cable, Dimension, Frame, Load, Meaning, Point, Vector};
+use crate::symbolic::{Comparison, Components, Id, Number};
 use crate::syntax::{Definition, Expression, Kind};
 
 use super::drives::behind;
-use super::reader::Reader;
+use super::joints::joint::{End, call};
+use super::reading::reader::Reader;
+
+/// Loads, each with the number of the body that it acts on.
+type Loads = Vec<(usize, Load)>;
+
+/// What acts between bodies.
+#[derive(Default)]
+pub struct Between {
+    pub loads: Loads,
+    /// The energies of cables.
+    pub energies: Vec<Id>,
+    pub cables: Vec<Cable>,
+}
 
 impl Reader<'_> {
-    /// The loads between points and bodies, each with the number of the body that it acts on.
-    pub fn loads_between(&mut self, errors: &mut Errors) -> Option<Vec<(usize, Load)>> {
-        let mut loads = Some(Vec::new());
+    /// The loads between points and bodies.
+    pub fn loads_between(&mut self, errors: &mut Errors) -> Option<Between> {
+        let (mut between, mut is_sound) = (Between::default(), true);
         let system = self.system;
         let tensions = system.forces.iter().map(|load| (load, true));
         let couples = system.moments.iter().map(|load| (load, false));
@@ -23,16 +36,17 @@ impl Reader<'_> {
             } else {
                 self.couple(load, errors)
             };
-            match (found, &mut loads) {
-                (Some(found), Some(all)) => all.extend(found),
-                _ => loads = None,
-            }
+            is_sound &= found.is_some();
+            between.loads.extend(found.unwrap_or_default());
         }
-        loads
+        for cable in &system.cables {
+            is_sound &= self.cable(cable, &mut between, errors).is_some();
+        }
+        is_sound.then_some(between)
     }
 
     /// `tension.between(P, Q)`: along the line PQ, positive if it pulls them together.
-    fn tension(&mut self, load: &Definition, errors: &mut Errors) -> Option<Vec<(usize, Load)>> {
+    fn tension(&mut self, load: &Definition, errors: &mut Errors) -> Option<Loads> {
         let value = load.value.as_ref()?;
         let Some((tension, [p, q])) = behind(value, "between") else {
             errors.push(
@@ -42,78 +56,143 @@ impl Reader<'_> {
             );
             return None;
         };
-        let (start, end) = (self.anchor(p, errors), self.anchor(q, errors));
-        let (start, end) = (start?, end?);
-        if start.0 == end.0 {
-            errors.push(
-                q.extent,
-                "a tension acts between two bodies, or a body and the ground",
-            );
-            return None;
-        }
-        let places = [start, end].map(|(body, offset)| match body {
-            None => self.work.vector(Frame::WORLD, offset),
-            Some(body) => {
-                let known = &self.members.bodies[body];
-                let position = known.motion.map_or(Vector::ZERO, |motion| motion.position);
-                let offset = self.work.vector(known.frame, offset);
-                self.work.add(position, offset)
-            }
-        });
-        if [start.0, end.0]
-            .into_iter()
-            .flatten()
-            .any(|body| self.members.bodies[body].motion.is_none())
-        {
-            return None;
-        }
+        let ends = self.ends([p, q], "a tension", errors);
         let size = self.at_top(errors, |lowering| {
             lowering.scalar(tension, Dimension::FORCE, "a tension")
-        })?;
-        let pull = self.along(places, size, q, errors)?;
-        let opposite = self.work.graph.negate_vector(pull);
-        let ends =
-            [(start, pull), (end, opposite)]
-                .into_iter()
-                .filter_map(|((body, offset), force)| {
-                    let force = self.work.vector(Frame::WORLD, force);
-                    let point = Point::Fixed(self.members.bodies[body?].frame, offset);
-                    Some((body?, given(load, force, point, Vector::ZERO)))
-                });
-        Some(ends.collect())
-    }
-
-    /// A force of this size, from the first place towards the second, world axes.
-    fn along(
-        &mut self,
-        [start, end]: [Vector; 2],
-        size: Id,
-        written: &Expression,
-        errors: &mut Errors,
-    ) -> Option<Components> {
-        let back = self.work.negate(start);
-        let line = self.work.add(end, back);
-        let line = self.work.components(line, Frame::WORLD);
+        });
+        let (ends, line) = ends?;
+        let size = size?;
         let graph = &mut self.work.graph;
-        let line = graph.quantities(line);
-        if graph.is_zero_vector(&line) {
-            errors.push(
-                written.extent,
-                "the ends of a tension are at the same place: it has no direction",
-            );
-            return None;
-        }
         let length = graph.norm(line);
         let length = graph.quantity(length);
         let share = graph.divide(size, length);
+        Some(self.pulls(load, ends, line, share))
+    }
+
+    /// `cable(P, Q, length, stiffness)`: a force where the line is longer than the cable, nothing where
+    /// it is not, however short it is; and its energy.
+    fn cable(&mut self, cable: &Definition, into: &mut Between, errors: &mut Errors) -> Option<()> {
+        let value = cable.value.as_ref()?;
+        let ((word, arguments), methods) = call(value)?;
+        let form = "cable(P, Q, length, stiffness)";
+        if let Some((method, _)) = methods.first() {
+            errors.push(method.span(), format!("nothing follows `{form}`"));
+            return None;
+        }
+        let [p, q, length, stiffness] = arguments else {
+            let excess = arguments.get(4).map(|extra| extra.extent);
+            let count = arguments.len();
+            errors.push(
+                excess.unwrap_or(word.span().into()),
+                format!("`{form}` takes 4 arguments, and this has {count}"),
+            );
+            return None;
+        };
+        let ends = self.ends([p, q], "a cable", errors);
+        let written = [
+            (length, Dimension::LENGTH, "the length of a cable"),
+            (stiffness, Dimension::STIFFNESS, "the stiffness of a cable"),
+        ];
+        let [length, stiffness] = written.map(|(value, dimension, what)| {
+            self.at_top(errors, |lowering| {
+                property(lowering, value, dimension, what)
+            })
+        });
+        let ((ends, line), length, stiffness) = (ends?, length?, stiffness?);
+        let graph = &mut self.work.graph;
+        let distance = graph.norm(line);
+        let distance = graph.quantity(distance);
+        let is_tight = graph.compare(Comparison::Less, length, distance);
+        let stretch = graph.subtract(distance, length);
+        let stretch = graph.quantity(stretch);
+        let force = graph.multiply(stiffness, stretch);
+        let half = graph.number(Number::ratio(1, 2));
+        let energy = graph.multiply(force, stretch);
+        let energy = graph.multiply(half, energy);
+        let share = graph.divide(force, distance);
+        let zero = graph.zero();
+        let [energy, share] = [energy, share].map(|tight| graph.select(is_tight, tight, zero));
+        let share = graph.quantity(share);
+        for (id, what) in [(distance, "length"), (stretch, "stretch"), (share, "pull")] {
+            self.work.labels.name(id, format!("{what}_{}", cable.name));
+        }
+        let system = self.system;
+        let bodies = ends.map(|(body, _)| Some(system.bodies[body?].name.clone()));
+        into.cables.push(Cable {
+            name: cable.name.clone(),
+            bodies,
+        });
+        into.energies.push(energy);
+        into.loads.extend(self.pulls(cable, ends, line, share));
+        Some(())
+    }
+
+    /// Two points of different bodies, or of a body and the ground, and the line between them, world
+    /// axes.
+    fn ends(
+        &mut self,
+        [p, q]: [&Expression; 2],
+        what: &str,
+        errors: &mut Errors,
+    ) -> Option<([End; 2], Components)> {
+        let (start, end) = (self.anchor(p, errors), self.anchor(q, errors));
+        let (start, end) = (start?, end?);
+        if start.0 == end.0 {
+            let message = format!("{what} acts between two bodies, or a body and the ground");
+            errors.push(q.extent, message);
+            return None;
+        }
+        let [start_place, end_place] = [start, end].map(|end| self.place(end));
+        let back = self.work.negate(start_place?);
+        let line = self.work.add(end_place?, back);
+        let line = self.work.components(line, Frame::WORLD);
+        let line = self.work.graph.quantities(line);
+        if self.work.graph.is_zero_vector(&line) {
+            let message = format!("the ends of {what} are at the same place: it has no direction");
+            errors.push(q.extent, message);
+            return None;
+        }
+        Some(([start, end], line))
+    }
+
+    /// Where a point is; none if it is not known how its body moves.
+    fn place(&mut self, (body, offset): End) -> Option<Vector> {
+        let Some(body) = body else {
+            return Some(self.work.vector(Frame::WORLD, offset));
+        };
+        let known = &self.members.bodies[body];
+        let position = known.motion?.position;
+        let offset = self.work.vector(known.frame, offset);
+        Some(self.work.add(position, offset))
+    }
+
+    /// A share of the line on its first end, and the opposite on the other one.
+    fn pulls(
+        &mut self,
+        load: &Definition,
+        [start, end]: [End; 2],
+        line: Components,
+        share: Id,
+    ) -> Loads {
+        let graph = &mut self.work.graph;
         let share = graph.quantity(share);
         let pull = graph.scale_vector(share, line);
-        Some(graph.quantities(pull))
+        let pull = graph.quantities(pull);
+        let opposite = graph.negate_vector(pull);
+        let mut loads = Vec::new();
+        for ((body, offset), force) in [(start, pull), (end, opposite)] {
+            if let Some(body) = body {
+                let force = self.work.vector(Frame::WORLD, force);
+                let point = Point::Fixed(self.members.bodies[body].frame, offset);
+                loads.push((body, given(load, force, point, Vector::ZERO)));
+            }
+        }
+        loads
     }
 
     /// `moment(v).on(body)` and `moment(v).between(first, second)`, which acts on the second, and on
     /// the first with the opposite sign.
-    fn couple(&mut self, load: &Definition, errors: &mut Errors) -> Option<Vec<(usize, Load)>> {
+    fn couple(&mut self, load: &Definition, errors: &mut Errors) -> Option<Loads> {
         let value = load.value.as_ref()?;
         let on = behind(value, "on").filter(|(_, bodies)| bodies.len() == 1);
         let between = behind(value, "between").filter(|(_, bodies)| bodies.len() == 2);
@@ -172,7 +251,7 @@ impl Reader<'_> {
                 return Some(found);
             }
         }
-        let name = super::joints::first_name_of(written)
+        let name = super::joints::joint::first_name_of(written)
             .map(ToString::to_string)
             .unwrap_or_default();
         if self.scope.is_lost(&name) {
@@ -194,6 +273,31 @@ impl Reader<'_> {
         errors.push(written.extent, message);
         None
     }
+}
+
+/// Length or stiffness: a number that is not negative, and follows from no state.
+fn property(
+    lowering: &mut Lowering<'_>,
+    written: &Expression,
+    dimension: Dimension,
+    what: &str,
+) -> Option<Id> {
+    let value = lowering.scalar(written, dimension, what)?;
+    let is_negative = |number: &Number| !number.is_zero() && !number.is_positive();
+    let graph = &lowering.work.graph;
+    if graph.as_number(value).is_some_and(is_negative) {
+        return lowering.report(written.extent, format!("{what} is not negative"));
+    }
+    let work = &*lowering.work;
+    let of_state = |id| matches!(work.meaning(id), Some(Meaning::Of(..)));
+    if graph.depends_on(&[value], of_state) {
+        let place = lowering.late_name(written);
+        let message = format!(
+            "{what} does not depend on the state: write `tension.between(P, Q)` in `forces` for what does"
+        );
+        return lowering.report(place, message);
+    }
+    Some(value)
 }
 
 fn read_moment(

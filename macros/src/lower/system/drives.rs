@@ -3,11 +3,11 @@
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint};
-use crate::model::{Dimension, Field, Part, TreeJoint, Variable};
+use crate::model::{Dimension, Field, TreeJoint, Variable};
+use crate::symbolic::Id;
 use crate::syntax::{Definition, Expression, Kind};
 
-use super::motion::freedoms;
-use super::reader::Reader;
+use super::reading::reader::Reader;
 
 /// `value.method(arguments)`
 pub fn behind<'e>(
@@ -41,18 +41,13 @@ fn joint_named<'e>(
     None
 }
 
-fn is_ball(joint: &TreeJoint) -> bool {
-    joint.kind.parts == [Part::Ball]
-}
-
-/// The coordinates of a joint, by the fields of its state.
+/// The coordinates of a joint that have names, by the fields of its state.
 fn coordinates(joint: &TreeJoint) -> impl Iterator<Item = &'static Field> {
     let fields = joint.kind.shape.into_iter().flat_map(|shape| shape.fields);
     fields.filter(|field| matches!(field.variable, Variable::Position | Variable::Angle))
 }
 
-/// The freedoms that a drive acts along: that of the coordinate which is named, or the only one; of a
-/// ball joint all three.
+/// The freedoms that a drive acts along: those of the coordinate which is named, or of the only one.
 fn chosen(
     joint: &TreeJoint,
     all: &[(Variable, usize)],
@@ -83,7 +78,8 @@ fn chosen(
     }
     let words: Vec<&str> = coordinates(joint).map(|field| field.path).collect();
     let Some(word) = word else {
-        if all.len() == 1 || is_ball(joint) {
+        // a ball joint has no name for what its quaternion tells
+        if words.len() <= 1 {
             return Some((0..all.len()).collect());
         }
         let words: Vec<String> = words.iter().map(|word| format!("{name}.{word}")).collect();
@@ -94,20 +90,24 @@ fn chosen(
         );
         return None;
     };
-    let field = coordinates(joint).find(|field| *word == field.path);
-    let rate = field.map(|field| match field.variable {
-        Variable::Position => (Variable::Velocity, field.first),
-        _ => (Variable::AngularVelocity, field.first),
-    });
-    let found = rate.and_then(|rate| all.iter().position(|one| *one == rate));
-    if found.is_none() {
+    let Some(field) = coordinates(joint).find(|field| *word == field.path) else {
         let all = words.join("`, `");
         errors.push(
             word.span(),
             format!("a drive acts on a coordinate of `{name}`: `{all}`"),
         );
-    }
-    found.map(|found| vec![found])
+        return None;
+    };
+    let rate = match field.variable {
+        Variable::Position => Variable::Velocity,
+        _ => Variable::AngularVelocity,
+    };
+    let of_field = field.first..field.first + field.names.len();
+    let chosen = (0..all.len()).filter(|freedom| {
+        let (variable, part) = all[*freedom];
+        variable == rate && of_field.contains(&part)
+    });
+    Some(chosen.collect())
 }
 
 impl Reader<'_> {
@@ -144,31 +144,55 @@ impl Reader<'_> {
         };
         let (name, word) = joint_named(target, errors)?;
         self.check_joint(name, errors)?;
-        let joint = joints.iter_mut().find(|joint| joint.name == *name)?;
-        let all = freedoms(joint.kind.parts, self.system.is_planar);
+        let place = joints.iter().position(|joint| joint.name == *name)?;
+        let joint = &mut joints[place];
+        let all = joint.kind.freedoms(self.system.is_planar);
         let chosen = chosen(joint, &all, word, target, errors)?;
         if matches!(load.kind, Kind::Placeholder) {
             return self.open(drive, load, joint, &chosen, errors);
         }
-        let frame = joint.frames.last().copied()?;
-        let is_ball = is_ball(joint);
-        let parts = self.at_top(errors, |lowering| {
-            if is_ball {
-                let what = "the drive of a ball joint";
-                let vector = lowering.vector(load, Dimension::MOMENT, what)?;
-                return Some(lowering.work.components(vector, frame).to_vec());
-            }
-            let (expected, what) = match all[chosen[0]].0 {
-                Variable::Velocity => (Dimension::FORCE, "the drive of a slide"),
-                _ => (Dimension::MOMENT, "the drive of a hinge"),
-            };
-            Some(vec![lowering.scalar(load, expected, what)?])
-        })?;
+        let parts = self.load_along(load, joint, all[chosen[0]].0, chosen.len(), errors)?;
+        let joint = &mut joints[place];
         for (freedom, part) in chosen.into_iter().zip(&parts) {
             joint.drives[freedom] = self.work.graph.add(joint.drives[freedom], *part);
         }
         joint.driven_by.push((drive.name.clone(), parts));
         Some(())
+    }
+
+    /// What a drive is along freedoms of one sort; along several it is a vector.
+    fn load_along(
+        &mut self,
+        load: &Expression,
+        joint: &TreeJoint,
+        rate: Variable,
+        count: usize,
+        errors: &mut Errors,
+    ) -> Option<Vec<Id>> {
+        let (slides, turns) = (self.slides(joint), joint.frames.last().copied()?);
+        self.at_top(errors, |lowering| {
+            let slips = rate == Variable::Velocity;
+            let (expected, what) = match (slips, count) {
+                (true, 1) => (Dimension::FORCE, "the drive of a slide"),
+                (true, _) => (Dimension::FORCE, "the drive of several slides"),
+                (false, 1) => (Dimension::MOMENT, "the drive of a hinge"),
+                (false, _) => (Dimension::MOMENT, "the drive of a ball joint"),
+            };
+            if count == 1 {
+                return Some(vec![lowering.scalar(load, expected, what)?]);
+            }
+            let vector = lowering.vector(load, expected, what)?;
+            if !slips {
+                return Some(lowering.work.components(vector, turns).to_vec());
+            }
+            let (frame, directions) = slides;
+            let components = lowering.work.components(vector, frame);
+            let graph = &mut lowering.work.graph;
+            let along = directions
+                .into_iter()
+                .map(|direction| graph.dot(direction, components));
+            Some(along.collect())
+        })
     }
 
     /// Whether a drive names a joint that is known; `None` if that is reported.
@@ -214,15 +238,18 @@ impl Reader<'_> {
             );
             return None;
         }
-        if is_ball(joint) {
+        let [chosen] = *chosen else {
+            let (kind, count) = (joint.kind.word, chosen.len());
             errors.push(
                 load.extent,
-                "an open drive is on one coordinate, and a ball joint has three: prescribe its \
-                 moments by inputs",
+                format!(
+                    "an open drive is along one freedom, and these are {count} of the {kind} joint: \
+                     prescribe its loads by inputs"
+                ),
             );
             return None;
-        }
-        let open = &mut joint.open[*chosen.first()?];
+        };
+        let open = &mut joint.open[chosen];
         if let Some(other) = open {
             let message = format!("`{other}` is open on this coordinate already");
             errors.push(drive.name.span(), message);

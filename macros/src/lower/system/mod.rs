@@ -2,19 +2,12 @@
 //! joints, and then all that depends on how it moves.
 
 mod asked;
-mod axes;
 mod between;
-mod body;
-mod closing;
-mod driven;
 mod drives;
 mod joints;
-mod motion;
-mod names;
 mod outline;
-mod reader;
-mod told;
-mod tree;
+mod potentials;
+mod reading;
 
 use std::collections::HashSet;
 
@@ -30,9 +23,9 @@ use crate::model::{
 use crate::symbolic::{Components, Stage};
 use crate::syntax;
 
-use body::Draft;
-use names::{check_members, declared, for_copy, late_locals};
-use reader::Reader;
+use reading::body::{Draft, common_gravity};
+use reading::names::{check_members, declared, for_copy, late_locals};
+use reading::reader::Reader;
 
 pub use outline::outline_system;
 
@@ -67,18 +60,8 @@ pub fn lower_system(
     });
     reader.derivatives = outline.inputs.iter().map(Declared::derivatives).collect();
     reader.locals(errors, false);
-    let mut drafts: Vec<Draft<'_>> = Vec::new();
     let mut wrong = HashSet::new();
-    for (number, body) in system.bodies.iter().enumerate() {
-        let draft = for_copy(
-            system.firsts[number],
-            number,
-            &mut wrong,
-            errors,
-            |errors| reader.points(body, errors),
-        );
-        drafts.push(draft);
-    }
+    let mut drafts = reader.drafts(&mut wrong, errors);
     let joints = reader.joints(errors);
     reader.check_held(&joints, errors);
     let (order, closing) = reader.tree(&joints, errors);
@@ -87,12 +70,14 @@ pub fn lower_system(
     reader.members.are_moving = true;
     reader.locals(errors, true);
     let bodies = reader.bodies(&mut drafts, &mut wrong, errors);
+    let potentials = reader.potentials(&mut drafts, &joints, errors);
     let joints = reader.drives(joints, errors);
-    let loads = reader.loads_between(errors);
+    let between = reader.loads_between(errors);
     let points = reader.asked_points(errors);
     outline.unused = reader.unused(&drafts);
     let (mut bodies, mut joints, mut points) = (bodies?, joints?, points?);
-    for (body, load) in loads? {
+    let between = between?;
+    for (body, load) in between.loads {
         bodies[body].loads.push(load);
     }
     let Reader {
@@ -101,16 +86,10 @@ pub fn lower_system(
         derivatives,
         ..
     } = reader;
-    let gravity = body::common_gravity(&mut work, &mut bodies, system.top.loads.len());
+    let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let mut closings = closings;
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
-    let mut written = Vec::new();
-    for known in &mut outline.joints {
-        let place = joints.iter().position(|joint| joint.name == known.name);
-        let joint = place.map(|place| &joints[place]);
-        known.frame = joint.and_then(|joint| joint.frames.last().copied());
-        written.extend(place);
-    }
+    let written = tell_frames(outline, &joints);
     let system = System {
         is_planar: system.is_planar,
         bodies,
@@ -119,6 +98,9 @@ pub fn lower_system(
         written,
         points,
         gravity,
+        potentials: potentials?,
+        energies: between.energies,
+        cables: between.cables,
         derivatives,
         defaults,
     };
@@ -127,6 +109,19 @@ pub fn lower_system(
         errors.push(outline.name.span(), message);
     }
     errors.is_empty().then_some((system, work))
+}
+
+/// The frames of what joints carry, by which their states are known; and the joints that move, by
+/// number, in the order in which the state has them.
+fn tell_frames(outline: &mut Outline, joints: &[TreeJoint]) -> Vec<usize> {
+    let mut written = Vec::new();
+    for known in &mut outline.joints {
+        let place = joints.iter().position(|joint| joint.name == known.name);
+        let joint = place.map(|place| &joints[place]);
+        known.frame = joint.and_then(|joint| joint.frames.last().copied());
+        written.extend(place);
+    }
+    written
 }
 
 /// Each body with the joint that carries it, after its carrier; points go with their bodies.
@@ -155,7 +150,20 @@ fn carriers_first(
     Some(numbered.into_iter().map(|(_, body)| body).collect())
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    /// All bodies, with their points; those with mistakes become `wrong`.
+    fn drafts(&mut self, wrong: &mut HashSet<usize>, errors: &mut Errors) -> Vec<Draft<'a>> {
+        let system = self.system;
+        let bodies = system.bodies.iter().enumerate();
+        let drafts = bodies.map(|(number, body)| {
+            let first = system.firsts[number];
+            for_copy(first, number, wrong, errors, |errors| {
+                self.points(number, body, errors)
+            })
+        });
+        drafts.collect()
+    }
+
     /// The names of the system that nothing refers to.
     fn unused(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
         let top = &self.system.top;

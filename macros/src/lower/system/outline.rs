@@ -9,9 +9,9 @@ use crate::errors::similar;
 use crate::model::{JointKind, Jointed, Outline};
 use crate::syntax::{self, Definition, Expression, Kind};
 
-use super::driven::coordinates;
 use super::drives::behind;
-use super::joints::{call, first_name_of, kind_of};
+use super::joints::driven::coordinates;
+use super::joints::joint::{call, first_name_of, kind_of};
 
 /// The joints that move are the fields of its state.
 pub fn outline_system(system: &syntax::System, outline: &mut Outline) {

@@ -122,8 +122,16 @@ pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEqua
         skipped
             .push("the weight of each body: the ground accelerates against it instead".to_owned());
     }
-    Report {
-        lists: vec![("Joints", joints.chain(closings).collect())],
-        skipped,
+    let mut lists = vec![("Joints", joints.chain(closings).collect())];
+    if !system.cables.is_empty() {
+        let cables = system.cables.iter().map(|cable| {
+            let ends = cable.bodies.each_ref().map(|body| match body {
+                Some(body) => format!("`{body}`"),
+                None => "the ground".to_owned(),
+            });
+            format!("`{}`: between {} and {}", cable.name, ends[0], ends[1])
+        });
+        lists.push(("Cables", cables.collect()));
     }
+    Report { lists, skipped }
 }

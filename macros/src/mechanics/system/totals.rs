@@ -26,6 +26,9 @@ pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
             }
         }
     }
+    for energy in &system.energies {
+        potential = work.graph.add(potential, *energy);
+    }
     let half = work.graph.number(Number::ratio(1, 2));
     Energy {
         kinetic: work.graph.distribute(half, twice),

@@ -118,62 +118,61 @@ impl Making<'_> {
             self.link(turning, Vec::new());
         }
         let (mut next, rates) = (0, &joint.coordinates);
-        for part in joint.kind.parts {
+        for (part, coordinate) in joint.kind.numbered() {
             let count = match part {
                 Part::Ball => 3,
                 Part::Free if is_planar => 3,
                 Part::Free => 6,
                 Part::Turn(_) | Part::Slide(_) | Part::Screw => 1,
             };
-            self.part(*part, rates, next, is_planar);
+            let first = next;
             next += count;
+            match part {
+                Part::Turn(number) => {
+                    let direction = joint.directions[number];
+                    let twist = Pair::about(&self.work.graph, direction);
+                    self.hinge(direction, twist, coordinate, first);
+                }
+                Part::Slide(number) => self.slide(joint.directions[number], coordinate, first),
+                Part::Screw => self.screw(joint.directions[0], coordinate, first),
+                Part::Ball => self.ball(rates, first),
+                Part::Free => self.float(rates, first, is_planar),
+            }
         }
         if joint.kind.parts.is_empty() {
             self.link(Turning::Parallel, Vec::new());
         }
     }
 
-    /// A part of the joint, the first of whose freedoms has this number.
-    fn part(&mut self, part: Part, rates: &Rates, first: usize, is_planar: bool) {
+    /// The component of a variable, by the number of the coordinate.
+    fn get(&self, variable: Variable, coordinate: usize) -> Id {
+        let known = self.joint.coordinates.get(variable, coordinate);
+        known.unwrap_or(self.work.graph.zero())
+    }
+
+    fn slide(&mut self, direction: Components, coordinate: usize, number: usize) {
+        let distance = self.get(Variable::Position, coordinate);
+        let rate = self.get(Variable::Velocity, coordinate);
         let graph = &mut self.work.graph;
-        let zero = graph.zero();
-        let get = |variable: Variable, part: usize| rates.get(variable, part).unwrap_or(zero);
-        let units = graph.unit_vectors();
-        let direction = |number: usize| self.joint.directions.get(number).copied();
-        match part {
-            Part::Turn(number) => {
-                let direction = direction(number).unwrap_or(units[2]);
-                let twist = Pair::about(graph, direction);
-                let (angle, rate) = (
-                    get(Variable::Angle, number.min(1)),
-                    get(Variable::AngularVelocity, number.min(1)),
-                );
-                self.hinge(direction, twist, [angle, rate], first);
-            }
-            Part::Screw => {
-                let direction = direction(0).unwrap_or(units[2]);
-                let pitch = self.joint.pitch.unwrap_or(zero);
-                let along = graph.scale_vector(pitch, direction);
-                let twist = Pair {
-                    angular: direction,
-                    linear: along,
-                };
-                let [angle, rate] = [get(Variable::Angle, 0), get(Variable::AngularVelocity, 0)];
-                let step = graph.scale_vector(angle, along);
-                self.place = graph.add_vectors(self.place, step);
-                self.hinge(direction, twist, [angle, rate], first);
-            }
-            Part::Slide(number) => {
-                let direction = direction(number).unwrap_or(units[0]);
-                let step = graph.scale_vector(get(Variable::Position, 0), direction);
-                self.place = graph.add_vectors(self.place, step);
-                let twist = Pair::along(graph, direction);
-                let freedom = self.freedom(twist, get(Variable::Velocity, 0), first);
-                self.link(Turning::Parallel, vec![freedom]);
-            }
-            Part::Ball => self.ball(rates, first),
-            Part::Free => self.float(rates, first, is_planar),
-        }
+        let step = graph.scale_vector(distance, direction);
+        self.place = graph.add_vectors(self.place, step);
+        let twist = Pair::along(graph, direction);
+        let freedom = self.freedom(twist, rate, number);
+        self.link(Turning::Parallel, vec![freedom]);
+    }
+
+    fn screw(&mut self, direction: Components, coordinate: usize, number: usize) {
+        let angle = self.get(Variable::Angle, coordinate);
+        let graph = &mut self.work.graph;
+        let pitch = self.joint.pitch.unwrap_or(graph.zero());
+        let along = graph.scale_vector(pitch, direction);
+        let step = graph.scale_vector(angle, along);
+        self.place = graph.add_vectors(self.place, step);
+        let twist = Pair {
+            angular: direction,
+            linear: along,
+        };
+        self.hinge(direction, twist, coordinate, number);
     }
 
     fn ball(&mut self, rates: &Rates, first: usize) {
@@ -220,7 +219,9 @@ impl Making<'_> {
     }
 
     /// A link that turns about a direction.
-    fn hinge(&mut self, direction: Components, twist: Pair, [angle, rate]: [Id; 2], number: usize) {
+    fn hinge(&mut self, direction: Components, twist: Pair, coordinate: usize, number: usize) {
+        let angle = self.get(Variable::Angle, coordinate);
+        let rate = self.get(Variable::AngularVelocity, coordinate);
         let graph = &mut self.work.graph;
         let cosine = graph.apply(Function::Cos, &[angle]);
         let sine = graph.apply(Function::Sin, &[angle]);

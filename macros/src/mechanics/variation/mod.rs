@@ -5,7 +5,9 @@ mod potential;
 mod rates;
 mod slopes;
 mod spring_arm;
+mod system;
 
 pub use direction::Direction;
 pub use potential::with_potentials;
 pub use rates::{Rates, rates};
+pub use system::with_system_potentials;

@@ -14,7 +14,7 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::families::{Family, LoadKind};
-use crate::model::{Attitude, Form, Frame, Load, Model, Turn, Vector, Workspace};
+use crate::model::{Attitude, Displaced, Form, Frame, Load, Model, Turn, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::direction::Direction;
@@ -22,41 +22,53 @@ use super::slopes::Slopes;
 use super::spring_arm;
 
 /// What a potential amounts to.
-struct Derived {
-    energy: Id,
-    force: Vector,
+pub struct Derived {
+    pub energy: Id,
+    /// By the bodies of the form.
+    pub on: Vec<Draw>,
+    /// Along each coordinate of joints, `-dU/dq`.
+    pub along: Vec<Id>,
+}
+
+/// What it does to a body.
+#[derive(Clone, Copy)]
+pub struct Draw {
+    pub force: Vector,
     /// About G, or about the point that is held; body axes.
-    moment: Components,
+    pub moment: Components,
     /// At the axis of a rod, `-dU/du`; world axes.
     pull: Components,
 }
 
 /// The potentials become loads, in the form that makes the fewest operations.
 pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
-    let mut best: Option<(u32, Vec<Derived>)> = None;
-    let body = model.state.body;
+    let mut best: Option<(u32, Vec<Draw>, Vec<Id>)> = None;
     for form in &model.potentials.forms {
-        let derived: Vec<Derived> = form
-            .energies
-            .iter()
-            .map(|energy| derive(work, body, form, *energy))
-            .collect();
-        let derived = expand(&model, work, form, &derived);
-        let cost = cost(&model, work, &derived);
-        if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-            best = Some((cost, derived));
+        let derived = derive_form(work, form);
+        let draws: Vec<Draw> = derived.iter().flat_map(|one| one.on.clone()).collect();
+        let cost = cost(&model, work, &draws);
+        if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
+            let energies = derived.iter().map(|one| one.energy).collect();
+            best = Some((cost, draws, energies));
         }
     }
-    let derived = best.map_or_else(Vec::new, |(_, derived)| derived);
-    for (index, derived) in derived.into_iter().enumerate() {
-        let load = load(&model, work, index, &derived);
+    let (_, draws, energies) = best.unwrap_or_default();
+    for (index, (draw, energy)) in draws.into_iter().zip(energies).enumerate() {
+        let load = load(&model, work, index, &draw, energy);
         let place = model.potentials.list[index].place;
         model.loads.insert(place.min(model.loads.len()), load);
     }
     model
 }
 
-fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) -> Load {
+/// What the potentials of a form amount to.
+pub fn derive_form(work: &mut Workspace, form: &Form) -> Vec<Derived> {
+    let energies = form.energies.iter();
+    let derived: Vec<Derived> = energies.map(|energy| derive(work, form, *energy)).collect();
+    expand(work, form, &derived)
+}
+
+fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Draw, energy: Id) -> Load {
     let name = model.potentials.list[index].name.clone();
     let in_world = work.part(derived.force, Frame::WORLD);
     let labels = &mut work.labels;
@@ -71,13 +83,13 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Derived) ->
     Load {
         moment: work.vector(model.state.axes, derived.moment),
         pull: model.state.axis.map(|_| derived.pull),
-        potential: Some(derived.energy),
+        potential: Some(energy),
         ..Load::new(name, Family::Field, LoadKind::Force, derived.force, center)
     }
 }
 
 /// Late operations of what enters the accelerations.
-fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
+fn cost(model: &Model, work: &mut Workspace, derived: &[Draw]) -> u32 {
     let mut roots = Vec::new();
     if model.motion.translates() {
         let force = work.sum(derived.iter().map(|one| one.force));
@@ -91,44 +103,68 @@ fn cost(model: &Model, work: &mut Workspace, derived: &[Derived]) -> u32 {
     work.graph.late_cost(&roots).total()
 }
 
-/// Force and moment, made of turned vectors that are still kept apart.
-fn derive(work: &mut Workspace, body: Frame, form: &Form, energy: Id) -> Derived {
-    let place = symbols_of_place(work, body, form);
+/// Forces and moments, made of turned vectors that are still kept apart.
+fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
+    let place = symbols_of_place(work, form);
     let mut slopes = Slopes::along_leaves(work, energy, place.clone());
-    let mut moment = work.graph.zeros();
-    let mut carrying = Vector::ZERO;
+    let mut moments = vec![work.graph.zeros(); form.bodies.len()];
+    let mut carrying = vec![Vector::ZERO; form.bodies.len()];
     // each vector is made of those that were turned before it
     for turn in form.turns.iter().rev() {
         let slope = slopes.take(work, turn);
         if work.graph.is_zero_vector(&slope) {
             continue;
         }
+        let Some(number) = body_of(form, turn) else {
+            continue;
+        };
         let of_turned = moment_along(work, turn, slope);
-        moment = work.graph.add_vectors(moment, of_turned);
-        if let Some(slope) = carried(work, form, turn, &place, slope) {
+        moments[number] = work.graph.add_vectors(moments[number], of_turned);
+        let displacement = form.bodies[number].displacement;
+        if let Some(slope) = carried(work, displacement, turn, &place, slope) {
             let slope = work.vector(turn.to, slope);
-            carrying = work.add(carrying, slope);
+            carrying[number] = work.add(carrying[number], slope);
         } else {
             slopes.pass_on(work, turn, slope);
         }
     }
-    let (direct, pull) = of_attitude(work, body, &slopes);
-    let force = slopes.by(work, form.displacement);
-    let force = work.vector(Frame::WORLD, force);
-    let slope = work.add(carrying, force);
-    Derived {
-        energy,
-        force: work.negate(slope),
-        moment: work.graph.add_vectors(moment, direct),
-        pull,
+    let mut on = Vec::new();
+    for (displaced, (moment, carrying)) in form.bodies.iter().zip(moments.into_iter().zip(carrying))
+    {
+        let (direct, pull) = of_attitude(work, displaced, &slopes);
+        let force = slopes.by(work, displaced.displacement);
+        let force = work.vector(Frame::WORLD, force);
+        let slope = work.add(carrying, force);
+        on.push(Draw {
+            force: work.negate(slope),
+            moment: work.graph.add_vectors(moment, direct),
+            pull,
+        });
     }
+    let coordinates = form.coordinates.iter();
+    let along = coordinates.map(|coordinate| {
+        let slope = slopes.by_symbol(work, *coordinate);
+        work.graph.negate(slope)
+    });
+    let along = along.collect();
+    Derived { energy, on, along }
+}
+
+/// The number of the body whose axes a vector was turned from or into.
+fn body_of(form: &Form, turn: &Turn) -> Option<usize> {
+    let frame = if turn.to == Frame::WORLD {
+        turn.from
+    } else {
+        turn.to
+    };
+    form.bodies.iter().position(|known| known.body == frame)
 }
 
 /// The slope along the position, in body axes, where what was turned into them is the position, or
 /// a distance from it: forces of one body are added before they are turned.
 fn carried(
     work: &mut Workspace,
-    form: &Form,
+    displacement: Components,
     turn: &Turn,
     place: &HashSet<Id>,
     slope: Components,
@@ -137,7 +173,7 @@ fn carried(
         return None;
     }
     let graph = &mut work.graph;
-    let factor = spring_arm::common_rate(graph, turn.vector, form.displacement, place)?;
+    let factor = spring_arm::common_rate(graph, turn.vector, displacement, place)?;
     Some(graph.scale_vector(factor, slope))
 }
 
@@ -152,17 +188,41 @@ fn moment_along(work: &mut Workspace, turn: &Turn, slope: Components) -> Compone
     }
 }
 
-/// The symbols that say where the body is: of the displacement, the attitude and turned vectors.
-fn symbols_of_place(work: &Workspace, body: Frame, form: &Form) -> HashSet<Id> {
-    let mut symbols: HashSet<Id> = form.displacement.into_iter().collect();
-    symbols.extend(form.turns.iter().flat_map(|turn| turn.turned));
-    symbols.extend(work.attitude(body).coordinates());
+/// The symbols that say where the bodies are: of displacements, attitudes, turned vectors and
+/// joints.
+fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
+    let mut symbols: HashSet<Id> = form.coordinates.iter().copied().collect();
+    for displaced in &form.bodies {
+        symbols.extend(displaced.displacement);
+        symbols.extend(displaced.angle);
+        if displaced.has_own_attitude {
+            symbols.extend(work.attitude(displaced.body).coordinates());
+        }
+    }
+    let turns = form
+        .turns
+        .iter()
+        .filter(|turn| body_of(form, turn).is_some());
+    symbols.extend(turns.flat_map(|turn| turn.turned));
     symbols
 }
 
 /// The moment of an energy that was written in terms of the attitude itself, and of a rod the pull
 /// at its axis, `-dU/du`.
-fn of_attitude(work: &mut Workspace, body: Frame, slopes: &Slopes) -> (Components, Components) {
+fn of_attitude(
+    work: &mut Workspace,
+    displaced: &Displaced,
+    slopes: &Slopes,
+) -> (Components, Components) {
+    let (body, zeros) = (displaced.body, work.graph.zeros());
+    if let Some(angle) = displaced.angle {
+        let slope = slopes.by_symbol(work, angle);
+        let moment = work.graph.negate(slope);
+        return ([zeros[0], zeros[1], moment], zeros);
+    }
+    if !displaced.has_own_attitude {
+        return (zeros, zeros);
+    }
     if let Attitude::Line { axis, .. } = work.attitude(body) {
         let slope = slopes.by(work, axis);
         let pull = work.graph.negate_vector(slope);
@@ -174,38 +234,42 @@ fn of_attitude(work: &mut Workspace, body: Frame, slopes: &Slopes) -> (Component
         let back = Direction::turn(work, body, back);
         slopes.along(work, &back)
     });
-    (moment, work.graph.zeros())
+    (moment, zeros)
 }
 
-/// Puts turned vectors in the place of the symbols that were kept apart, and no displacement where
-/// the position is no coordinate. Names go with what they name.
-fn expand(model: &Model, work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
-    let mut values: HashMap<Id, Id> = HashMap::new();
-    let zero = work.graph.zero();
-    if !model.motion.translates() {
-        values.extend(form.displacement.map(|symbol| (symbol, zero)));
-    }
+/// Puts turned vectors in the place of the symbols that were kept apart, and what other symbols stand
+/// for. Names go with what they name.
+fn expand(work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
+    let mut values: HashMap<Id, Id> = form.stands_for.iter().copied().collect();
     for turn in &form.turns {
         let vector = replace(work, &turn.vector, &values);
         let turned = work.turn([vector[0], vector[1], vector[2]], turn.from, turn.to);
         values.extend(turn.turned.into_iter().zip(turned));
     }
-    let roots: Vec<Id> = derived
-        .iter()
-        .flat_map(|one| {
-            let force = work.entries(&[one.force]);
-            [&[one.energy], force.as_slice(), &one.moment, &one.pull].concat()
-        })
-        .collect();
+    let mut roots = Vec::new();
+    for one in derived {
+        roots.push(one.energy);
+        for draw in &one.on {
+            let force = work.entries(&[draw.force]);
+            roots.extend([force.as_slice(), &draw.moment, &draw.pull].concat());
+        }
+        roots.extend(&one.along);
+    }
     let mut images = replace(work, &roots, &values).into_iter();
     let mut image = |id: Id| images.next().unwrap_or(id);
-    let expanded = derived.iter().map(|one| Derived {
-        energy: image(one.energy),
-        force: work.map(one.force, |_, part| part.map(&mut image)),
-        moment: one.moment.map(&mut image),
-        pull: one.pull.map(&mut image),
-    });
-    expanded.collect()
+    let mut expanded = Vec::new();
+    for one in derived {
+        let energy = image(one.energy);
+        let draws = one.on.iter().map(|draw| Draw {
+            force: work.map(draw.force, |_, part| part.map(&mut image)),
+            moment: draw.moment.map(&mut image),
+            pull: draw.pull.map(&mut image),
+        });
+        let on = draws.collect();
+        let along = one.along.iter().map(|slope| image(*slope)).collect();
+        expanded.push(Derived { energy, on, along });
+    }
+    expanded
 }
 
 fn replace(work: &mut Workspace, roots: &[Id], values: &HashMap<Id, Id>) -> Vec<Id> {

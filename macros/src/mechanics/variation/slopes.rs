@@ -77,8 +77,13 @@ impl Slopes {
 
     /// Along the components of a vector.
     pub fn by(&self, work: &Workspace, vector: Components) -> Components {
-        let zero = work.graph.zero();
-        vector.map(|part| self.by_leaf.get(&part).copied().unwrap_or(zero))
+        vector.map(|part| self.by_symbol(work, part))
+    }
+
+    /// Along one symbol.
+    pub fn by_symbol(&self, work: &Workspace, symbol: Id) -> Id {
+        let known = self.by_leaf.get(&symbol).copied();
+        known.unwrap_or(work.graph.zero())
     }
 
     /// Along the components of what the state is told by.

@@ -144,6 +144,29 @@ pub const PLANE: Shape = Shape {
         scalar("angular", &["alpha"], Variable::AngularAcceleration),
     ],
 };
+pub const SHIFT: Shape = Shape {
+    state: "Translation",
+    acceleration: None,
+    fields: &[
+        part("position", &["x", "y", "z"], Variable::Position, 0),
+        part("velocity", &["vx", "vy", "vz"], Variable::Velocity, 0),
+    ],
+    second: &[part(
+        "",
+        &["ax", "ay", "az"],
+        Variable::LinearAcceleration,
+        0,
+    )],
+};
+pub const SHIFT_IN_THE_PLANE: Shape = Shape {
+    state: "PlanarTranslation",
+    acceleration: None,
+    fields: &[
+        part("position", &["x", "y"], Variable::Position, 0),
+        part("velocity", &["vx", "vy"], Variable::Velocity, 0),
+    ],
+    second: &[part("", &["ax", "ay"], Variable::LinearAcceleration, 0)],
+};
 
 /// A component of the state of a joint.
 #[derive(Clone, Copy, Debug)]

@@ -12,6 +12,7 @@ use super::vector::Vector;
 use super::workspace::Workspace;
 
 /// The state of a body, in symbols. What a motion does not have is zero.
+#[derive(Clone, Copy)]
 pub struct State {
     /// The frame of the body, by which it is known.
     pub body: Frame,

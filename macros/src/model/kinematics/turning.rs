@@ -74,7 +74,11 @@ impl Workspace {
             let turned = self.turn(rest, from, to);
             return self.graph.scale_vector(factor, turned);
         }
-        if let Some(turns) = &mut self.turns {
+        let is_always_so = match self.attitude(body) {
+            Attitude::Axis { angle, .. } => self.graph.is_early(angle),
+            _ => false,
+        };
+        if let Some(turns) = self.turns.as_mut().filter(|_| !is_always_so) {
             return turns.turn(&mut self.graph, v, from, to);
         }
         let turned = match self.attitude(body) {

@@ -56,6 +56,21 @@ impl Workspace {
         self.carriers[frame.index()] = carrier;
     }
 
+    /// Frames that are turned like all that there are, each against the copy of its carrier.
+    pub fn copied_frames(&mut self) -> Vec<Frame> {
+        let count = self.carriers.len();
+        let mut copies = vec![Frame::WORLD];
+        for index in 1..count {
+            copies.push(self.new_frame(Frame::WORLD));
+            self.attitudes[copies[index].index()] = self.attitudes[index];
+        }
+        for index in 1..count {
+            let carrier = self.carriers[index];
+            self.set_carrier(copies[index], copies[carrier.index()]);
+        }
+        copies
+    }
+
     /// The frame after `from` on the way to another one: towards the ground first.
     pub(super) fn next_frame(&self, from: Frame, to: Frame) -> Frame {
         let mut below = to;

@@ -1,6 +1,9 @@
 //! The kinds of joints of a system, a row each.
 
-use crate::model::joints::{BALL, CYLINDER, FREE, HINGE, PLANE, SLIDE, Shape, UNIVERSAL};
+use crate::model::joints::{
+    BALL, CYLINDER, FREE, HINGE, PLANE, SHIFT, SHIFT_IN_THE_PLANE, SLIDE, Shape, UNIVERSAL,
+};
+use crate::model::words::Variable;
 
 /// What a joint is made of, from the carrier to what it carries.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -17,14 +20,34 @@ pub enum Part {
     Free,
 }
 
+/// What the directions of a joint are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Axes {
+    /// Those that are written, so many.
+    Written(usize),
+    /// One that is written, and two across it.
+    Normal,
+    /// Nothing is written: the axes.
+    Own,
+}
+
+/// What a joint is written with.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Holds {
+    /// A point of the carrier and one of what it carries.
+    Points,
+    /// G of a body alone, on the ground: its coordinates count from the origin of the world.
+    Center,
+}
+
 /// A kind of joint.
 #[derive(Debug)]
 pub struct JointKind {
     /// Its word in a description.
     pub word: &'static str,
+    pub holds: Holds,
+    pub axes: Axes,
     pub parts: &'static [Part],
-    /// How many directions are written.
-    pub directions: usize,
     /// Of its state; nothing is known of what does not move.
     pub shape: Option<&'static Shape>,
     /// How it is written.
@@ -33,73 +56,117 @@ pub struct JointKind {
 
 const PRISMATIC: JointKind = JointKind {
     word: "prismatic",
+    holds: Holds::Points,
+    axes: Axes::Written(1),
     parts: &[Part::Slide(0)],
-    directions: 1,
     shape: Some(&SLIDE),
     form: "prismatic(P, Q, direction)",
 };
 const WELD: JointKind = JointKind {
     word: "weld",
+    holds: Holds::Points,
+    axes: Axes::Own,
     parts: &[],
-    directions: 0,
     shape: None,
     form: "weld(P, Q)",
 };
 
 /// All of space, in the order in which messages list them.
-const JOINTS: [JointKind; 8] = [
+const JOINTS: [JointKind; 11] = [
     JointKind {
         word: "revolute",
+        holds: Holds::Points,
+        axes: Axes::Written(1),
         parts: &[Part::Turn(0)],
-        directions: 1,
         shape: Some(&HINGE),
         form: "revolute(P, Q, direction)",
     },
     PRISMATIC,
     JointKind {
         word: "cylindrical",
+        holds: Holds::Points,
+        axes: Axes::Written(1),
         parts: &[Part::Slide(0), Part::Turn(0)],
-        directions: 1,
         shape: Some(&CYLINDER),
         form: "cylindrical(P, Q, direction)",
     },
     JointKind {
         word: "screw",
+        holds: Holds::Points,
+        axes: Axes::Written(1),
         parts: &[Part::Screw],
-        directions: 1,
         shape: Some(&HINGE),
         form: "screw(P, Q, direction, pitch)",
     },
     JointKind {
         word: "universal",
+        holds: Holds::Points,
+        axes: Axes::Written(2),
         parts: &[Part::Turn(0), Part::Turn(1)],
-        directions: 2,
         shape: Some(&UNIVERSAL),
         form: "universal(P, Q, direction_1, direction_2)",
     },
     JointKind {
         word: "spherical",
+        holds: Holds::Points,
+        axes: Axes::Own,
         parts: &[Part::Ball],
-        directions: 0,
         shape: Some(&BALL),
         form: "spherical(P, Q)",
+    },
+    JointKind {
+        word: "planar",
+        holds: Holds::Points,
+        axes: Axes::Normal,
+        parts: &[Part::Slide(1), Part::Slide(2), Part::Turn(0)],
+        shape: Some(&PLANE),
+        form: "planar(P, Q, normal)",
     },
     WELD,
     JointKind {
         word: "free",
+        holds: Holds::Center,
+        axes: Axes::Own,
         parts: &[Part::Free],
-        directions: 0,
         shape: Some(&FREE),
         form: "free(b)",
     },
+    JointKind {
+        word: "rotation",
+        holds: Holds::Center,
+        axes: Axes::Own,
+        parts: &[Part::Ball],
+        shape: Some(&BALL),
+        form: "rotation(b)",
+    },
+    JointKind {
+        word: "translation",
+        holds: Holds::Center,
+        axes: Axes::Own,
+        parts: &[Part::Slide(0), Part::Slide(1), Part::Slide(2)],
+        shape: Some(&SHIFT),
+        form: "translation(b)",
+    },
 ];
 
+const fn translation_in_the_plane(word: &'static str, form: &'static str) -> JointKind {
+    JointKind {
+        word,
+        holds: Holds::Center,
+        axes: Axes::Own,
+        parts: &[Part::Slide(0), Part::Slide(1)],
+        shape: Some(&SHIFT_IN_THE_PLANE),
+        form,
+    }
+}
+
 /// Those of the plane.
-const PLANE_JOINTS: [JointKind; 4] = [
+const PLANE_JOINTS: [JointKind; 6] = [
     JointKind {
         word: "revolute",
-        parts: &[Part::Turn(0)],
-        directions: 0,
+        holds: Holds::Points,
+        axes: Axes::Own,
+        parts: &[Part::Turn(2)],
         shape: Some(&HINGE),
         form: "revolute(P, Q)",
     },
@@ -107,11 +174,15 @@ const PLANE_JOINTS: [JointKind; 4] = [
     WELD,
     JointKind {
         word: "free",
+        holds: Holds::Center,
+        axes: Axes::Own,
         parts: &[Part::Free],
-        directions: 0,
         shape: Some(&PLANE),
         form: "free(b)",
     },
+    translation_in_the_plane("translation", "translation(b)"),
+    // as `motion` of a body alone has it
+    translation_in_the_plane("planar_translation", "planar_translation(b)"),
 ];
 
 impl JointKind {
@@ -120,12 +191,57 @@ impl JointKind {
         if is_planar { &PLANE_JOINTS } else { &JOINTS }
     }
 
-    /// It is written with the body alone.
     pub fn is_free(&self) -> bool {
         self.parts == [Part::Free]
     }
 
+    /// In space, its state has the attitude of what it carries against the ground.
+    pub fn has_attitude(&self) -> bool {
+        self.holds == Holds::Center && matches!(self.parts, [Part::Free | Part::Ball])
+    }
+
     pub fn is_screw(&self) -> bool {
         self.parts == [Part::Screw]
+    }
+
+    /// How many directions are written.
+    pub fn directions(&self) -> usize {
+        match self.axes {
+            Axes::Written(count) => count,
+            Axes::Normal => 1,
+            Axes::Own => 0,
+        }
+    }
+
+    /// Its parts, each with the number of its coordinate among those of the same sort.
+    pub fn numbered(&self) -> impl Iterator<Item = (Part, usize)> {
+        let (mut turns, mut slides) = (0, 0);
+        self.parts.iter().map(move |part| {
+            let next = match part {
+                Part::Slide(_) => &mut slides,
+                Part::Turn(_) | Part::Screw | Part::Ball | Part::Free => &mut turns,
+            };
+            *next += 1;
+            (*part, *next - 1)
+        })
+    }
+
+    /// The rates of its freedoms, in the order in which mechanics has them.
+    pub fn freedoms(&self, is_planar: bool) -> Vec<(Variable, usize)> {
+        let mut freedoms = Vec::new();
+        let (along, about) = (Variable::Velocity, Variable::AngularVelocity);
+        for (part, number) in self.numbered() {
+            match part {
+                Part::Turn(_) | Part::Screw => freedoms.push((about, number)),
+                Part::Slide(_) => freedoms.push((along, number)),
+                Part::Ball => freedoms.extend((0..3).map(|axis| (about, axis))),
+                Part::Free if is_planar => freedoms.extend([(along, 0), (along, 1), (about, 0)]),
+                Part::Free => {
+                    let both = [along, about].into_iter();
+                    freedoms.extend(both.flat_map(|rate| (0..3).map(move |axis| (rate, axis))));
+                }
+            }
+        }
+        freedoms
     }
 }

@@ -2,13 +2,13 @@
 
 mod joint_kind;
 
-pub use joint_kind::{JointKind, Part};
+pub use joint_kind::{Axes, Holds, JointKind, Part};
 
 use proc_macro2::Ident;
 
 use crate::symbolic::{Components, Id};
 
-use super::body::{Defaults, Inertia, Load, Substance};
+use super::body::{Defaults, Inertia, Load, Potentials, Substance};
 use super::joints::Rates;
 use super::kinematics::State;
 use super::words::Frame;
@@ -27,6 +27,10 @@ pub struct System {
     pub points: Vec<(usize, Components)>,
     /// The acceleration of free fall in the field that acts on all mass alike, world axes.
     pub gravity: Components,
+    pub cables: Vec<Cable>,
+    pub potentials: Potentials,
+    /// Energies besides those of uniform fields: of cables, and of potentials once these are loads.
+    pub energies: Vec<Id>,
     /// How many derivatives of each input are given.
     pub derivatives: Vec<usize>,
     pub defaults: Defaults,
@@ -61,6 +65,13 @@ pub struct Closing {
     pub turned: Option<(Components, Id)>,
 }
 
+/// What only pulls.
+pub struct Cable {
+    pub name: Ident,
+    /// At its ends; none: the ground.
+    pub bodies: [Option<Ident>; 2],
+}
+
 /// A joint between a body and one before it, or the ground.
 pub struct TreeJoint {
     pub name: Ident,
@@ -73,7 +84,8 @@ pub struct TreeJoint {
     pub place: Components,
     /// Where it is on the carried body, from its G, in its axes.
     pub pin: Components,
-    /// Unit vectors, in the axes of the carried body where the coordinates are zero.
+    /// Unit vectors, in the axes of the carried body where the coordinates are zero; what parts of the
+    /// kind go by.
     pub directions: Vec<Components>,
     /// Of a screw, metres per radian.
     pub pitch: Option<Id>,

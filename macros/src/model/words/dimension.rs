@@ -37,6 +37,8 @@ impl Dimension {
     pub const VELOCITY: Self = Self::base([0, 1, -1, 0, 0, 0, 0]);
     pub const FREQUENCY: Self = Self::base([0, 0, -1, 0, 0, 0, 0]);
     pub const FORCE: Self = Self::base([1, 1, -2, 0, 0, 0, 0]);
+    /// Of a spring, N/m.
+    pub const STIFFNESS: Self = Self::base([1, 0, -2, 0, 0, 0, 0]);
     pub const MOMENT: Self = Self::base([1, 2, -2, 0, 0, 0, 0]);
     pub const INERTIA: Self = Self::base([1, 2, 0, 0, 0, 0, 0]);
 

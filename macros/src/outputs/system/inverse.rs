@@ -38,13 +38,18 @@ impl Output<System> for Inverse {
         let undriven = system
             .joints
             .iter()
-            .find(|joint| !joint.is_driven() && joint.open.iter().any(Option::is_none));
-        if let Some(joint) = undriven {
+            .filter(|joint| !joint.is_driven() && joint.open.iter().any(Option::is_none));
+        let mut is_sound = true;
+        for joint in undriven {
             let name = &joint.name;
-            basis.errors.push(
-                place,
-                format!("inverse dynamics finds the drives that make the joints move as is given, and nothing drives `{name}`: write `motor = _.on({name})` for each coordinate"),
+            let message = format!(
+                "nothing drives `{name}`, and inverse dynamics finds the drives that make all joints \
+                 move as is given: write `motor = _.on({name})` for each coordinate"
             );
+            basis.errors.push(name.span(), message);
+            is_sound = false;
+        }
+        if !is_sound {
             return None;
         }
         let loads = derive_system_inverse(system, basis.work, basis.equations);

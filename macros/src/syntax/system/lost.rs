@@ -11,7 +11,8 @@ impl System {
     /// What is written beside the bodies.
     fn written(&self) -> impl Iterator<Item = &Expression> {
         let loads = self.drives.iter().chain(&self.forces).chain(&self.moments);
-        let definitions = self.joints.iter().chain(loads).chain(&self.top.locals);
+        let joints = self.joints.iter().chain(&self.cables);
+        let definitions = joints.chain(loads).chain(&self.top.locals);
         definitions.filter_map(|definition| definition.value.as_ref())
     }
 
@@ -28,7 +29,8 @@ impl System {
         let top = &self.top;
         let declared = top.params.iter().chain(&top.inputs).map(|one| &one.name);
         let members = self.bodies.iter().map(|body| &body.name);
-        let defined = top.locals.iter().chain(&self.joints).map(|one| &one.name);
+        let joints = self.joints.iter().chain(&self.cables);
+        let defined = top.locals.iter().chain(joints).map(|one| &one.name);
         let known: Vec<&Ident> = declared.chain(members).chain(defined).collect();
         let lost: Vec<String> = names
             .filter(|name| !known.contains(name))

@@ -1,18 +1,22 @@
 //! A system: bodies, the joints between them, and what drives these.
 
 mod body;
+mod drawing;
 mod lost;
 mod outputs;
+
+pub use drawing::Center;
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, similar};
 
 use super::entries::{parse_name, parse_value};
+use super::expression::{Expression, Kind};
 use super::head::parse_head;
 use super::parse::{check_length, key_meant, key_value, parse_key};
 use super::tokens::{Entry, split, start, without_attributes};
-use super::{Definition, Description, Expression, Motion};
+use super::{Definition, Description, Motion};
 
 /// A whole description of a system.
 pub struct System {
@@ -21,11 +25,15 @@ pub struct System {
     /// A description each, with the motion that all bodies have.
     pub bodies: Vec<Description>,
     pub joints: Vec<Definition>,
+    /// What is written among the joints and carries nothing.
+    pub cables: Vec<Definition>,
     pub drives: Vec<Definition>,
     /// Forces between points, and moments on bodies and between them.
     pub forces: Vec<Definition>,
     pub moments: Vec<Definition>,
     pub is_planar: bool,
+    /// Of each body, if bodies and joints are drawn in one frame.
+    pub centers: Option<Vec<Center>>,
     /// The joints that are named behind `reactions`, if any are.
     pub held: Option<Vec<Ident>>,
     /// The points that are named behind `jacobian`.
@@ -38,6 +46,9 @@ pub struct System {
     pub has_lost_bodies: bool,
     pub has_lost_joints: bool,
 }
+
+/// Stands among the joints, and is none: it only pulls.
+pub const CABLE: &str = "cable";
 
 /// Lists of a system that a body does not have, or has with other entries, each with one to show.
 const LISTS: [(&str, &str); 5] = [
@@ -57,18 +68,11 @@ const OF_BODIES: [&str; 6] = [
     "pole",
 ];
 /// Keys that stand in the system alone.
-const OF_SYSTEMS: [&str; 8] = [
-    "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives",
+const OF_SYSTEMS: [&str; 9] = [
+    "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives", "drawing",
 ];
 /// Keys of the language of systems that are not there yet.
-const LATER: [&str; 6] = [
-    "constraints",
-    "reactions",
-    "independent",
-    "urdf",
-    "drawing",
-    "potentials",
-];
+const LATER: [&str; 4] = ["constraints", "reactions", "independent", "urdf"];
 
 /// Parses `(runtime) Name { key: value, .. }` of a system.
 pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {
@@ -78,10 +82,12 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         top,
         bodies: Vec::new(),
         joints: Vec::new(),
+        cables: Vec::new(),
         drives: Vec::new(),
         forces: Vec::new(),
         moments: Vec::new(),
         is_planar: false,
+        centers: None,
         held: None,
         points: Vec::new(),
         firsts: Vec::new(),
@@ -93,6 +99,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         system.parse_key(without_attributes(&entry, errors), errors);
     }
     system.is_planar = system.check_motion(errors);
+    system.take_centers(errors);
     system.lose_names();
     let word = if system.is_planar {
         "planar"
@@ -141,6 +148,8 @@ impl System {
                 self.top.keys.push(key.clone());
             }
             self.parse_list(list, example, key, rest, errors);
+        } else if word == "drawing" {
+            self.parse_drawing(key, rest, errors);
         } else if word == "outputs" {
             let entry = self.without_joints(entry, errors);
             parse_key(&mut self.top, &entry, errors);
@@ -185,6 +194,7 @@ impl System {
             let value = parse_value(&name, rest, errors);
             let definition = Definition { name, value };
             match list {
+                "joints" if is_cable(&definition) => self.cables.push(definition),
                 "joints" => self.joints.push(definition),
                 "drives" => self.drives.push(definition),
                 "forces" => self.forces.push(definition),
@@ -192,6 +202,19 @@ impl System {
             }
         }
     }
+}
+
+/// `cable(..)`, and whatever is written behind it.
+fn is_cable(joint: &Definition) -> bool {
+    let mut inner = joint.value.as_ref();
+    while let Some(Expression {
+        kind: Kind::Method(receiver, ..),
+        ..
+    }) = inner
+    {
+        inner = Some(receiver);
+    }
+    inner.is_some_and(|inner| matches!(&inner.kind, Kind::Call(word, _) if word == CABLE))
 }
 
 /// The list of a system that a key, perhaps misspelt, is meant to be.

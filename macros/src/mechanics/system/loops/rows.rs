@@ -85,7 +85,8 @@ fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
     let mut all = Vec::new();
     match (closing.kind.parts, closing.directions.as_slice()) {
         // hinges in the plane, and ball joints
-        ([Part::Turn(_)], []) | ([Part::Ball], _) => all.extend(places()),
+        ([Part::Turn(_)], _) if ends.is_planar => all.extend(places()),
+        ([Part::Ball], _) => all.extend(places()),
         ([Part::Turn(_)], [axis, ..]) => {
             all.extend(places());
             for across in perpendiculars(graph, *axis) {
@@ -109,7 +110,13 @@ fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
             }
             all.extend(still(graph));
         }
-        ([Part::Turn(0), Part::Turn(1)], [first, second]) => {
+        ([Part::Slide(_), Part::Slide(_), Part::Turn(_)], [normal, ..]) => {
+            all.push(Held::Across(turned(graph, *normal)));
+            for across in perpendiculars(graph, *normal) {
+                all.push(Held::Between(turned(graph, across), *normal));
+            }
+        }
+        ([Part::Turn(0), Part::Turn(1)], [first, second, ..]) => {
             all.extend(places());
             all.push(Held::Between(turned(graph, *first), *second));
         }

@@ -1,0 +1,223 @@
+//! The axes of joints, and how what they carry is turned.
+
+use proc_macro2::Ident;
+
+use crate::errors::Errors;
+use crate::model::{Axes, Dimension, Drawn, JointKind};
+use crate::symbolic::{Components, Graph, Id, Node};
+use crate::syntax::Expression;
+
+use super::drawing::in_drawing;
+use super::joint::first_name_of;
+use crate::lower::system::reading::reader::{Reader, still};
+
+impl Reader<'_> {
+    /// What the parts of a joint go by.
+    pub fn directions(
+        &mut self,
+        body: usize,
+        kind: &JointKind,
+        arguments: &[Expression],
+        errors: &mut Errors,
+    ) -> Option<Vec<Components>> {
+        let written = &arguments[arguments.len().min(2)..][..kind.directions()];
+        let directions: Vec<Option<Components>> = written
+            .iter()
+            .map(|direction| self.direction(body, direction, errors))
+            .collect();
+        if let [Some(first), Some(second)] = *directions {
+            let across = self.work.graph.cross(first, second);
+            if self.work.graph.is_zero_vector(&across) {
+                errors.push(
+                    written[1].extent,
+                    "the axes of a universal joint are not parallel: about parallel ones it turns twice alike",
+                );
+                return None;
+            }
+        }
+        let directions: Vec<Components> = directions.into_iter().collect::<Option<_>>()?;
+        match (kind.axes, directions.as_slice()) {
+            (Axes::Own, _) => Some(self.work.graph.unit_vectors().to_vec()),
+            (Axes::Normal, [normal]) => {
+                let Some([along, across]) = across(&mut self.work.graph, *normal) else {
+                    let name = first_name_of(&written[0]).map(|name| name.span().into());
+                    errors.push(
+                        name.unwrap_or(written[0].extent),
+                        "the normal of a planar joint is made of numbers: from it follows which way its \
+                         coordinates are measured",
+                    );
+                    return None;
+                };
+                Some(vec![*normal, along, across])
+            }
+            _ => Some(directions),
+        }
+    }
+
+    /// That of a screw; the inner `None` is any other joint.
+    #[allow(clippy::option_option, reason = "outer: reported; inner: not a screw")]
+    pub fn pitch(
+        &mut self,
+        kind: &JointKind,
+        arguments: &[Expression],
+        errors: &mut Errors,
+    ) -> Option<Option<Id>> {
+        if !kind.is_screw() {
+            return Some(None);
+        }
+        let written = &arguments[3];
+        self.at_top(errors, |lowering| {
+            let what = "the pitch of a screw, metres per radian,";
+            let pitch = lowering.scalar(written, Dimension::LENGTH, what)?;
+            lowering.check_early(written, &[pitch], "a pitch is fixed")?;
+            Some(Some(pitch))
+        })
+    }
+
+    /// A unit vector, the same in the axes of both bodies where the coordinates are zero.
+    fn direction(
+        &mut self,
+        body: usize,
+        written: &Expression,
+        errors: &mut Errors,
+    ) -> Option<Components> {
+        let frame = self.members.bodies[body].frame;
+        let defaults = self.defaults.clone();
+        let mut scope = self.scope.clone();
+        let mut state = still(frame, self.time);
+        let mut lowering = crate::lower::expressions::Lowering {
+            work: &mut self.work,
+            scope: &mut scope,
+            errors,
+            motion: self.motion,
+            state: &mut state,
+            reactions: Vec::new(),
+            is_constrained: false,
+            composed: None,
+            has_parts: false,
+            drawn: Drawn::Alone,
+            members: &self.members,
+            is_whole: false,
+        };
+        let found = if self.system.is_drawn() {
+            lowering.direction(&in_drawing(written), &defaults)
+        } else {
+            lowering.direction(written, &defaults)
+        };
+        self.scope = scope;
+        found
+    }
+
+    /// `.turned(axis, angle)`, if it is there; the inner `None` is none.
+    #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
+    pub fn turned(
+        &mut self,
+        body: usize,
+        methods: &[(&Ident, &[Expression])],
+        errors: &mut Errors,
+    ) -> Option<Option<(Components, Id)>> {
+        let mut turned = Some(None);
+        if let [(again, _), _, ..] = methods
+            && methods
+                .iter()
+                .filter(|(method, _)| *method == "turned")
+                .count()
+                > 1
+        {
+            let message = "`.turned(..)` is written twice: write one turn, about one axis";
+            errors.push(again.span(), message);
+            return None;
+        }
+        let may_turn = !self.system.is_drawn();
+        let others = methods.iter().filter(|(method, _)| *method != "driven");
+        for (method, arguments) in others {
+            let found = match *arguments {
+                [axis, angle] if *method == "turned" && may_turn && !self.system.is_planar => {
+                    let axis = self.direction(body, axis, errors);
+                    let angle = self.fixed_angle(angle, errors);
+                    axis.zip(angle)
+                }
+                [angle] if *method == "turned" && may_turn && self.system.is_planar => {
+                    let axis = self.work.graph.unit_vectors()[2];
+                    let angle = self.fixed_angle(angle, errors);
+                    angle.map(|angle| (axis, angle))
+                }
+                _ => {
+                    errors.push(method.span(), self.why_not_behind(method));
+                    None
+                }
+            };
+            turned = turned.and_then(|_| found.map(Some));
+        }
+        turned
+    }
+
+    /// What is wrong with a method behind a joint.
+    fn why_not_behind(&self, method: &Ident) -> String {
+        let word = method.to_string();
+        let message = match (word.as_str(), self.system.is_drawn()) {
+            ("turned", true) => {
+                "in a drawing all bodies are as they are drawn: leave `.turned(..)` out"
+            }
+            ("turned", false) => "write `.turned(axis, angle)`, in the plane `.turned(angle)`",
+            ("at", true) => "a joint is in one place: leave this out",
+            ("at", false) => {
+                "`.at(..)` places a joint in a drawing: write `drawing: zero_pose`, or points of bodies"
+            }
+            ("locked", _) => {
+                return format!(
+                    "`.{word}(..)` of a joint is part of the language, but this version does not have it yet"
+                );
+            }
+            (_, true) => {
+                return format!(
+                    "a joint of a drawing has no `{word}`: what may follow is `.at(..)` and `.driven(angle)`"
+                );
+            }
+            (_, false) => {
+                return format!(
+                    "a joint has no `{word}`: what may follow is `.turned(axis, angle)` and `.driven(angle)`"
+                );
+            }
+        };
+        message.to_owned()
+    }
+
+    fn fixed_angle(&mut self, written: &Expression, errors: &mut Errors) -> Option<Id> {
+        self.at_top(errors, |lowering| {
+            let angle = lowering.scalar(written, Dimension::NONE, "an angle")?;
+            lowering.check_early(written, &[angle], "how a joint is turned is fixed")?;
+            Some(angle)
+        })
+    }
+}
+
+/// Two unit vectors that make right-handed axes with a unit vector of numbers: the two axes after
+/// the one that is nearest to it, the first of those that are, turned with that one by the shortest
+/// way.
+fn across(graph: &mut Graph, normal: Components) -> Option<[Components; 2]> {
+    let is_symbol = |id: Id| matches!(graph.node(id), Node::Symbol(_));
+    if graph.depends_on(&normal, is_symbol) {
+        return None;
+    }
+    let sizes = graph.evaluate(&normal, |_| 0.0);
+    let nearer = |a: usize, b: usize| sizes[b].abs() > sizes[a].abs() * (1.0 + 1e-12);
+    let nearest = (1..3).fold(0, |best, axis| if nearer(best, axis) { axis } else { best });
+    let units = graph.unit_vectors();
+    let [first, mut second] = [1, 2].map(|step| units[(nearest + step) % 3]);
+    let mut axis = units[nearest];
+    if sizes[nearest] < 0.0 {
+        (axis, second) = (graph.negate_vector(axis), graph.negate_vector(second));
+    }
+    // v - (v . n) / (1 + e . n) (e + n), across e
+    let one = graph.one();
+    let along = graph.dot(axis, normal);
+    let more = graph.add(one, along);
+    let both = graph.add_vectors(axis, normal);
+    Some([first, second].map(|v| {
+        let lean = graph.dot(v, normal);
+        let share = graph.divide(lean, more);
+        let less = graph.scale_vector(share, both);
+        graph.subtract_vectors(v, less)
+    }))
+}

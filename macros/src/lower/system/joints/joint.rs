@@ -1,0 +1,308 @@
+//! The joints of a system, as they are written.
+
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, hint};
+use crate::lower::expressions::{JointNames, Value};
+use crate::model::{Dimension, Frame, Holds, JointKind, Rates};
+use crate::symbolic::{Components, Id};
+use crate::syntax::{CABLE, Definition, Expression, Kind};
+
+use crate::lower::system::reading::reader::Reader;
+
+/// A joint that is read: where it is, and what turns or slides.
+pub struct Written {
+    pub name: Ident,
+    pub kind: &'static JointKind,
+    pub carrier: Option<usize>,
+    pub carried: usize,
+    pub place: Components,
+    pub pin: Components,
+    pub directions: Vec<Components>,
+    pub pitch: Option<Id>,
+    pub turned: Option<(Components, Id)>,
+    /// How its coordinates move, if that is prescribed.
+    pub driven: Option<Rates>,
+    /// Where the carried body is named.
+    pub mention: proc_macro2::Span,
+}
+
+/// A point of a body, by its number, or of the ground, and where it is there.
+pub type End = (Option<usize>, Components);
+
+/// Joints that are not there yet.
+const LATER: [&str; 1] = ["link"];
+
+/// The kind of joint that an expression begins with, and what is written behind it.
+pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
+    let word = call(value)?.0.0.to_string();
+    JointKind::all(is_planar)
+        .iter()
+        .find(|kind| kind.word == word)
+}
+
+/// A function or a method, with its arguments.
+pub type Called<'e> = (&'e Ident, &'e [Expression]);
+
+/// `kind(arguments)`, and the methods behind it.
+pub fn call(value: &Expression) -> Option<(Called<'_>, Vec<Called<'_>>)> {
+    let mut methods = Vec::new();
+    let mut inner = value;
+    loop {
+        match &inner.kind {
+            Kind::Method(receiver, method, arguments) => {
+                methods.push((method, arguments.as_slice()));
+                inner = receiver;
+            }
+            Kind::Call(word, arguments) => return Some(((word, arguments), methods)),
+            _ => return None,
+        }
+    }
+}
+
+fn unknown_kind(word: &Ident, is_planar: bool) -> String {
+    if LATER.contains(&word.to_string().as_str()) {
+        return format!(
+            "`{word}` is a joint of the language, but this version does not have it yet"
+        );
+    }
+    if word == "rod" {
+        return "a rod has no axes of its own, which joints are written in, and no inertia about its \
+                line: write `free(b)` and a small moment of inertia about that line, or a `rigid_body!` \
+                with `motion: rod(..)` for a rod alone"
+            .to_owned();
+    }
+    let kinds = JointKind::all(is_planar).iter();
+    let all: Vec<&str> = kinds.map(|kind| kind.word).chain([CABLE]).collect();
+    let hint = hint(&word.to_string(), all.iter().copied());
+    let is_elsewhere = JointKind::all(!is_planar)
+        .iter()
+        .any(|kind| word == kind.word);
+    let here = match (is_elsewhere, is_planar) {
+        (false, _) => "",
+        (true, true) => " in the plane",
+        (true, false) => " in space",
+    };
+    let all = all.join("`, `");
+    format!("there is no joint `{word}`{here}: expected one of `{all}`{hint}")
+}
+
+fn check_count(
+    kind: &JointKind,
+    word: &Ident,
+    arguments: &[Expression],
+    errors: &mut Errors,
+) -> Option<()> {
+    let expected = if kind.holds == Holds::Center {
+        1
+    } else {
+        2 + kind.directions() + usize::from(kind.is_screw())
+    };
+    if arguments.len() == expected {
+        return Some(());
+    }
+    let excess = arguments.get(expected);
+    let place = excess.map_or(word.span().into(), |extra| extra.extent);
+    let (form, count) = (kind.form, arguments.len());
+    errors.push(
+        place,
+        format!("`{form}` takes {expected} arguments, and this has {count}"),
+    );
+    None
+}
+
+impl Reader<'_> {
+    /// Reads all joints; what is wrong with one hides no other.
+    pub fn joints(&mut self, errors: &mut Errors) -> Vec<Option<Written>> {
+        let written: Vec<&Definition> = self.system.joints.iter().collect();
+        written
+            .into_iter()
+            .map(|joint| self.joint(joint, errors))
+            .collect()
+    }
+
+    fn joint(&mut self, joint: &Definition, errors: &mut Errors) -> Option<Written> {
+        self.members.joints.push(JointNames {
+            name: joint.name.to_string(),
+            values: Vec::new(),
+            is_known: false,
+            closes: false,
+        });
+        let value = joint.value.as_ref()?;
+        let kinds = JointKind::all(self.system.is_planar);
+        let Some((called, mut methods)) = call(value) else {
+            let forms = kinds[0].form;
+            errors.push(
+                value.extent,
+                format!("a joint is a kind with its points, such as `{forms}`"),
+            );
+            return None;
+        };
+        let (word, arguments) = called;
+        let Some(kind) = kind_of(value, self.system.is_planar) else {
+            errors.push(word.span(), unknown_kind(word, self.system.is_planar));
+            return None;
+        };
+        check_count(kind, word, arguments, errors)?;
+        if kind.holds == Holds::Center {
+            return self.joint_of_center(joint, kind, &arguments[0], &methods, errors);
+        }
+        let (carrier, (body, pin)) = self.joined(kind, called, &mut methods, errors)?;
+        let directions = self.directions(body, kind, arguments, errors);
+        let pitch = self.pitch(kind, arguments, errors);
+        let turned = self.turned(body, &methods, errors);
+        let driven = self.driven(kind, &methods, errors);
+        let (turned, driven) = (turned?, driven?);
+        Some(Written {
+            name: joint.name.clone(),
+            kind,
+            carrier: carrier.0,
+            carried: body,
+            place: carrier.1,
+            pin,
+            directions: directions?,
+            pitch: pitch?,
+            turned,
+            driven,
+            mention: first_name(&arguments[1]).unwrap_or_else(|| joint.name.span()),
+        })
+    }
+
+    /// The carrier's end of a joint, and that of the body that it carries.
+    fn joined(
+        &mut self,
+        kind: &JointKind,
+        called: Called<'_>,
+        methods: &mut Vec<Called<'_>>,
+        errors: &mut Errors,
+    ) -> Option<(End, (usize, Components))> {
+        let (_, arguments) = called;
+        let ends = if self.system.is_drawn() {
+            self.drawn_ends(kind, called, methods, errors)?
+        } else {
+            [0, 1].map(|k| self.anchor(&arguments[k], errors))
+        };
+        let [Some(carrier), Some(carried)] = ends else {
+            return None;
+        };
+        let message = match carried.0 {
+            Some(body) if carrier.0 == Some(body) => {
+                "a joint is between two bodies, or a body and the ground: both points are on one body"
+            }
+            Some(body) => return Some((carrier, (body, carried.1))),
+            None => {
+                "the second point of a joint is on the body that it carries: the ground is carried by nothing"
+            }
+        };
+        errors.push(arguments[1].extent, message);
+        None
+    }
+
+    /// `free(hub)`
+    fn joint_of_center(
+        &mut self,
+        joint: &Definition,
+        kind: &'static JointKind,
+        body: &Expression,
+        methods: &[(&Ident, &[Expression])],
+        errors: &mut Errors,
+    ) -> Option<Written> {
+        if let Some((method, _)) = methods.first() {
+            errors.push(method.span(), format!("nothing follows `{}`", kind.form));
+            return None;
+        }
+        let named = match &body.kind {
+            Kind::Name(name) => {
+                let found = self
+                    .members
+                    .bodies
+                    .iter()
+                    .position(|body| *name == body.name.as_str());
+                found.map(|found| (found, name))
+            }
+            _ => None,
+        };
+        let Some((carried, name)) = named else {
+            let names = self.members.bodies.iter().map(|body| body.name.as_str());
+            let written = first_name_of(body)
+                .map(ToString::to_string)
+                .unwrap_or_default();
+            if self.scope.is_lost(&written) {
+                return None;
+            }
+            let hint = hint(&written, names);
+            errors.push(
+                body.extent,
+                format!(
+                    "expected the name of a body, as in `{}(hub)`{hint}",
+                    kind.word
+                ),
+            );
+            return None;
+        };
+        let zeros = self.work.graph.zeros();
+        Some(Written {
+            name: joint.name.clone(),
+            kind,
+            carrier: None,
+            carried,
+            place: zeros,
+            pin: zeros,
+            directions: self.work.graph.unit_vectors().to_vec(),
+            pitch: None,
+            turned: None,
+            driven: None,
+            mention: name.span(),
+        })
+    }
+
+    /// A point of a body, by its number, or of the ground, and where it is there.
+    pub fn anchor(&mut self, written: &Expression, errors: &mut Errors) -> Option<End> {
+        if let Kind::Name(name) = &written.kind
+            && let Some(body) = self
+                .members
+                .bodies
+                .iter()
+                .find(|body| *name == body.name.as_str())
+        {
+            let point = body.points.first().map_or("G", |(point, _)| point.as_str());
+            errors.push(
+                name.span(),
+                format!("`{name}` is a body: write one of its points, such as `{name}.{point}`"),
+            );
+            return None;
+        }
+        self.at_top(errors, |lowering| {
+            let found = match lowering.value(written)? {
+                Value::Carried(body, offset) => return Some((Some(body), offset)),
+                Value::Vector(vector, dimension) if lowering.work.is_in(vector, Frame::WORLD) => {
+                    Some((lowering.work.part(vector, Frame::WORLD), dimension))
+                }
+                _ => None,
+            };
+            let Some((position, dimension)) = found else {
+                return lowering.report(
+                    written.extent,
+                    "expected a point of a body, such as `arm.tip`, or of the ground, `world(..)`",
+                );
+            };
+            if !dimension.fits(Dimension::LENGTH) {
+                let found = dimension.described();
+                return lowering.report(
+                    written.extent,
+                    format!("a point is in m, and this is {found}"),
+                );
+            }
+            lowering.check_early(written, &position, "a point of the ground is fixed")?;
+            Some((None, position))
+        })
+    }
+}
+
+pub fn first_name_of(value: &Expression) -> Option<&Ident> {
+    value.names().into_iter().next()
+}
+
+fn first_name(value: &Expression) -> Option<proc_macro2::Span> {
+    first_name_of(value).map(Ident::span)
+}

@@ -1,0 +1,114 @@
+//! Whether joints make a tree: each body is carried once, and all are carried by the ground.
+
+use crate::errors::Errors;
+use crate::model::Holds;
+
+use super::joint::Written;
+use crate::lower::system::reading::reader::Reader;
+
+impl Reader<'_> {
+    /// The joints in an order in which each carrier comes before what it carries, and those that close
+    /// loops: a body is carried by the first joint that is written of it.
+    pub fn tree(
+        &self,
+        joints: &[Option<Written>],
+        errors: &mut Errors,
+    ) -> (Vec<usize>, Vec<usize>) {
+        let bodies = &self.system.bodies;
+        let mut carried_by: Vec<Option<usize>> = vec![None; bodies.len()];
+        let is_lost = self.system.has_lost_joints || self.system.has_lost_bodies;
+        let mut closing = Vec::new();
+        let mut is_sound = joints.iter().all(Option::is_some) && !is_lost;
+        for (index, joint) in joints.iter().enumerate() {
+            let Some(joint) = joint else { continue };
+            let body = &bodies[joint.carried].name;
+            match carried_by[joint.carried].and_then(|other| joints[other].as_ref()) {
+                None => carried_by[joint.carried] = Some(index),
+                Some(other) => match may_close(joint) {
+                    Ok(()) => closing.push(index),
+                    Err(reason) => {
+                        is_sound = false;
+                        errors.push(
+                            joint.mention,
+                            format!(
+                                "`{body}` is carried by `{}` already, and {reason}",
+                                other.name
+                            ),
+                        );
+                    }
+                },
+            }
+        }
+        if bodies.is_empty() && errors.is_empty() {
+            let name = &self.system.top.name;
+            errors.push(
+                name.span(),
+                format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`"),
+            );
+        }
+        // what is wrong with a joint may be that it names no body
+        if is_sound {
+            for (body, carried) in bodies.iter().zip(&carried_by) {
+                if carried.is_none() {
+                    let name = &body.name;
+                    errors.push(
+                        name.span(),
+                        format!("nothing carries `{name}`: write a joint of it, such as `orbit = free({name})`"),
+                    );
+                    is_sound = false;
+                }
+            }
+        }
+        let (order, placed) = in_order(joints, &carried_by);
+        if let Some(body) = placed
+            .iter()
+            .position(|placed| !placed)
+            .filter(|_| is_sound)
+        {
+            let name = &bodies[body].name;
+            let joint = carried_by[body].and_then(|index| joints[index].as_ref());
+            let joint = joint.map_or(String::new(), |joint| joint.name.to_string());
+            errors.push(
+                name.span(),
+                format!("`{name}` is carried by `{joint}` in a circle: one of the bodies in it is joined to the ground, or `free`"),
+            );
+        }
+        (order, closing)
+    }
+}
+
+/// Whether a joint may close a loop, or why not.
+fn may_close(joint: &Written) -> Result<(), &'static str> {
+    if joint.kind.holds == Holds::Center {
+        Err("what is joined to the ground by its G has no other joint: leave one of both out")
+    } else if joint.kind.is_screw() {
+        Err("a screw cannot close a loop: write it before the other one, which then does")
+    } else if joint.driven.is_some() {
+        Err(
+            "a joint that closes a loop has no coordinates to prescribe: write it before the other one, \
+             which then closes the loop",
+        )
+    } else {
+        Ok(())
+    }
+}
+
+/// Joints after those that carry their carriers, and which bodies these carry.
+fn in_order(joints: &[Option<Written>], carried_by: &[Option<usize>]) -> (Vec<usize>, Vec<bool>) {
+    let mut order: Vec<usize> = Vec::new();
+    let mut placed = vec![false; carried_by.len()];
+    loop {
+        let before = order.len();
+        for (index, joint) in joints.iter().enumerate() {
+            let Some(joint) = joint else { continue };
+            let is_next = carried_by[joint.carried] == Some(index) && !placed[joint.carried];
+            if is_next && joint.carrier.is_none_or(|carrier| placed[carrier]) {
+                placed[joint.carried] = true;
+                order.push(index);
+            }
+        }
+        if order.len() == before {
+            return (order, placed);
+        }
+    }
+}

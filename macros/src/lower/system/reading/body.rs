@@ -1,0 +1,269 @@
+//! The bodies of a system: their points first, and when their motion is known, all the rest.
+
+use std::collections::HashSet;
+
+use crate::errors::{Errors, Extent};
+use crate::lower::definitions::{check_names, definition_order, split_at_points};
+use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
+use crate::model::{
+    Composed, Dimension, Drawn, Frame, Inertia, Load, Mass, Meaning, Member, State, Workspace,
+};
+use crate::symbolic::{Components, Stage};
+use crate::syntax::{self, Description, Kind};
+
+use super::names::{check_own_names, for_copy};
+use super::reader::{Reader, points, still};
+
+/// A body of which the points are read.
+pub struct Draft<'a> {
+    pub description: &'a Description,
+    pub frame: Frame,
+    pub scope: Scope,
+    pub mass: Mass,
+    pub composed: Option<Composed>,
+    pub drawn: Drawn,
+    /// Once the joints are known.
+    pub state: Option<State>,
+}
+
+impl<'a> Reader<'a> {
+    /// Reads the points and the mass of a body, and tells others of them.
+    pub fn points(
+        &mut self,
+        number: usize,
+        body: &'a Description,
+        errors: &mut Errors,
+    ) -> Draft<'a> {
+        let frame = self.work.new_frame(Frame::WORLD);
+        let mut repeated = check_names(body, errors);
+        repeated.extend(check_own_names(self.system, body, errors));
+        let mut draft = Draft {
+            description: body,
+            frame,
+            scope: Scope::new(body, repeated),
+            mass: Mass::Reported,
+            composed: None,
+            drawn: self.drawn(number, body, errors),
+            state: Some(self.unknown_state(frame)),
+        };
+        let (order, circular) = definition_order(body, errors);
+        let (first, _) = split_at_points(body, &order);
+        let defaults = self.defaults.clone();
+        self.in_body(&mut draft, errors, |lowering, mass| {
+            lowering.check_mass_key(body, true);
+            for definition in &first {
+                lowering.definition(*definition, body, &defaults, mass);
+            }
+            for definition in circular {
+                lowering.scope.define(&definition.of(body).0, None);
+            }
+        });
+        draft.state = None;
+        let mass = draft.mass.known();
+        let composed = draft.composed.map(|composed| composed.origin);
+        let values = mass.map(|mass| ("mass", Value::Scalar(mass, Dimension::MASS)));
+        self.members.bodies.push(BodyNames {
+            name: body.name.to_string(),
+            frame,
+            origin: composed.or(draft.drawn.origin()),
+            points: points(&draft.scope, body, frame),
+            motion: None,
+            values: values.into_iter().collect(),
+        });
+        draft
+    }
+
+    /// Where G of a body is in a drawing; of parts that follows.
+    fn drawn(&mut self, number: usize, body: &Description, errors: &mut Errors) -> Drawn {
+        match self.system.centers.as_ref().and_then(|all| all.get(number)) {
+            Some(center) if body.composition.is_none() => {
+                let origin = self.drawn_center(center, &body.name, errors);
+                origin.map_or(Drawn::Lost, Drawn::From)
+            }
+            _ => Drawn::Alone,
+        }
+    }
+
+    /// A state of which nothing is known before the system moves.
+    fn unknown_state(&mut self, frame: Frame) -> State {
+        let axes = if self.system.is_planar { 0..2 } else { 0..3 };
+        let turning = if self.system.is_planar { 2..3 } else { 0..3 };
+        let work = &mut self.work;
+        let [position, velocity, angular_velocity] = [axes.clone(), axes, turning]
+            .map(|axes| work.symbols(Stage::State, axes, |_| Meaning::Virtual));
+        State {
+            position: work.vector(Frame::WORLD, position),
+            velocity: work.vector(Frame::WORLD, velocity),
+            angular_velocity,
+            ..still(frame, self.time)
+        }
+    }
+
+    /// Reads something of a body, which sees what is declared for the whole system.
+    pub fn in_body<T>(
+        &mut self,
+        draft: &mut Draft<'_>,
+        errors: &mut Errors,
+        read: impl FnOnce(&mut Lowering<'_>, &mut Mass) -> T,
+    ) -> T {
+        let names = self.scope.values();
+        for (name, value) in &names {
+            draft.scope.define(name, *value);
+        }
+        let mut state = draft
+            .state
+            .take()
+            .unwrap_or_else(|| still(draft.frame, self.time));
+        let mut lowering = Lowering {
+            work: &mut self.work,
+            scope: &mut draft.scope,
+            errors,
+            motion: self.motion,
+            state: &mut state,
+            reactions: Vec::new(),
+            is_constrained: false,
+            composed: draft.composed,
+            has_parts: draft.description.composition.is_some(),
+            drawn: draft.drawn,
+            members: &self.members,
+            is_whole: false,
+        };
+        let result = read(&mut lowering, &mut draft.mass);
+        draft.composed = lowering.composed;
+        draft.state = Some(state);
+        for name in names.keys() {
+            if draft.scope.has_used(name) {
+                self.scope.look_up(name);
+            }
+        }
+        result
+    }
+
+    /// All that depends on how the bodies move: their other definitions, inertia and loads.
+    pub fn bodies(
+        &mut self,
+        drafts: &mut [Draft<'_>],
+        wrong: &mut HashSet<usize>,
+        errors: &mut Errors,
+    ) -> Option<Vec<Member>> {
+        let mut bodies = Some(Vec::new());
+        let mut reported = HashSet::new();
+        for (number, draft) in drafts.iter_mut().enumerate() {
+            let first = self.system.firsts[number];
+            // mistakes in the points of a copy hide none in the rest of the first one
+            let silent = if wrong.contains(&first) && first != number {
+                &mut *wrong
+            } else {
+                &mut reported
+            };
+            let read = for_copy(first, number, silent, errors, |errors| {
+                self.body(number, draft, errors)
+            });
+            match (read, &mut bodies) {
+                (Some(body), Some(all)) => all.push(body),
+                _ => bodies = None,
+            }
+        }
+        bodies
+    }
+
+    fn body(
+        &mut self,
+        number: usize,
+        draft: &mut Draft<'_>,
+        errors: &mut Errors,
+    ) -> Option<Member> {
+        let body = draft.description;
+        // circles are reported already
+        let mut reported = Errors::default();
+        let (order, _) = definition_order(body, &mut reported);
+        let _ = reported.finish();
+        let (_, rest) = split_at_points(body, &order);
+        let defaults = self.defaults.clone();
+        let fields = &self.system.top.loads;
+        let turns = self.turning[number];
+        let known = draft.state.is_some();
+        let (inertia, loads, mass) = self.in_body(draft, errors, |lowering, mass| {
+            for definition in rest {
+                lowering.definition(definition, body, &defaults, mass);
+            }
+            let is_idle = !turns && body.inertia.is_none() && body.composition.is_none();
+            let inertia = if is_idle {
+                Some(Inertia::Absent)
+            } else {
+                lowering.inertia(body, *mass, &defaults)
+            };
+            let written = fields.iter().chain(&body.loads);
+            let loads: Vec<Option<Load>> = written
+                .filter(|_| known)
+                .map(|load| {
+                    if load.charges.is_some() {
+                        let message = "fields on charges are not there yet in systems";
+                        return lowering.report(load.name.span(), message);
+                    }
+                    if let Some(unknown) = first_unknown(load) {
+                        let message = "nothing of a load on a body is unknown: what joints do is found by \
+                             `outputs: [reactions]`, so write a value";
+                        return lowering.report(unknown, message);
+                    }
+                    lowering.load(load)
+                })
+                .collect();
+            (inertia, loads, *mass)
+        });
+        Some(Member {
+            name: body.name.clone(),
+            state: draft.state.filter(|_| known)?,
+            mass: mass.known()?,
+            inertia: inertia?,
+            loads: loads.into_iter().collect::<Option<_>>()?,
+            weights: Vec::new(),
+        })
+    }
+}
+
+/// The first `_` of a load.
+fn first_unknown(load: &syntax::Load) -> Option<Extent> {
+    let mut found = None;
+    load.vector.as_ref()?.visit(|part| {
+        if matches!(part.kind, Kind::Placeholder) {
+            found = found.or(Some(part.extent));
+        }
+    });
+    found
+}
+
+/// Takes from all bodies the fields in which they fall alike, and returns their acceleration; so many
+/// loads of each body are the fields of the system, in their order.
+pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member], fields: usize) -> Components {
+    let mut gravity = work.graph.zeros();
+    for field in (0..fields).rev() {
+        let falls: Vec<Option<Components>> = bodies
+            .iter()
+            .map(|body| fall(work, body, &body.loads[field]))
+            .collect();
+        let Some(Some(fall)) = falls.first() else {
+            continue;
+        };
+        if falls.iter().all(|other| other.as_ref() == Some(fall)) {
+            gravity = work.graph.add_vectors(gravity, *fall);
+            for body in &mut *bodies {
+                let weight = body.loads.remove(field);
+                body.weights.insert(0, weight);
+            }
+        }
+    }
+    gravity
+}
+
+/// The acceleration that a field gives a body, if it acts at its G and is the same in all states.
+fn fall(work: &mut Workspace, body: &Member, load: &Load) -> Option<Components> {
+    let offset = load.point.offset(body.state.body);
+    let at_center = offset.is_some_and(|offset| work.graph.is_zero_vector(&offset));
+    let is_uniform = work.is_in(load.force, Frame::WORLD) && load.moment.is_zero() && at_center;
+    let force = work.part(load.force, Frame::WORLD);
+    if !is_uniform || !work.graph.are_early(&force) {
+        return None;
+    }
+    Some(force.map(|part| work.graph.divide(part, body.mass)))
+}

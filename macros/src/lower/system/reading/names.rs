@@ -1,0 +1,129 @@
+//! The names of a system: which there are, which of them mean two things, and which change.
+
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+
+use crate::errors::Errors;
+use crate::lower::definitions::check_distinct;
+use crate::lower::expressions::BUILT_IN;
+use crate::syntax::{self, Expression};
+
+/// The names of all bodies, and then of all joints.
+pub fn declared(system: &syntax::System) -> Vec<String> {
+    let bodies = system.bodies.iter().map(|body| &body.name);
+    let names = bodies.chain(system.joints.iter().map(|joint| &joint.name));
+    names.map(ToString::to_string).collect()
+}
+
+/// Reads a body; what is wrong with one of several copies is said once.
+pub fn for_copy<T>(
+    first: usize,
+    number: usize,
+    wrong: &mut HashSet<usize>,
+    errors: &mut Errors,
+    read: impl FnOnce(&mut Errors) -> T,
+) -> T {
+    if first != number && wrong.contains(&first) {
+        let mut repeated = Errors::default();
+        let found = read(&mut repeated);
+        let _ = repeated.finish();
+        return found;
+    }
+    let before = errors.count();
+    let found = read(errors);
+    if errors.count() > before {
+        wrong.insert(first);
+    }
+    found
+}
+
+/// Reports names of bodies and joints that mean two things, and returns them.
+pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<String> {
+    let mut repeated = HashSet::new();
+    let mut seen: Vec<(&Ident, &str)> = Vec::new();
+    let top = &system.top;
+    let declared = top.params.iter().chain(&top.inputs);
+    let declared = declared.map(|declaration| (&declaration.name, "param or input"));
+    let locals = top.locals.iter().map(|local| (&local.name, "local"));
+    seen.extend(declared.chain(locals));
+    let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
+    let joints = system.joints.iter().map(|joint| (&joint.name, "joint"));
+    let cables = system.cables.iter().map(|cable| (&cable.name, "cable"));
+    for (name, what) in bodies.chain(joints).chain(cables) {
+        if BUILT_IN.contains(&name.to_string().as_str()) {
+            let message = format!("`{name}` is built in: choose another name for this {what}");
+            errors.push(name.span(), message);
+        } else if let Some((_, first)) = seen.iter().find(|(other, _)| *other == name) {
+            let message = format!(
+                "`{name}` is the name of a {first} already: params, inputs, locals, bodies and joints need different names"
+            );
+            errors.push(name.span(), message);
+            repeated.insert(name.to_string());
+        } else {
+            seen.push((name, what));
+        }
+    }
+    let fields = top.loads.iter().map(|load| &load.name);
+    let lists = [&system.forces, &system.moments, &system.drives];
+    let loads = lists.into_iter().flatten().chain(&top.potentials);
+    check_distinct("load", fields.chain(loads.map(|load| &load.name)), errors);
+    repeated
+}
+
+/// Reports names of a body that mean something for the whole system, and returns them.
+pub fn check_own_names(
+    system: &syntax::System,
+    body: &syntax::Description,
+    errors: &mut Errors,
+) -> HashSet<String> {
+    let top = &system.top;
+    let declared = top
+        .params
+        .iter()
+        .chain(&top.inputs)
+        .map(|one| (&one.name, "param or input"));
+    let all: Vec<(&Ident, &str)> = declared
+        .chain(top.locals.iter().map(|local| (&local.name, "local")))
+        .collect();
+    let mut repeated = HashSet::new();
+    for own in body.points.iter().chain(&body.locals) {
+        if let Some((name, what)) = all.iter().find(|(name, _)| **name == own.name) {
+            let message = format!(
+                "`{name}` is the name of a {what} of the system already: choose another name"
+            );
+            errors.push(own.name.span(), message);
+            repeated.insert(name.to_string());
+        }
+    }
+    repeated
+}
+
+/// The locals that depend on how the system moves.
+pub fn moving_locals(system: &syntax::System) -> HashSet<String> {
+    let bodies = system.bodies.iter().map(|body| body.name.to_string());
+    let joints = system.joints.iter().map(|joint| joint.name.to_string());
+    let mut moving: HashSet<String> = bodies.chain(joints).collect();
+    loop {
+        let before = moving.len();
+        for local in &system.top.locals {
+            let names = local.value.iter().flat_map(Expression::names);
+            if names
+                .into_iter()
+                .any(|name| moving.contains(&name.to_string()))
+            {
+                moving.insert(local.name.to_string());
+            }
+        }
+        if moving.len() == before {
+            return moving;
+        }
+    }
+}
+
+/// The same, by themselves.
+pub fn late_locals(system: &syntax::System) -> Vec<String> {
+    let moving = moving_locals(system);
+    let locals = system.top.locals.iter().map(|local| local.name.to_string());
+    locals.filter(|name| moving.contains(name)).collect()
+}

@@ -1,0 +1,115 @@
+//! What the parts of a system are read with, and what stands beside its bodies.
+
+use crate::errors::Errors;
+use crate::lower::definitions::{Definition, definition_order};
+use crate::lower::expressions::{Lowering, Members, Scope, Value};
+use crate::model::{Defaults, Drawn, Frame, Motion, State, Vector, Workspace};
+use crate::symbolic::{Components, Id};
+use crate::syntax;
+
+use super::names::moving_locals;
+
+/// What the parts of a system are read with.
+pub struct Reader<'a> {
+    pub system: &'a syntax::System,
+    pub work: Workspace,
+    pub scope: Scope,
+    pub members: Members,
+    pub motion: Motion,
+    /// Whether drives are solved for.
+    pub is_inverse: bool,
+    /// For each body, whether its joints let it turn.
+    pub turning: Vec<bool>,
+    pub time: Id,
+    pub defaults: Defaults,
+    /// How many derivatives of each input are given.
+    pub derivatives: Vec<usize>,
+}
+
+impl Reader<'_> {
+    /// Reads what stands beside the bodies.
+    pub fn at_top<T>(
+        &mut self,
+        errors: &mut Errors,
+        read: impl FnOnce(&mut Lowering<'_>) -> T,
+    ) -> T {
+        let mut state = still(Frame::WORLD, self.time);
+        read(&mut Lowering {
+            work: &mut self.work,
+            scope: &mut self.scope,
+            errors,
+            motion: self.motion,
+            state: &mut state,
+            reactions: Vec::new(),
+            is_constrained: false,
+            composed: None,
+            has_parts: false,
+            drawn: Drawn::Alone,
+            members: &self.members,
+            is_whole: true,
+        })
+    }
+
+    /// The locals of the system: those that mention no body, joint or time, and later the others.
+    pub fn locals(&mut self, errors: &mut Errors, is_late: bool) {
+        let locals = &self.system.top.locals;
+        let moves = moving_locals(self.system);
+        let mut circles = Errors::default();
+        let (order, circular) = definition_order(
+            &self.system.top,
+            if is_late { errors } else { &mut circles },
+        );
+        let _ = circles.finish();
+        for definition in circular {
+            self.scope.define(&definition.of(&self.system.top).0, None);
+        }
+        for definition in order {
+            let Definition::Local(index) = definition else {
+                continue;
+            };
+            let local = &locals[index];
+            let name = local.name.to_string();
+            if moves.contains(&name) != is_late {
+                continue;
+            }
+            let value = self.at_top(errors, |lowering| {
+                let value = lowering.value(local.value.as_ref()?)?;
+                Some(lowering.named(value, &name))
+            });
+            self.scope.define(&name, value);
+        }
+    }
+}
+
+/// A body of which no motion is known.
+pub fn still(body: Frame, time: Id) -> State {
+    let zeros = Workspace::default().graph.zeros();
+    State {
+        body,
+        axes: body,
+        time,
+        position: Vector::ZERO,
+        velocity: Vector::ZERO,
+        acceleration: Vector::ZERO,
+        angle: None,
+        angular_velocity: zeros,
+        angular_acceleration: zeros,
+        axis: None,
+        support: None,
+    }
+}
+
+/// The points that names stand for, as others see them.
+pub fn points(
+    scope: &Scope,
+    body: &syntax::Description,
+    frame: Frame,
+) -> Vec<(String, Option<Components>)> {
+    let names = body.points.iter().map(|point| point.name.to_string());
+    names
+        .filter_map(|name| match scope.peek(&name) {
+            Some(Value::Point(point)) => point.offset(frame).map(|offset| (name, Some(offset))),
+            _ => Some((name, None)),
+        })
+        .collect()
+}

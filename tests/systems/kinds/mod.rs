@@ -1,0 +1,4 @@
+//! Kinds of joints, one after another.
+
+mod ground;
+mod planar;

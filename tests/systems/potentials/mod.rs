@@ -1,0 +1,6 @@
+//! Potentials of systems and of their bodies.
+
+mod cables;
+mod every_kind;
+mod plane;
+mod space;

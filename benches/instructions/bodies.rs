@@ -24,6 +24,7 @@ examples! {
     cylinder "../../examples/cylinder.rs";
     dipole "../../examples/dipole.rs";
     double_pendulum "../../examples/double_pendulum.rs";
+    engine "../../examples/engine.rs";
     furuta "../../examples/furuta.rs";
     lagrange_top "../../examples/lagrange_top.rs";
     plank "../../examples/plank.rs";
@@ -64,6 +65,7 @@ pub const BODIES: &[Body] = bodies![
     dipole::Dipole,
     dipole::cancelled::Quadrupole,
     double_pendulum::DoublePendulum,
+    engine::Engine,
     furuta::Furuta,
     lagrange_top::Top,
     plank::Plank,
@@ -182,6 +184,7 @@ macro_rules! systems {
 systems! {
     crane::CraneState { rail, hang, rope }
     double_pendulum::DoublePendulumState { shoulder, elbow }
+    engine::EngineState { big_end, small_end }
     furuta::FurutaState { yaw, swing }
     reaction_wheels::SatelliteState { orbit, spin_x, spin_y, spin_z }
     robot_arm::ArmState { pan, lift, elbow, roll_1, roll_2, roll_3 }

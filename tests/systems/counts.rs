@@ -17,12 +17,12 @@ fn count(operations: &[Operations]) -> (u32, u32) {
 #[test]
 fn operations_stay_few() {
     let bounds = [
-        (count(DoublePendulum::OPERATIONS), (32, 4)),
-        (count(CartPole::OPERATIONS), (17, 2)),
-        (count(Furuta::OPERATIONS), (34, 2)),
-        (count(BallDouble::OPERATIONS), (224, 0)),
-        (count(Satellite::OPERATIONS), (149, 0)),
-        (count(Ur5::OPERATIONS), (478, 10)),
+        (count(DoublePendulum::OPERATIONS), (30, 4)),
+        (count(CartPole::OPERATIONS), (16, 2)),
+        (count(Furuta::OPERATIONS), (30, 2)),
+        (count(BallDouble::OPERATIONS), (200, 0)),
+        (count(Satellite::OPERATIONS), (124, 0)),
+        (count(Ur5::OPERATIONS), (394, 10)),
     ];
     let found = bounds.map(|(found, _)| found);
     assert!(

@@ -7,7 +7,7 @@ use super::properties::Properties;
 use super::turning::Turning;
 
 /// Bodies, each carried by one before it or by the ground.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct Tree {
     pub links: Vec<Link>,
     /// The acceleration of free fall, world axes, in the one uniform field that acts on all mass.
@@ -15,7 +15,7 @@ pub struct Tree {
 }
 
 /// A body, and the joint that carries it. Joints of several axes have links without mass between.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct Link {
     /// For the names of what is computed for it.
     pub name: String,
@@ -37,7 +37,7 @@ pub struct Link {
 }
 
 /// A way in which a joint lets its link move.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct Freedom {
     /// The motion of unit rate, in the axes of the link, about its origin.
     pub twist: Pair,

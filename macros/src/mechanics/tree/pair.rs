@@ -5,7 +5,7 @@ use crate::symbolic::{Components, Graph, Id};
 
 /// An angular and a linear vector about the origin of a link, in its axes: a twist, an acceleration,
 /// or a moment and a force.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Pair {
     pub angular: Components,
     pub linear: Components,

@@ -6,6 +6,7 @@ use crate::symbolic::{Graph, Id};
 
 use super::link::Tree;
 use super::pair::Along;
+use super::properties::Properties;
 use super::regrouping::{keep_axes, regroup};
 use super::turning::Turning;
 
@@ -58,6 +59,10 @@ pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) 
     loop {
         let before = least;
         for index in 0..count {
+            // what does not turn about an axis has no other choices
+            if hinge(graph, tree, index).is_none() {
+                continue;
+            }
             let mut further = Vec::new();
             let slides = distances(graph, tree, index).into_iter().map(Some);
             for slide in slides.chain([None]) {
@@ -78,6 +83,9 @@ pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) 
                     return best;
                 }
                 let written = changed.apply(graph, tree);
+                if written == best {
+                    continue;
+                }
                 let found = cost(graph, &written);
                 tried += found;
                 if found < least {
@@ -172,6 +180,13 @@ pub fn drop_frames(graph: &mut Graph, tree: &mut Tree) {
                 other.carrier = carrier;
                 other.place = graph.add_vectors(other.place, place);
             }
+        }
+        let link = &mut tree.links[index];
+        let zero = Properties::none(graph);
+        let has_load = [link.force, link.moment];
+        if link.properties == zero && has_load.iter().all(|load| graph.is_zero_vector(load)) {
+            // nothing is left of it
+            link.carrier = None;
         }
     }
 }

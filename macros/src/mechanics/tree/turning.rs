@@ -5,7 +5,7 @@ use crate::symbolic::{Components, Function, Graph, Id};
 type Rows = [Components; 3];
 
 /// The rotation from the axes of a link to those of its carrier.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Turning {
     Parallel,
     /// About one of the axes.

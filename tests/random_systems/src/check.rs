@@ -155,6 +155,7 @@ pub fn check(
     let found = checks.motion();
     checks.any_motion();
     checks.totals();
+    checks.words();
     checks.jacobian();
     let errors = checks.doubles(&found, rng);
     Some(if checks.failures.is_empty() {
@@ -367,6 +368,34 @@ impl Checks<'_> {
         }
         let largest = size(about) + size(linear) * (1.0 + size(first) / mass.high);
         self.close("momentum", &found, &expected, largest);
+    }
+
+    /// A mass that is left out is said to go to what carries the body, or to what that is welded to.
+    fn words(&mut self) {
+        let links = &self.drawn.links;
+        for (number, link) in links.iter().enumerate() {
+            let body = format!("the mass of `b{number}` in its own");
+            let mut lines = self.compiled.skipped.iter();
+            let Some(line) = lines.find(|line| line.starts_with(&body)) else {
+                continue;
+            };
+            let mut carrier = link.carrier;
+            loop {
+                let name = carrier.map_or("the ground".to_owned(), |one| format!("`b{one}`"));
+                if line.ends_with(&format!(
+                    "`j{number}` cannot tell it from a mass of {name} on its axis"
+                )) {
+                    break;
+                }
+                match carrier {
+                    Some(one) if links[one].kind == Kind::Weld => carrier = links[one].carrier,
+                    _ => {
+                        let _ = writeln!(self.failures, "words: {line}");
+                        break;
+                    }
+                }
+            }
+        }
     }
 
     /// How the velocity of a point changes with the rates.

@@ -7,7 +7,7 @@ use fuzz::lower::{lower_system, outline, outline_system};
 use fuzz::mechanics::{
     BodyBalance, Energy, Inertias, Jacobian, Momentum, derive_inertias, derive_jacobians,
     derive_system, derive_system_balances, derive_system_driving, derive_system_energy,
-    derive_system_inverse, derive_system_momentum, derive_system_reactions,
+    derive_system_inverse, derive_system_momentum, derive_system_reactions, describe_system,
 };
 use fuzz::model::{Meaning, Outline, System, Variable, Workspace};
 use fuzz::outputs::offers;
@@ -33,6 +33,8 @@ pub struct Compiled {
     pub momentum: Momentum,
     pub balances: Vec<BodyBalance>,
     pub jacobians: Vec<Jacobian>,
+    /// What is said not to be in the equations.
+    pub skipped: Vec<String>,
     /// The link of each joint and body.
     pub links: Vec<usize>,
 }
@@ -76,6 +78,7 @@ impl Compiled {
         let links = system.joints.iter().map(|joint| number_of(&joint.name));
         Some(Self {
             links: links.collect(),
+            skipped: describe_system(&system, &work, &equations).skipped,
             accelerations: equations.accelerations.clone(),
             reactions: derive_system_reactions(&mut work, &equations),
             driving: derive_system_driving(&mut work, &equations),

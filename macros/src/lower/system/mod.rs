@@ -29,7 +29,7 @@ use crate::symbolic::{Components, Stage};
 use crate::syntax;
 
 use body::Draft;
-use names::{check_members, declared, for_copy, late_locals};
+use names::{check_driving, check_members, declared, for_copy, late_locals};
 use reader::Reader;
 
 pub use outline::outline_system;
@@ -42,6 +42,7 @@ pub fn lower_system(
 ) -> Option<(System, Workspace)> {
     let mut repeated = check_names(&system.top, errors);
     repeated.extend(check_members(system, errors));
+    check_driving(system, outline, errors);
     let mut work = Workspace::new();
     let time = work.symbol(Stage::State, Meaning::Time);
     let mut reader = Reader {

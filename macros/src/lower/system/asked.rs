@@ -4,8 +4,9 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint};
 use crate::symbolic::Components;
+use crate::syntax::Expression;
 
-use super::joints::joint::Written;
+use super::joints::joint::{Written, first_name_of};
 use super::outline::name_of_point;
 use super::reading::reader::Reader;
 
@@ -37,12 +38,14 @@ impl Reader<'_> {
     /// The points behind `jacobian`: the body of each, and where it is there.
     pub fn asked_points(&mut self, errors: &mut Errors) -> Option<Vec<(usize, Components)>> {
         let system = self.system;
-        let (mut seen, mut found) = (Vec::new(), Some(Vec::new()));
+        let (mut seen, mut found): (Vec<(Ident, &Expression)>, _) = (Vec::new(), Some(Vec::new()));
         for written in &system.points {
             let anchor = self.anchor(written, errors);
             let message = match (anchor, name_of_point(written)) {
-                (Some((Some(body), offset)), Some(name)) if !seen.contains(&name) => {
-                    seen.push(name);
+                (Some((Some(body), offset)), Some(name))
+                    if seen.iter().all(|(other, _)| *other != name) =>
+                {
+                    seen.push((name, written));
                     found = found.map(|mut all| {
                         all.push((body, offset));
                         all
@@ -52,6 +55,9 @@ impl Reader<'_> {
                 (None, _) => None,
                 (Some((None, _)), _) => Some("the ground does not move".to_owned()),
                 (_, None) => Some("expected a point by its name, such as `arm.tip`".to_owned()),
+                (_, Some(name)) if is_another(&seen, &name, written) => Some(format!(
+                    "`{name}` is the field of another point already: call one of them something else"
+                )),
                 (_, Some(_)) => Some("this point is asked for twice".to_owned()),
             };
             if let Some(message) = message {
@@ -61,4 +67,11 @@ impl Reader<'_> {
         }
         found
     }
+}
+
+/// Whether the field of this name is that of a point of another body.
+fn is_another(seen: &[(Ident, &Expression)], name: &Ident, written: &Expression) -> bool {
+    let mut seen = seen.iter();
+    let first = seen.find(|(other, _)| other == name);
+    first.is_some_and(|(_, first)| first_name_of(first) != first_name_of(written))
 }

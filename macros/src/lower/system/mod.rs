@@ -24,7 +24,7 @@ use crate::symbolic::{Components, Stage};
 use crate::syntax;
 
 use reading::body::{Draft, common_gravity};
-use reading::names::{check_members, declared, for_copy, late_locals};
+use reading::names::{check_driving, check_members, declared, for_copy, late_locals};
 use reading::reader::Reader;
 
 pub use outline::outline_system;
@@ -37,6 +37,7 @@ pub fn lower_system(
 ) -> Option<(System, Workspace)> {
     let mut repeated = check_names(&system.top, errors);
     repeated.extend(check_members(system, errors));
+    check_driving(system, outline, errors);
     let mut work = Workspace::new();
     let time = work.symbol(Stage::State, Meaning::Time);
     let mut reader = Reader {

@@ -90,13 +90,28 @@ pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
             lines.push(format!("the sine and cosine of `{joint}`: `{name}` is symmetric about its axis, carries nothing, and no load on it turns with it"));
         }
         if graph.is_zero(link.properties.mass) && !graph.is_zero(own.properties.mass) {
-            let carrier = link
-                .carrier
-                .map_or("the ground", |carrier| &after.links[carrier].name);
-            lines.push(format!("the mass of `{name}` in its own balances: `{joint}` cannot tell it from a mass of `{carrier}` on its axis"));
+            let carrier = match beyond(graph, after, index).map(|carrier| &after.links[carrier]) {
+                // a part of its own joint has it
+                Some(part) if part.name == *name => continue,
+                Some(carrier) => format!("`{}`", carrier.name),
+                None => "the ground".to_owned(),
+            };
+            lines.push(format!("the mass of `{name}` in its own balances: `{joint}` cannot tell it from a mass of {carrier} on its axis"));
         }
     }
     lines
+}
+
+/// What carries a link, beyond the parts of its joint that have no mass.
+fn beyond(graph: &Graph, tree: &Tree, index: usize) -> Option<usize> {
+    let mut carrier = tree.links[index].carrier;
+    while let Some(part) = carrier.map(|carrier| &tree.links[carrier])
+        && part.name == tree.links[index].name
+        && graph.is_zero(part.properties.mass)
+    {
+        carrier = part.carrier;
+    }
+    carrier
 }
 
 /// Whether the equations are the same however a link is turned.

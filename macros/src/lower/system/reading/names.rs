@@ -7,6 +7,7 @@ use proc_macro2::Ident;
 use crate::errors::Errors;
 use crate::lower::definitions::check_distinct;
 use crate::lower::expressions::BUILT_IN;
+use crate::model::Outline;
 use crate::syntax::{self, Expression};
 
 /// The names of all bodies, and then of all joints.
@@ -69,6 +70,22 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     let loads = lists.into_iter().flatten().chain(&top.potentials);
     check_distinct("load", fields.chain(loads.map(|load| &load.name)), errors);
     repeated
+}
+
+/// Reports joints that are called as the drive that is found of another one, beside which they are
+/// fields, and leaves out that drive.
+pub fn check_driving(system: &syntax::System, outline: &mut Outline, errors: &mut Errors) {
+    outline.driving.retain(|(driven, drive)| {
+        let mut joints = system.joints.iter().map(|joint| &joint.name);
+        let Some(joint) = joints.find(|joint| *joint == drive) else {
+            return true;
+        };
+        let message = format!(
+            "`{joint}` is the drive that is found of `{driven}`, beside the joints in the reactions: choose another name"
+        );
+        errors.push(joint.span(), message);
+        false
+    });
 }
 
 /// Reports names of a body that mean something for the whole system, and returns them.

@@ -84,48 +84,45 @@ impl Reader<'_> {
         found
     }
 
-    /// `.turned(axis, angle)`, if it is there; the inner `None` is none.
-    #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
+    /// All of `.turned(axis, angle)`, each in the axes that the ones before have made.
     pub fn turned(
         &mut self,
         body: usize,
         methods: &[(&Ident, &[Expression])],
         errors: &mut Errors,
-    ) -> Option<Option<(Components, Id)>> {
-        let mut turned = Some(None);
-        if let [(again, _), _, ..] = methods
-            && methods.iter().all(|(method, _)| *method == "turned")
-        {
-            let message = "`.turned(..)` is written twice: write one turn, about one axis";
-            errors.push(again.span(), message);
-            return None;
-        }
-        for (method, arguments) in methods {
+    ) -> Option<Vec<(Components, Id)>> {
+        let mut turned = Some(Vec::new());
+        let mut add = |turn: Option<(Components, Id)>| match (turn, &mut turned) {
+            (Some(turn), Some(all)) => all.push(turn),
+            _ => turned = None,
+        };
+        // the outermost method is the last one that is written
+        for (method, arguments) in methods.iter().rev() {
             let later = ["driven", "at", "locked"];
             match (method.to_string().as_str(), *arguments) {
                 ("turned", [axis, angle]) if !self.system.is_planar => {
                     let axis = self.direction(body, axis, errors);
                     let angle = self.fixed_angle(angle, errors);
-                    turned = turned.and_then(|_| Some(Some((axis?, angle?))));
+                    add(axis.zip(angle));
                 }
                 ("turned", [angle]) if self.system.is_planar => {
                     let axis = self.work.graph.unit_vectors()[2];
                     let angle = self.fixed_angle(angle, errors);
-                    turned = turned.and_then(|_| Some(Some((axis, angle?))));
+                    add(angle.map(|angle| (axis, angle)));
                 }
                 ("turned", _) => {
                     errors.push(
                         method.span(),
                         "write `.turned(axis, angle)`, in the plane `.turned(angle)`",
                     );
-                    turned = None;
+                    add(None);
                 }
                 (word, _) if later.contains(&word) => {
                     errors.push(
                         method.span(),
                         format!("`.{word}(..)` of a joint is part of the language, but this version does not have it yet"),
                     );
-                    turned = None;
+                    add(None);
                 }
                 _ => {
                     errors.push(
@@ -134,7 +131,7 @@ impl Reader<'_> {
                             "a joint has no `{method}`: what may follow is `.turned(axis, angle)`"
                         ),
                     );
-                    turned = None;
+                    add(None);
                 }
             }
         }

@@ -20,7 +20,8 @@ pub struct Written {
     pub pin: Components,
     pub directions: Vec<Components>,
     pub pitch: Option<Id>,
-    pub turned: Option<(Components, Id)>,
+    /// Axes and angles, the first one from the carrier's axes.
+    pub turned: Vec<(Components, Id)>,
     /// Where the carried body is named.
     pub mention: proc_macro2::Span,
 }
@@ -219,7 +220,7 @@ impl Reader<'_> {
             pin: zeros,
             directions: Vec::new(),
             pitch: None,
-            turned: None,
+            turned: Vec::new(),
             mention: name.span(),
         })
     }

@@ -5,7 +5,7 @@ use crate::symbolic::{Components, Function, Graph, Id};
 type Rows = [Components; 3];
 
 /// The rotation from the axes of a link to those of its carrier.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Turning {
     Parallel,
     /// About one of the axes.
@@ -90,6 +90,16 @@ impl Turning {
         let columns = graph
             .unit_vectors()
             .map(|unit| self.to_carrier(graph, unit));
+        Self::By(transposed(&columns))
+    }
+
+    /// This rotation of what `then` has turned.
+    pub fn after(self, graph: &mut Graph, then: Self) -> Self {
+        let columns = graph.unit_vectors().map(|unit| {
+            let once = then.to_carrier(graph, unit);
+            let twice = self.to_carrier(graph, once);
+            graph.quantities(twice)
+        });
         Self::By(transposed(&columns))
     }
 

@@ -22,7 +22,7 @@ fn operations_stay_few() {
         (count(Furuta::OPERATIONS), (34, 2)),
         (count(BallDouble::OPERATIONS), (224, 0)),
         (count(Satellite::OPERATIONS), (149, 0)),
-        (count(Ur5::OPERATIONS), (478, 10)),
+        (count(Ur5::OPERATIONS), (394, 10)),
     ];
     let found = bounds.map(|(found, _)| found);
     assert!(

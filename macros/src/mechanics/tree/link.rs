@@ -6,7 +6,7 @@ use super::properties::Properties;
 use super::turning::Turning;
 
 /// Bodies, each carried by one before it or by the ground.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct Tree {
     pub links: Vec<Link>,
     /// The acceleration of free fall, world axes, in the one uniform field that acts on all mass.
@@ -14,7 +14,7 @@ pub struct Tree {
 }
 
 /// A body, and the joint that carries it. Joints of several axes have links without mass between.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct Link {
     /// For the names of what is computed for it.
     pub name: String,
@@ -36,7 +36,7 @@ pub struct Link {
 }
 
 /// A way in which a joint lets its link move.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct Freedom {
     pub twist: Twist,
     /// The rate of its coordinate.
@@ -47,7 +47,7 @@ pub struct Freedom {
 }
 
 /// A motion of unit rate, in the axes of the link, about its origin.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Twist {
     pub angular: Components,
     pub linear: Components,
@@ -58,6 +58,20 @@ pub struct Twist {
 pub enum Along {
     Angular(usize),
     Linear(usize),
+}
+
+impl Tree {
+    /// Whether a link is held by its carrier, and has and carries nothing.
+    pub fn is_idle(&self, graph: &Graph, index: usize) -> bool {
+        let link = &self.links[index];
+        let is_zero = |vector: &Components| graph.is_zero_vector(vector);
+        let loads = [link.force, link.moment, link.properties.first];
+        let is_bare = graph.is_zero(link.properties.mass)
+            && loads.iter().chain(&link.properties.inertia).all(is_zero);
+        let mut above =
+            (0..self.links.len()).filter(|other| self.links[*other].carrier == Some(index));
+        link.freedoms.is_empty() && is_bare && above.all(|other| self.is_idle(graph, other))
+    }
 }
 
 impl Twist {

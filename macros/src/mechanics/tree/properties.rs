@@ -7,7 +7,7 @@ use super::turning::Turning;
 type Rows = [Components; 3];
 
 /// Mass, first moment `m c` and inertia of a link about its origin, in its axes.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Properties {
     pub mass: Id,
     pub first: Components,

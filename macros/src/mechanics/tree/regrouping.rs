@@ -100,7 +100,8 @@ pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
 
 /// Whether the equations are the same however a link is turned.
 fn turns_unseen(graph: &Graph, tree: &Tree, index: usize) -> bool {
-    let carries = tree.links.iter().any(|link| link.carrier == Some(index));
+    let carries = (0..tree.links.len())
+        .any(|other| tree.links[other].carrier == Some(index) && !tree.is_idle(graph, other));
     let link = &tree.links[index];
     let [freedom] = link.freedoms.as_slice() else {
         return false;

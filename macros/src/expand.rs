@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 
 use crate::emit::code::Shapes;
 use crate::emit::items::{Equated, Roots};
-use crate::emit::{Sound, emit_body};
+use crate::emit::{Sound, emit_body, emit_tracked};
 use crate::errors::Errors;
 use crate::mechanics::{
     Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
@@ -12,6 +12,7 @@ use crate::mechanics::{
 use crate::model::{Outline, System, Workspace};
 use crate::outputs::{self, SystemOutputs, derive_outputs, derive_system_outputs, system_offers};
 use crate::range::check_range;
+use crate::syntax::File;
 use crate::{lower, syntax};
 
 /// Expands `(runtime) Name { key: value, .. }`.
@@ -76,20 +77,34 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
     let system = lower::lower_system(&description, &mut outline, &mut errors);
     let solved = system
         .filter(|_| errors.is_empty())
-        .and_then(|(system, work)| solve_system(&outline, &system, work, &mut errors));
+        .and_then(|(system, work)| {
+            solve_system(
+                &outline,
+                &system,
+                description.file.as_ref(),
+                work,
+                &mut errors,
+            )
+        });
     if errors.is_empty() && solved.is_none() {
         let message = "no meaning was found for this description, and no mistake in it either";
         errors.push(outline.name.span(), message);
     }
+    let tracked = description
+        .file
+        .as_ref()
+        .and_then(|file| file.path.as_deref());
+    let tracked = emit_tracked(tracked);
     match (errors.finish(), solved) {
         (None, Some((sound, outputs))) => {
-            emit_body(&outline, Some(&sound), |site| outputs.emit(site, true))
+            let all = emit_body(&outline, Some(&sound), |site| outputs.emit(site, true));
+            tracked.into_iter().chain([all]).collect()
         }
         (mistakes, _) => {
             outline.unused.clear();
             let none = SystemOutputs::default();
             let stub = emit_body(&outline, None, |site| none.emit(site, false));
-            mistakes.into_iter().chain([stub]).collect()
+            mistakes.into_iter().chain(tracked).chain([stub]).collect()
         }
     }
 }
@@ -98,6 +113,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
 fn solve_system(
     outline: &Outline,
     system: &System,
+    file: Option<&File>,
     mut work: Workspace,
     errors: &mut Errors,
 ) -> Option<(Sound, SystemOutputs)> {
@@ -112,6 +128,11 @@ fn solve_system(
     });
     let accelerations: Vec<_> = accelerations.flatten().collect();
     let mut report = describe_system(system, &work, &equations);
+    if let Some(file) = file {
+        let told = &file.told;
+        report.lists.push(("From the file", told.read_as.clone()));
+        report.skipped.extend(told.skipped.iter().cloned());
+    }
     outputs.describe(outline, &mut report);
     let finite = accelerations.iter().copied().chain(outputs.roots());
     let roots = Roots {

@@ -1,12 +1,15 @@
 //! A system: bodies, the joints between them, and what drives these.
 
 mod body;
+mod file;
 mod lost;
 mod outputs;
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, similar};
+
+pub use file::File;
 
 use super::entries::{parse_name, parse_value};
 use super::head::parse_head;
@@ -32,15 +35,20 @@ pub struct System {
     pub firsts: Vec<usize>,
     /// The keys in the braces of bodies.
     pub keys: Vec<Ident>,
+    /// The file that bodies and joints come from.
+    pub file: Option<File>,
+    /// Joints of the file that are held at a coordinate.
+    pub locked: Vec<Definition>,
     /// Something that may have named bodies, or joints, could not be read.
     pub has_lost_bodies: bool,
     pub has_lost_joints: bool,
 }
 
 /// Lists of a system that a body does not have, or has with other entries, each with one to show.
-const LISTS: [(&str, &str); 5] = [
+const LISTS: [(&str, &str); 6] = [
     ("bodies", "arm { mass: 1[kg], inertia: 0.1[kg * m ^ 2] }"),
     ("joints", "elbow = revolute(upper.tip, lower.hinge)"),
+    ("locked", "finger = 0.02[m]"),
     ("drives", "motor = torque.on(elbow)"),
     ("forces", "spring = tension.between(upper.tip, lower.tip)"),
     ("moments", "load = moment(2[N * m]).on(upper)"),
@@ -55,15 +63,14 @@ const OF_BODIES: [&str; 6] = [
     "pole",
 ];
 /// Keys that stand in the system alone.
-const OF_SYSTEMS: [&str; 8] = [
-    "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives",
+const OF_SYSTEMS: [&str; 10] = [
+    "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives", "urdf", "locked",
 ];
 /// Keys of the language of systems that are not there yet.
-const LATER: [&str; 6] = [
+const LATER: [&str; 5] = [
     "constraints",
     "reactions",
     "independent",
-    "urdf",
     "drawing",
     "potentials",
 ];
@@ -83,12 +90,15 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         held: None,
         firsts: Vec::new(),
         keys: Vec::new(),
+        file: None,
+        locked: Vec::new(),
         has_lost_bodies: false,
         has_lost_joints: false,
     };
     for entry in split(body, Entry::Key, errors) {
         system.parse_key(without_attributes(&entry, errors), errors);
     }
+    system.read_file(errors);
     system.is_planar = system.check_motion(errors);
     system.lose_names();
     let word = if system.is_planar {
@@ -138,6 +148,13 @@ impl System {
                 self.top.keys.push(key.clone());
             }
             self.parse_list(list, example, key, rest, errors);
+        } else if word == "urdf" {
+            if self.top.keys.contains(key) {
+                errors.push(key.span(), "`urdf` is given twice: a system has one file");
+                return;
+            }
+            self.top.keys.push(key.clone());
+            self.parse_file(key, rest, errors);
         } else if word == "outputs" {
             let entry = self.without_joints(entry, errors);
             parse_key(&mut self.top, &entry, errors);
@@ -184,6 +201,7 @@ impl System {
             match list {
                 "joints" => self.joints.push(definition),
                 "drives" => self.drives.push(definition),
+                "locked" => self.locked.push(definition),
                 "forces" => self.forces.push(definition),
                 _ => self.moments.push(definition),
             }

@@ -39,6 +39,7 @@ examples! {
     swarm "../../examples/swarm.rs";
     t_handle "../../examples/t_handle.rs";
     tumbling_brick "../../examples/tumbling_brick.rs";
+    urdf_arm "../../examples/urdf_arm.rs";
 }
 
 /// A body that can be evaluated once.
@@ -82,6 +83,7 @@ pub const BODIES: &[Body] = bodies![
     swarm::CubeSat<f64>,
     t_handle::Handle,
     tumbling_brick::Brick,
+    urdf_arm::Arm,
 ];
 
 /// Examples of which no body is in the list; folders are measurements themselves.
@@ -189,4 +191,5 @@ systems! {
     reaction_wheels::SatelliteState { orbit, spin_x, spin_y, spin_z }
     robot_arm::ArmState { pan, lift, elbow, roll_1, roll_2, roll_3 }
     suspension::CarState { heave, pitch, strut_front, strut_rear }
+    urdf_arm::ArmState { pan, lift, elbow, roll }
 }

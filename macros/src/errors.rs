@@ -8,7 +8,12 @@ use quote::{ToTokens, quote_spanned};
 pub struct Extent {
     first: Span,
     last: Span,
+    source: Option<Source>,
 }
+
+/// A place in a file that a description names, by its number among [`Errors::sources`].
+#[derive(Clone, Copy, Debug)]
+pub struct Source(usize);
 
 impl Extent {
     /// From the first to the last of these tokens.
@@ -21,6 +26,15 @@ impl Extent {
         Self {
             first,
             last: spans.last().unwrap_or(first),
+            source: None,
+        }
+    }
+
+    /// The same, for what stands at a place in a file.
+    pub fn within(self, source: Source) -> Self {
+        Self {
+            source: Some(source),
+            ..self
         }
     }
 
@@ -28,6 +42,7 @@ impl Extent {
         Self {
             first: self.first,
             last: end.last,
+            source: self.source,
         }
     }
 }
@@ -37,6 +52,7 @@ impl From<Span> for Extent {
         Self {
             first: span,
             last: span,
+            source: None,
         }
     }
 }
@@ -46,16 +62,33 @@ impl From<Span> for Extent {
 pub struct Errors {
     found: Vec<syn::Error>,
     finished: bool,
+    /// Where in files something stands, in words.
+    sources: Vec<String>,
 }
 
 impl Errors {
     pub fn push(&mut self, place: impl Into<Extent>, message: impl core::fmt::Display) {
-        let Extent { first, last } = place.into();
+        let Extent {
+            first,
+            last,
+            source,
+        } = place.into();
+        let source = source.and_then(|Source(number)| self.sources.get(number));
+        let message = source.map_or_else(
+            || message.to_string(),
+            |source| format!("{source}: {message}"),
+        );
         let (start, end) = (quote_spanned!(first=> _), quote_spanned!(last=> _));
         self.found.push(syn::Error::new_spanned(
             [start, end].into_iter().collect::<TokenStream>(),
             message,
         ));
+    }
+
+    /// A place in a file, which the errors that are found there name.
+    pub fn source(&mut self, words: String) -> Source {
+        self.sources.push(words);
+        Source(self.sources.len() - 1)
     }
 
     pub fn count(&self) -> usize {

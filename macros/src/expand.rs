@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 
 use crate::emit::code::Shapes;
 use crate::emit::items::{Equated, Roots};
-use crate::emit::{Sound, emit_body};
+use crate::emit::{Sound, emit_body, emit_tracked};
 use crate::errors::Errors;
 use crate::mechanics::{
     Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
@@ -13,6 +13,7 @@ use crate::mechanics::{
 use crate::model::{Model, Outline, System, Workspace};
 use crate::outputs::{Listed, Outputs, derive_outputs, offers, wanted};
 use crate::range::check_range;
+use crate::syntax::File;
 use crate::{lower, syntax};
 
 /// A body or a system without mistakes, and what it is asked for.
@@ -44,12 +45,18 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
     let system = lower::lower_system(&description, &mut outline, &mut errors);
     let solved = system
         .filter(|_| errors.is_empty())
-        .and_then(|(system, work)| solve_system(&outline, system, work, &mut errors));
+        .and_then(|(system, work)| {
+            let file = description.file.as_ref();
+            solve_system(&outline, system, file, work, &mut errors)
+        });
     if errors.is_empty() && solved.is_none() {
         let message = "no meaning was found for this description, and no mistake in it either";
         errors.push(outline.name.span(), message);
     }
-    emit(outline, solved, errors)
+    let tracked = description.file.as_ref();
+    let tracked = emit_tracked(tracked.and_then(|file| file.path.as_deref()));
+    let all = emit(outline, solved, errors);
+    tracked.into_iter().chain([all]).collect()
 }
 
 /// The code; of a description with mistakes, these and the same items without content.
@@ -105,6 +112,7 @@ fn solve_body(
 fn solve_system(
     outline: &Outline,
     system: System,
+    file: Option<&File>,
     mut work: Workspace,
     errors: &mut Errors,
 ) -> Option<Solved<System>> {
@@ -112,6 +120,11 @@ fn solve_system(
     let equations = derive_system(system, &mut work);
     let outputs = derive_outputs(outline, system, &mut work, &equations, errors)?;
     let mut report = describe_system(system, &work, &equations);
+    if let Some(file) = file {
+        let told = &file.told;
+        report.lists.push(("From the file", told.read_as.clone()));
+        report.skipped.extend(told.skipped.iter().cloned());
+    }
     outputs.describe(outline, (system, &work), &mut report);
     // the state has the joints as they are written, the tree each after its carrier
     let written = system.written.iter();

@@ -84,6 +84,11 @@ pub struct System {
     pub inputs: (),
     /// Names for expressions of the whole system: `[stretch = elbow.angle - rest]`.
     pub locals: (),
+    /// A file in the Unified Robot Description Format, whose links are bodies and whose joints are
+    /// joints: `"robot.urdf"`, its path from the folder of `Cargo.toml`.
+    pub urdf: (),
+    /// Joints of the file that are held at a coordinate: `[finger = 0.02[m]]`.
+    pub locked: (),
     /// The bodies: `[arm { mass: 1[kg], inertia: principal(1, 2, 3), points: [tip = (1, 0, 0)] }]`,
     /// each with the keys of a body but `motion`; `copies: [x = body(1, 0, 0)]` makes a body along
     /// each direction.

@@ -36,6 +36,7 @@ mod documentation;
 mod eigen;
 mod equations;
 mod expansions;
+mod files;
 mod numbers;
 mod operations;
 mod rooms;

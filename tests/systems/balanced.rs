@@ -116,66 +116,71 @@ fn balances_are_zero_on_a_true_motion() {
             30.0,
             1e-13,
         );
-        // given loads, one by one and together
-        let (applied, lists) = (
-            system.applied(t, &state, &input),
-            system.loads(t, &state, &input),
-        );
-        let [weight, jet, drag] = lists.hub;
-        assert_eq!(
-            [weight.name, jet.name, drag.name],
-            ["weight", "jet", "drag"]
-        );
-        let sum: Vector3<f64> = weight.force + jet.force + drag.force;
-        close(
-            "hub",
-            applied.hub.force.as_slice(),
-            sum.as_slice(),
-            30.0,
-            1e-14,
-        );
-        close(
-            "weight",
-            weight.force.as_slice(),
-            &[0.9, 0.0, -29.43],
-            30.0,
-            1e-14,
-        );
-        close(
-            "drag",
-            drag.force.as_slice(),
-            (-0.3 * state.base.velocity).as_slice(),
-            1.0,
-            1e-15,
-        );
-        let arm = state.base.attitude * Vector3::new(0.1, 0.2, 0.3);
-        let push = state.base.attitude * Vector3::new(input.push, 0.0, 0.0);
-        close(
-            "moment",
-            applied.hub.moment.as_slice(),
-            arm.cross(&push).as_slice(),
-            1.0,
-            1e-14,
-        );
-        close(
-            "place",
-            jet.point.as_slice(),
-            (state.base.position + arm).as_slice(),
-            1.0,
-            1e-14,
-        );
-        let [_, on_rod]: [Load; 2] = lists.rod;
-        let [_, on_nut] = lists.nut;
-        assert_eq!((on_rod.name, on_nut.name), ("spring", "spring"));
-        close(
-            "spring",
-            on_rod.force.as_slice(),
-            (-on_nut.force).as_slice(),
-            1.0,
-            1e-14,
-        );
-        assert!((on_nut.force.norm() - 7.0).abs() < 1e-13);
+        given_loads(t, &state, input);
     }
+}
+
+/// Given loads, one by one and together.
+fn given_loads(t: f64, state: &WeighedState, input: WeighedInput) {
+    let system = Weighed::default();
+    let (applied, lists) = (
+        system.applied(t, state, &input),
+        system.loads(t, state, &input),
+    );
+    let [weight, jet, drag] = lists.hub;
+    assert_eq!(
+        [weight.name, jet.name, drag.name],
+        ["weight", "jet", "drag"]
+    );
+    let sum: Vector3<f64> = weight.force + jet.force + drag.force;
+    close(
+        "hub",
+        applied.hub.force.as_slice(),
+        sum.as_slice(),
+        30.0,
+        1e-14,
+    );
+    close(
+        "weight",
+        weight.force.as_slice(),
+        &[0.9, 0.0, -29.43],
+        30.0,
+        1e-14,
+    );
+    close(
+        "drag",
+        drag.force.as_slice(),
+        (-0.3 * state.base.velocity).as_slice(),
+        1.0,
+        1e-15,
+    );
+    let arm = state.base.attitude * Vector3::new(0.1, 0.2, 0.3);
+    let push = state.base.attitude * Vector3::new(input.push, 0.0, 0.0);
+    close(
+        "moment",
+        applied.hub.moment.as_slice(),
+        arm.cross(&push).as_slice(),
+        1.0,
+        1e-14,
+    );
+    close(
+        "place",
+        jet.point.as_slice(),
+        (state.base.position + arm).as_slice(),
+        1.0,
+        1e-14,
+    );
+    let [_, on_rod]: [Load; 2] = lists.rod;
+    let [_, on_nut] = lists.nut;
+    assert_eq!((on_rod.name, on_nut.name), ("spring", "spring"));
+    close(
+        "spring",
+        on_rod.force.as_slice(),
+        (-on_nut.force).as_slice(),
+        1.0,
+        1e-14,
+    );
+    assert!((on_nut.force.norm() - 7.0).abs() < 1e-13);
 }
 
 // in the plane, of parameters, and without reactions among the outputs

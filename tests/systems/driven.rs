@@ -100,6 +100,40 @@ both!(
     ]
 );
 
+/// The state of the system without prescriptions, moving as they say.
+fn with_prescriptions(t: f64, state: &PrescribedState, input: &PrescribedInput) -> PushedState {
+    let (phase, sine, cosine) = (2.0 * t, (2.0 * t).sin(), (2.0 * t).cos());
+    let (turn, turn_rate) = (input.turn, input.turn_rate);
+    PushedState {
+        orbit: state.orbit,
+        slide: state.slide,
+        hinge: Hinge {
+            angle: 0.3 * (3.0 * t).sin() + turn,
+            angular_velocity: 0.9 * (3.0 * t).cos() + turn_rate,
+        },
+        rail: Cylinder {
+            position: 0.1 * cosine,
+            angle: phase,
+            velocity: -0.2 * sine,
+            angular_velocity: 2.0,
+        },
+        cardan: Universal {
+            angle_1: sine,
+            angle_2: 0.2 * turn,
+            angular_velocity_1: 2.0 * cosine,
+            angular_velocity_2: 0.2 * turn_rate,
+        },
+        thread: Hinge {
+            angle: turn * phase,
+            angular_velocity: turn_rate * phase + 2.0 * turn,
+        },
+        spin: Hinge {
+            angle: 40.0 * t,
+            angular_velocity: 40.0,
+        },
+    }
+}
+
 #[test]
 fn drives_that_are_found_make_the_motion() {
     let (driven, free) = (Prescribed::default(), Pushed::default());
@@ -118,35 +152,7 @@ fn drives_that_are_found_make_the_motion() {
             slide: Jointed::random(&mut numbers),
         };
         let found = driven.reactions(t, &state, &input);
-        let (phase, sine, cosine) = (2.0 * t, (2.0 * t).sin(), (2.0 * t).cos());
-        let whole = PushedState {
-            orbit: state.orbit,
-            slide: state.slide,
-            hinge: Hinge {
-                angle: 0.3 * (3.0 * t).sin() + turn,
-                angular_velocity: 0.9 * (3.0 * t).cos() + turn_rate,
-            },
-            rail: Cylinder {
-                position: 0.1 * cosine,
-                angle: phase,
-                velocity: -0.2 * sine,
-                angular_velocity: 2.0,
-            },
-            cardan: Universal {
-                angle_1: sine,
-                angle_2: 0.2 * turn,
-                angular_velocity_1: 2.0 * cosine,
-                angular_velocity_2: 0.2 * turn_rate,
-            },
-            thread: Hinge {
-                angle: turn * phase,
-                angular_velocity: turn_rate * phase + 2.0 * turn,
-            },
-            spin: Hinge {
-                angle: 40.0 * t,
-                angular_velocity: 40.0,
-            },
-        };
+        let whole = with_prescriptions(t, &state, &input);
         let pushed = PushedInput {
             hinge_drive: found.hinge_drive,
             rail_push: found.rail_drive_position,
@@ -159,6 +165,7 @@ fn drives_that_are_found_make_the_motion() {
         };
         let a = driven.acceleration(t, &state, &input);
         let b = free.acceleration(t, &whole, &pushed);
+        let (phase, sine, cosine) = (2.0 * t, (2.0 * t).sin(), (2.0 * t).cos());
         let expected = [
             -2.7 * (3.0 * t).sin() + turn_acceleration,
             -0.4 * cosine,
@@ -218,29 +225,41 @@ fn drives_that_are_found_make_the_motion() {
                 1e-12,
             );
         }
-        let energies = [
-            (
-                driven.kinetic_energy(t, &state, &input),
-                free.kinetic_energy(&whole),
-            ),
-            (
-                driven.potential_energy(t, &state, &input),
-                free.potential_energy(t, &whole, &pushed),
-            ),
-        ];
-        for (one, other) in energies {
-            close("energy", &[one], &[other], 10.0, 1e-13);
-        }
-        let one = driven.angular_momentum(t, &state, &input);
-        let other = free.angular_momentum(&whole);
-        close("momentum", one.as_slice(), other.as_slice(), 10.0, 1e-13);
-        // the freedoms that are open alone have rows
-        let matrix = driven.mass_matrix(t, &state, &input);
-        let forces = driven.generalized_forces(t, &state, &input);
-        let numbers = [x.linear.as_slice(), x.angular.as_slice(), &[a.slide]].concat();
-        let product = matrix * nalgebra::SVector::<f64, 7>::from_column_slice(&numbers);
-        close("M q''", product.as_slice(), forces.as_slice(), 100.0, 1e-12);
+        totals(t, (&state, &input), (&whole, &pushed));
     }
+}
+
+/// Energies, momenta and the mass matrix of the freedoms that are open.
+fn totals(
+    t: f64,
+    (state, input): (&PrescribedState, &PrescribedInput),
+    (whole, pushed): (&PushedState, &PushedInput),
+) {
+    let (driven, free) = (Prescribed::default(), Pushed::default());
+    let found = driven.acceleration(t, state, input);
+    let x = found.orbit;
+    let energies = [
+        (
+            driven.kinetic_energy(t, state, input),
+            free.kinetic_energy(whole),
+        ),
+        (
+            driven.potential_energy(t, state, input),
+            free.potential_energy(t, whole, pushed),
+        ),
+    ];
+    for (one, other) in energies {
+        close("energy", &[one], &[other], 10.0, 1e-13);
+    }
+    let one = driven.angular_momentum(t, state, input);
+    let other = free.angular_momentum(whole);
+    close("momentum", one.as_slice(), other.as_slice(), 10.0, 1e-13);
+    // the freedoms that are open alone have rows
+    let matrix = driven.mass_matrix(t, state, input);
+    let forces = driven.generalized_forces(t, state, input);
+    let numbers = [x.linear.as_slice(), x.angular.as_slice(), &[found.slide]].concat();
+    let product = matrix * nalgebra::SVector::<f64, 7>::from_column_slice(&numbers);
+    close("M q''", product.as_slice(), forces.as_slice(), 100.0, 1e-12);
 }
 
 // a pendulum on a slide that shakes fast stands upright (P. L. Kapitza)

@@ -180,12 +180,12 @@ rigid_system!(Engine {
     bodies: [
         crank {
             mass: 1.8[kg],
-            inertia: 0.0025[kg * m ^ 2],
+            inertia: 0.002_5[kg * m ^ 2],
             points: [o = (-0.015, 0), a = (0.035, 0)]
         },
         rod {
             mass: 0.9[kg],
-            inertia: 0.0031[kg * m ^ 2],
+            inertia: 0.003_1[kg * m ^ 2],
             points: [a = (-0.045, 0), b = (0.115, 0)]
         },
         piston {
@@ -199,7 +199,7 @@ rigid_system!(Engine {
         b = revolute(rod.b, piston.G),
         guide = prismatic(world(0, 0), piston.G, body(1, 0)),
     ],
-    fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    fields: [weight = mass * world(0, -9.806_65[m / s ^ 2])],
     forces: [gas = (-1500[N]).between(world(1[m], 0), piston.G)],
     outputs: [reactions, balance, energy],
 });
@@ -222,26 +222,26 @@ fn an_engine() {
     };
     let system = Engine::default();
     let found = system.acceleration(0.0, &state, &());
-    close("crank", &[found.o], &[-10588.606611247707], 1e4, 1e-13);
+    close("crank", &[found.o], &[-10_588.606_611_247_707], 1e4, 1e-13);
     let reactions = system.reactions(0.0, &state, &());
     close(
         "O",
         reactions.o.force.as_slice(),
-        &[-4177.555882609736, -3816.3558410286228],
+        &[-4_177.555_882_609_736, -3_816.355_841_028_622_8],
         4e3,
         1e-12,
     );
     close(
         "A",
         reactions.a.force.as_slice(),
-        &[-2689.6452179574967, -1891.6493718880438],
+        &[-2_689.645_217_957_496_7, -1_891.649_371_888_043_8],
         4e3,
         1e-12,
     );
     close(
         "B",
         reactions.b.force.as_slice(),
-        &[-232.55524126635396, 426.30818999910827],
+        &[-232.555_241_266_353_96, 426.308_189_999_108_27],
         4e3,
         1e-12,
     );
@@ -249,7 +249,7 @@ fn an_engine() {
     close(
         "guide",
         guide.force.as_slice(),
-        &[0.0, -419.93386749910826],
+        &[0.0, -419.933_867_499_108_26],
         4e3,
         1e-12,
     );

@@ -100,8 +100,8 @@ fn series_satisfy_the_equations() {
         let found = moved.rates(&system.acceleration(0.3 + later, &moved, &input));
         let coefficients = series.coefficients();
         for (coordinate, rate) in found.0.iter().enumerate() {
-            let slope = (1..12).rev().fold(0.0, |sum, order| {
-                sum * later + order as f64 * coefficients[order].0[coordinate]
+            let slope = (1_u8..12).rev().fold(0.0, |sum, order| {
+                sum * later + f64::from(order) * coefficients[usize::from(order)].0[coordinate]
             });
             let off = (slope - rate).abs();
             assert!(

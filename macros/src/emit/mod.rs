@@ -25,6 +25,15 @@ pub struct Sound {
     pub roots: Roots,
 }
 
+/// What makes a build look again at a file that was read, when it has changed.
+pub fn emit_tracked(path: Option<&str>) -> Option<TokenStream> {
+    path.map(|path| {
+        quote!(
+            const _: &[u8] = ::core::include_bytes!(#path);
+        )
+    })
+}
+
 /// The type of a body, its parameters and inputs, and all that it implements; `add` writes what is
 /// asked for beyond the accelerations. For a description with mistakes they are the same items, so
 /// that nothing else turns red: they compile and do nothing.

@@ -16,6 +16,7 @@ mod screen;
 mod system;
 mod tokens;
 mod unit;
+mod urdf;
 mod words;
 
 use proc_macro2::{Ident, TokenStream};
@@ -28,13 +29,18 @@ pub use composition::{Composition, Part};
 pub use expression::{Expression, Kind, Operator, Prefix, Step};
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
-pub use system::{CABLE, Center, System, parse_system};
+pub use system::{CABLE, Center, File, System, parse_system};
 pub use unit::UnitExpression;
+pub use words::BUILT_IN;
 
 /// A whole description.
 #[derive(Clone)]
 pub struct Description {
     pub name: Ident,
+    /// It has no mass: a link of a file that says where something is.
+    pub is_frame: bool,
+    /// Names of points that come from a file, of which any may go unused.
+    pub given: Vec<String>,
     /// The scalar that the body is generic over.
     pub scalar: Option<Ident>,
     /// The path of the runtime, as the wrapper of the macro passes it.
@@ -66,6 +72,8 @@ impl Description {
     fn new(name: Ident, runtime: TokenStream) -> Self {
         Self {
             name,
+            is_frame: false,
+            given: Vec::new(),
             scalar: None,
             runtime,
             keys: Vec::new(),

@@ -13,6 +13,21 @@ const KEYWORDS: [&str; 52] = [
     "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
+/// Names that mean something in every description.
+pub const BUILT_IN: [&str; 11] = [
+    "t",
+    "mass",
+    "G",
+    "position",
+    "velocity",
+    "attitude",
+    "angular_velocity",
+    "world",
+    "body",
+    "PI",
+    "TAU",
+];
+
 pub fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }

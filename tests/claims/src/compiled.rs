@@ -36,7 +36,7 @@ impl Compiled {
         let mut errors = Errors::default();
         let described = parse_description(tokens, &mut errors);
         let solved = described.and_then(|description| {
-            let mut outline = outline(&description, &offers(), &mut errors);
+            let mut outline = outline(&description, &offers::<fuzz::model::Model>(), &mut errors);
             let (model, mut work) = lower_description(&description, &mut outline, &mut errors)?;
             let model = with_potentials(model, &mut work);
             let equations = derive_equations(&model, &mut work, &mut errors)?;

@@ -437,7 +437,7 @@ impl Checks<'_> {
         let found = self.compiled.doubles(&roots, &self.state.given());
         let largest = exact
             .iter()
-            .fold(1e-300, |size: f64, one| size.max(one.high.abs()));
+            .fold(1e-3, |size: f64, one| size.max(one.high.abs()));
         let mut errors = Errors::default();
         let mut near = vec![0.0_f64; exact.len()];
         for _ in 0..3 {

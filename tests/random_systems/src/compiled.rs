@@ -75,12 +75,20 @@ impl Compiled {
         outline_system(&description, &mut outline);
         let (system, mut work) = lower_system(&description, &mut outline, errors)?;
         let equations = derive_system(&system, &mut work);
+        let named = derive_system_reactions(&system, &mut work, &equations);
+        let zeros = work.graph.zeros();
+        // what is free has none
+        let reactions = system.joints.iter().map(|joint| {
+            let mut named = named.iter();
+            let found = named.find(|(name, _)| *name == joint.name);
+            found.map_or([zeros; 2], |(_, load)| *load)
+        });
         let links = system.joints.iter().map(|joint| number_of(&joint.name));
         Some(Self {
             links: links.collect(),
             skipped: describe_system(&system, &work, &equations).skipped,
             accelerations: equations.accelerations.clone(),
-            reactions: derive_system_reactions(&mut work, &equations),
+            reactions: reactions.collect(),
             driving: derive_system_driving(&mut work, &equations),
             inverse: derive_system_inverse(&system, &mut work, &equations),
             inertias: derive_inertias(&system, &mut work, &equations),

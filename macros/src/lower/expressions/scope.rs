@@ -11,22 +11,9 @@ use crate::model::{Frame, Origin, Vector};
 use crate::symbolic::Components;
 use crate::syntax::Description;
 
-use super::value::Value;
+pub use crate::syntax::BUILT_IN;
 
-/// Names that mean something in every description.
-pub const BUILT_IN: [&str; 11] = [
-    "t",
-    "mass",
-    "G",
-    "position",
-    "velocity",
-    "attitude",
-    "angular_velocity",
-    "world",
-    "body",
-    "PI",
-    "TAU",
-];
+use super::value::Value;
 
 /// Names that mean something under `motion: rod(..)` alone.
 pub const OF_ROD: [&str; 2] = ["axis", "axis_rate"];

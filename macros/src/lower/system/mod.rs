@@ -196,6 +196,8 @@ impl<'a> Reader<'a> {
                 .iter()
                 .chain(&draft.description.locals);
             let own = own.map(|definition| &definition.name);
+            let given = &draft.description.given;
+            let own = own.filter(|name| !given.contains(&name.to_string()));
             let left = own.filter(|name| !copies.iter().any(|copy| is_used(*copy, name)));
             unused.extend(left.cloned());
         }

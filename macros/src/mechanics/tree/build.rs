@@ -110,11 +110,7 @@ struct Making<'a> {
 impl Making<'_> {
     fn joint(&mut self, is_planar: bool) {
         let joint = self.joint;
-        if let Some((axis, angle)) = joint.turned {
-            let graph = &mut self.work.graph;
-            let cosine = graph.apply(Function::Cos, &[angle]);
-            let sine = graph.apply(Function::Sin, &[angle]);
-            let turning = Turning::about(graph, axis, cosine, sine).as_matrix(graph);
+        if let Some(turning) = self.turned() {
             self.link(turning, Vec::new());
         }
         let (mut next, rates) = (0, &joint.coordinates);
@@ -142,6 +138,20 @@ impl Making<'_> {
         if joint.kind.parts.is_empty() {
             self.link(Turning::Parallel, Vec::new());
         }
+    }
+
+    /// All turns at zero coordinates, as one.
+    fn turned(&mut self) -> Option<Turning> {
+        let graph = &mut self.work.graph;
+        let turns = self.joint.turned.iter().map(|(axis, angle)| {
+            let cosine = graph.apply(Function::Cos, &[*angle]);
+            let sine = graph.apply(Function::Sin, &[*angle]);
+            Turning::about(graph, *axis, cosine, sine).as_matrix(graph)
+        });
+        let turns: Vec<Turning> = turns.collect();
+        let mut turns = turns.into_iter();
+        let first = turns.next()?;
+        Some(turns.fold(first, |whole, then| whole.after(graph, then)))
     }
 
     /// The component of a variable, by the number of the coordinate.

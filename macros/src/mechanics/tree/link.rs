@@ -1,6 +1,6 @@
 //! What a tree is made of.
 
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Components, Graph, Id};
 
 use super::pair::Pair;
 use super::properties::Properties;
@@ -48,6 +48,20 @@ pub struct Freedom {
     /// Its acceleration, if it moves as is prescribed.
     pub given: Option<Id>,
     pub name: String,
+}
+
+impl Tree {
+    /// Whether a link is held by its carrier, and has and carries nothing.
+    pub fn is_idle(&self, graph: &Graph, index: usize) -> bool {
+        let link = &self.links[index];
+        let is_zero = |vector: &Components| graph.is_zero_vector(vector);
+        let loads = [link.force, link.moment, link.properties.first];
+        let is_bare = graph.is_zero(link.properties.mass)
+            && loads.iter().chain(&link.properties.inertia).all(is_zero);
+        let mut above =
+            (0..self.links.len()).filter(|other| self.links[*other].carrier == Some(index));
+        link.freedoms.is_empty() && is_bare && above.all(|other| self.is_idle(graph, other))
+    }
 }
 
 impl Link {

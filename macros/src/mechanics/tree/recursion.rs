@@ -8,7 +8,7 @@ use super::bias::derive_bias;
 use super::link::{Link, Tree};
 use super::mass_matrix::MassMatrix;
 use super::pair::Pair;
-use super::reductions::{drop_frames, reduced};
+use super::reductions::{drop_frames, merge_welds, reduced};
 use super::regrouping::left_out;
 
 /// The accelerations of the coordinates, link by link in the order of its freedoms; of a link that
@@ -27,6 +27,7 @@ pub struct Solved {
 pub fn derive_tree(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Solved {
     let mut tree = tree.clone();
     drop_frames(graph, &mut tree);
+    merge_welds(graph, &mut tree);
     let best = reduced(graph, &tree, |graph, tree| {
         let found = solve(graph, &mut Labels::default(), tree);
         cost(graph, &found)

@@ -13,12 +13,15 @@ use super::turning::Turning;
 /// How many operations the trees that are tried have together: a stated limit, so that many bodies
 /// do not take long to expand, and the same description has the same expansion.
 const TRIED: u32 = 20_000;
+/// The same, where legs that are alike change alike: each of these changes is worth more.
+const TRIED_ALIKE: u32 = 45_000;
 
 /// How a tree is written.
 #[derive(Clone)]
 struct Choice {
-    /// How far the origin of each link is moved along the axis of its hinge.
-    slides: Vec<Option<Id>>,
+    /// Where on the axis of its hinge the origin of each link is moved, by its number among those that
+    /// are tried.
+    slides: Vec<Option<usize>>,
     /// Which links are written in the axes of their carriers.
     borrows: Vec<bool>,
     /// Of which of two moments across the axis of each hinge nothing is left.
@@ -27,12 +30,15 @@ struct Choice {
 
 impl Choice {
     fn apply(&self, graph: &mut Graph, tree: &Tree) -> Tree {
-        let mut tree = tree.clone();
-        for (index, distance) in self.slides.iter().enumerate() {
-            if let Some(distance) = distance {
-                slide_origin(graph, &mut tree, index, *distance);
+        let mut written = tree.clone();
+        for (index, chosen) in self.slides.iter().enumerate() {
+            if let Some(chosen) = chosen
+                && let Some(Some(distance)) = distances(graph, tree, index).get(*chosen)
+            {
+                slide_origin(graph, &mut written, index, *distance);
             }
         }
+        let mut tree = written;
         regroup(graph, &mut tree, &self.sides);
         keep_axes(graph, &mut tree);
         for (index, borrows) in self.borrows.iter().enumerate() {
@@ -42,61 +48,137 @@ impl Choice {
         }
         tree
     }
+
+    /// It with another origin, of so many, other axes or another side, in links that change alike.
+    fn changed(&self, links: &[usize], change: Change) -> Self {
+        let mut changed = self.clone();
+        for link in links {
+            match change {
+                Change::Slide(place) => changed.slides[*link] = place,
+                Change::Borrow => changed.borrows[*link] = !self.borrows[links[0]],
+                Change::Side => changed.sides[*link] = 3 - self.sides[links[0]],
+            }
+        }
+        changed
+    }
+}
+
+/// What may be written otherwise in a link.
+#[derive(Clone, Copy)]
+enum Change {
+    Slide(Option<usize>),
+    Borrow,
+    Side,
+}
+
+/// A search for the tree with the fewest operations.
+struct Search<'a, C> {
+    tree: &'a Tree,
+    cost: C,
+    choice: Choice,
+    /// Those that were tried, the best one and what it takes.
+    seen: Vec<Tree>,
+    best: Tree,
+    least: u32,
+    tried: u32,
+}
+
+impl<C: Fn(&mut Graph, &Tree) -> u32> Search<'_, C> {
+    /// Changes one link after another, or several that are alike, as long as that helps, and until
+    /// so many operations are tried.
+    fn descend(&mut self, graph: &mut Graph, alike: &[Vec<usize>], most: u32) {
+        loop {
+            let before = self.least;
+            for links in alike {
+                let places = distances(graph, self.tree, links[0]).len();
+                let slides = (0..places).map(Some).chain([None]).map(Change::Slide);
+                for change in slides.chain([Change::Borrow, Change::Side]) {
+                    if self.tried > most {
+                        return;
+                    }
+                    self.try_out(graph, links, change);
+                }
+            }
+            if self.least == before {
+                return;
+            }
+        }
+    }
+
+    fn try_out(&mut self, graph: &mut Graph, links: &[usize], change: Change) {
+        let changed = self.choice.changed(links, change);
+        let written = changed.apply(graph, self.tree);
+        if self.seen.contains(&written) {
+            return;
+        }
+        let found = (self.cost)(graph, &written);
+        self.tried += found;
+        if found < self.least {
+            (self.least, self.best, self.choice) = (found, written.clone(), changed);
+        }
+        self.seen.push(written);
+    }
 }
 
 /// The tree as it is written with the fewest operations of those that are tried; `cost` is what the
 /// accelerations of a tree take.
 pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) -> u32) -> Tree {
     let count = tree.links.len();
-    let mut choice = Choice {
+    let choice = Choice {
         slides: vec![None; count],
         borrows: vec![false; count],
         sides: vec![2; count],
     };
-    let mut best = choice.apply(graph, tree);
-    let mut least = cost(graph, &best);
-    let mut tried = least;
-    loop {
-        let before = least;
-        for index in 0..count {
-            // what does not turn about an axis has no other choices
-            if hinge(graph, tree, index).is_none() {
-                continue;
-            }
-            let mut further = Vec::new();
-            let slides = distances(graph, tree, index).into_iter().map(Some);
-            for slide in slides.chain([None]) {
-                if slide != choice.slides[index] {
-                    let mut changed = choice.clone();
-                    changed.slides[index] = slide;
-                    further.push(changed);
-                }
-            }
-            let mut changed = choice.clone();
-            changed.borrows[index] = !changed.borrows[index];
-            further.push(changed);
-            let mut changed = choice.clone();
-            changed.sides[index] = 3 - changed.sides[index];
-            further.push(changed);
-            for changed in further {
-                if tried > TRIED {
-                    return best;
-                }
-                let written = changed.apply(graph, tree);
-                if written == best {
-                    continue;
-                }
-                let found = cost(graph, &written);
-                tried += found;
-                if found < least {
-                    (least, best, choice) = (found, written, changed);
-                }
-            }
+    let best = choice.apply(graph, tree);
+    let least = cost(graph, &best);
+    let mut search = Search {
+        tree,
+        cost,
+        choice,
+        seen: vec![best.clone()],
+        best,
+        least,
+        tried: least,
+    };
+    let hinges: Vec<usize> = (0..count)
+        .filter(|index| hinge(graph, tree, *index).is_some())
+        .collect();
+    // from the tips, so that what a link carries is known to turn about the same axis
+    let mut alike = alike(graph, tree, &hinges);
+    alike.reverse();
+    if alike.len() < hinges.len() {
+        search.descend(graph, &alike, TRIED_ALIKE);
+    }
+    let each: Vec<Vec<usize>> = hinges.iter().map(|index| vec![*index]).collect();
+    search.descend(graph, &each, TRIED);
+    search.best
+}
+
+/// The hinges, together with those that are carried by hinges about the same axes, and carry as many.
+fn alike(graph: &Graph, tree: &Tree, hinges: &[usize]) -> Vec<Vec<usize>> {
+    let described = |index: usize| {
+        let mut axes = Vec::new();
+        let mut next = Some(index);
+        while let Some(link) = next {
+            axes.push(hinge(graph, tree, link));
+            next = tree.links[link].carrier;
         }
-        if least == before {
-            return best;
+        let carried = tree
+            .links
+            .iter()
+            .filter(|link| link.carrier == Some(index))
+            .count();
+        (axes, carried)
+    };
+    let mut groups: Vec<(_, Vec<usize>)> = Vec::new();
+    for index in hinges {
+        let own = described(*index);
+        match groups.iter_mut().find(|(other, _)| *other == own) {
+            Some((_, links)) => links.push(*index),
+            None => groups.push((own, vec![*index])),
         }
     }
+    groups.into_iter().map(|(_, links)| links).collect()
 }
 
 /// Writes a link in the axes of its carrier, if all that it carries turns about the same axis.
@@ -106,6 +188,7 @@ fn borrow_axes(graph: &mut Graph, tree: &mut Tree, index: usize) {
     };
     let turns_alike = (0..tree.links.len())
         .filter(|other| tree.links[*other].carrier == Some(index))
+        .filter(|other| !tree.is_idle(graph, *other))
         .all(|other| hinge(graph, tree, other) == Some(axis) && tree.links[other].angle.is_some());
     let link = &mut tree.links[index];
     let (Some(angle), turning) = (link.angle, link.turning) else {
@@ -126,6 +209,32 @@ fn borrow_axes(graph: &mut Graph, tree: &mut Tree, index: usize) {
             link.angle = Some(whole);
             link.turning = Turning::by_angle(graph, axis, whole);
         }
+    }
+}
+
+/// Makes one link of each with all that is welded to it, from the tips to the ground; what was welded
+/// is left with nothing.
+pub fn merge_welds(graph: &mut Graph, tree: &mut Tree) {
+    for index in (0..tree.links.len()).rev() {
+        let link = tree.links[index].clone();
+        let Some(carrier) = link.carrier.filter(|_| link.freedoms.is_empty()) else {
+            continue;
+        };
+        let zeros = graph.zeros();
+        let (place, turning) = (link.place, link.turning);
+        let own = link.properties.turned(graph, turning);
+        let own = own.seen_from(graph, place);
+        let force = turning.to_carrier(graph, link.force);
+        let moment = turning.to_carrier(graph, link.moment);
+        let lever = graph.cross(place, force);
+        let moment = graph.add_vectors(moment, lever);
+        let below = &mut tree.links[carrier];
+        below.properties = below.properties.plus(graph, &own);
+        below.force = graph.add_vectors(below.force, force);
+        below.moment = graph.add_vectors(below.moment, moment);
+        let link = &mut tree.links[index];
+        link.properties = Properties::none(graph);
+        (link.force, link.moment) = (zeros, zeros);
     }
 }
 
@@ -181,13 +290,6 @@ pub fn drop_frames(graph: &mut Graph, tree: &mut Tree) {
                 other.place = graph.add_vectors(other.place, place);
             }
         }
-        let link = &mut tree.links[index];
-        let zero = Properties::none(graph);
-        let has_load = [link.force, link.moment];
-        if link.properties == zero && has_load.iter().all(|load| graph.is_zero_vector(load)) {
-            // nothing is left of it
-            link.carrier = None;
-        }
     }
 }
 
@@ -214,8 +316,8 @@ fn hinge(graph: &Graph, tree: &Tree, index: usize) -> Option<usize> {
 }
 
 /// How far an origin may be moved along the axis of its hinge: to where it is nearest to the origin of
-/// the carrier, to the center of mass, and to what is carried.
-fn distances(graph: &mut Graph, tree: &Tree, index: usize) -> Vec<Id> {
+/// the carrier, to the center of mass, and to what is carried; none where that says nothing.
+fn distances(graph: &mut Graph, tree: &Tree, index: usize) -> Vec<Option<Id>> {
     let Some(axis) = hinge(graph, tree, index) else {
         return Vec::new();
     };
@@ -224,11 +326,14 @@ fn distances(graph: &mut Graph, tree: &Tree, index: usize) -> Vec<Id> {
     if !graph.is_zero(link.properties.mass) {
         distances.push(graph.divide(link.properties.first[axis], link.properties.mass));
     }
-    let carried = tree.links.iter().filter(|link| link.carrier == Some(index));
-    distances.extend(carried.map(|link| link.place[axis]));
-    distances.retain(|distance| graph.is_early(*distance) && !graph.is_zero(*distance));
-    distances.dedup();
+    let carried = (0..tree.links.len())
+        .filter(|other| tree.links[*other].carrier == Some(index) && !tree.is_idle(graph, *other));
+    distances.extend(carried.map(|other| tree.links[other].place[axis]));
+    let is_known = |distance: &Id| graph.is_early(*distance) && !graph.is_zero(*distance);
+    let distances = distances.into_iter();
     distances
+        .map(|distance| Some(distance).filter(is_known))
+        .collect()
 }
 
 /// Moves the origin of a link along the axis of its hinge.

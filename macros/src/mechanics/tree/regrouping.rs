@@ -116,7 +116,8 @@ fn beyond(graph: &Graph, tree: &Tree, index: usize) -> Option<usize> {
 
 /// Whether the equations are the same however a link is turned.
 fn turns_unseen(graph: &Graph, tree: &Tree, index: usize) -> bool {
-    let carries = tree.links.iter().any(|link| link.carrier == Some(index));
+    let carries = (0..tree.links.len())
+        .any(|other| tree.links[other].carrier == Some(index) && !tree.is_idle(graph, other));
     let link = &tree.links[index];
     let [freedom] = link.freedoms.as_slice() else {
         return false;

@@ -93,6 +93,16 @@ impl Turning {
         Self::By(transposed(&columns))
     }
 
+    /// This rotation of what `then` has turned.
+    pub fn after(self, graph: &mut Graph, then: Self) -> Self {
+        let columns = graph.unit_vectors().map(|unit| {
+            let once = then.to_carrier(graph, unit);
+            let twice = self.to_carrier(graph, once);
+            graph.quantities(twice)
+        });
+        Self::By(transposed(&columns))
+    }
+
     /// The same rotation in axes that both are turned into by `rows`, a matrix of right angles.
     pub fn seen_turned(self, graph: &mut Graph, rows: Rows) -> Self {
         match self {

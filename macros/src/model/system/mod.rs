@@ -61,8 +61,9 @@ pub struct Closing {
     pub pin: Components,
     /// Unit vectors, in the axes of the carried body.
     pub directions: Vec<Components>,
-    /// How the carried body is turned where the coordinates are zero: an axis and an angle.
-    pub turned: Option<(Components, Id)>,
+    /// How the carried body is turned where the coordinates are zero: axes and angles, the first one
+    /// from the carrier's axes.
+    pub turned: Vec<(Components, Id)>,
 }
 
 /// What only pulls.
@@ -89,8 +90,9 @@ pub struct TreeJoint {
     pub directions: Vec<Components>,
     /// Of a screw, metres per radian.
     pub pitch: Option<Id>,
-    /// How the carried body is turned where the coordinates are zero: an axis and an angle.
-    pub turned: Option<(Components, Id)>,
+    /// How the carried body is turned where the coordinates are zero: about axes, one after the other,
+    /// each in the axes that the ones before have made.
+    pub turned: Vec<(Components, Id)>,
     /// The frames of its parts, the last one that of the carried body.
     pub frames: Vec<Frame>,
     /// Its coordinates, their rates and accelerations, in the order of the freedoms of its parts.

@@ -2,6 +2,7 @@
 
 mod body;
 mod drawing;
+mod file;
 mod lost;
 mod outputs;
 
@@ -10,6 +11,8 @@ pub use drawing::Center;
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, similar};
+
+pub use file::File;
 
 use super::entries::{parse_name, parse_value};
 use super::expression::{Expression, Kind};
@@ -42,6 +45,10 @@ pub struct System {
     pub firsts: Vec<usize>,
     /// The keys in the braces of bodies.
     pub keys: Vec<Ident>,
+    /// The file that bodies and joints come from.
+    pub file: Option<File>,
+    /// Joints of the file that are held at a coordinate.
+    pub locked: Vec<Definition>,
     /// Something that may have named bodies, or joints, could not be read.
     pub has_lost_bodies: bool,
     pub has_lost_joints: bool,
@@ -51,9 +58,10 @@ pub struct System {
 pub const CABLE: &str = "cable";
 
 /// Lists of a system that a body does not have, or has with other entries, each with one to show.
-const LISTS: [(&str, &str); 5] = [
+const LISTS: [(&str, &str); 6] = [
     ("bodies", "arm { mass: 1[kg], inertia: 0.1[kg * m ^ 2] }"),
     ("joints", "elbow = revolute(upper.tip, lower.hinge)"),
+    ("locked", "finger = 0.02[m]"),
     ("drives", "motor = torque.on(elbow)"),
     ("forces", "spring = tension.between(upper.tip, lower.tip)"),
     ("moments", "load = moment(2[N * m]).on(upper)"),
@@ -68,11 +76,12 @@ const OF_BODIES: [&str; 6] = [
     "pole",
 ];
 /// Keys that stand in the system alone.
-const OF_SYSTEMS: [&str; 9] = [
+const OF_SYSTEMS: [&str; 11] = [
     "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives", "drawing",
+    "urdf", "locked",
 ];
 /// Keys of the language of systems that are not there yet.
-const LATER: [&str; 4] = ["constraints", "reactions", "independent", "urdf"];
+const LATER: [&str; 3] = ["constraints", "reactions", "independent"];
 
 /// Parses `(runtime) Name { key: value, .. }` of a system.
 pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {
@@ -92,12 +101,15 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         points: Vec::new(),
         firsts: Vec::new(),
         keys: Vec::new(),
+        file: None,
+        locked: Vec::new(),
         has_lost_bodies: false,
         has_lost_joints: false,
     };
     for entry in split(body, Entry::Key, errors) {
         system.parse_key(without_attributes(&entry, errors), errors);
     }
+    system.read_file(errors);
     system.is_planar = system.check_motion(errors);
     system.take_centers(errors);
     system.lose_names();
@@ -150,6 +162,13 @@ impl System {
             self.parse_list(list, example, key, rest, errors);
         } else if word == "drawing" {
             self.parse_drawing(key, rest, errors);
+        } else if word == "urdf" {
+            if self.top.keys.contains(key) {
+                errors.push(key.span(), "`urdf` is given twice: a system has one file");
+                return;
+            }
+            self.top.keys.push(key.clone());
+            self.parse_file(key, rest, errors);
         } else if word == "outputs" {
             let entry = self.without_joints(entry, errors);
             parse_key(&mut self.top, &entry, errors);
@@ -197,6 +216,7 @@ impl System {
                 "joints" if is_cable(&definition) => self.cables.push(definition),
                 "joints" => self.joints.push(definition),
                 "drives" => self.drives.push(definition),
+                "locked" => self.locked.push(definition),
                 "forces" => self.forces.push(definition),
                 _ => self.moments.push(definition),
             }

@@ -108,28 +108,18 @@ impl Reader<'_> {
         found
     }
 
-    /// `.turned(axis, angle)`, if it is there; the inner `None` is none.
-    #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
+    /// All of `.turned(axis, angle)`, each in the axes that the ones before have made.
     pub fn turned(
         &mut self,
         body: usize,
         methods: &[(&Ident, &[Expression])],
         errors: &mut Errors,
-    ) -> Option<Option<(Components, Id)>> {
-        let mut turned = Some(None);
-        if let [(again, _), _, ..] = methods
-            && methods
-                .iter()
-                .filter(|(method, _)| *method == "turned")
-                .count()
-                > 1
-        {
-            let message = "`.turned(..)` is written twice: write one turn, about one axis";
-            errors.push(again.span(), message);
-            return None;
-        }
+    ) -> Option<Vec<(Components, Id)>> {
+        let mut turned = Some(Vec::new());
         let may_turn = !self.system.is_drawn();
-        let others = methods.iter().filter(|(method, _)| *method != "driven");
+        // the outermost method is the last one that is written
+        let others = methods.iter().rev();
+        let others = others.filter(|(method, _)| *method != "driven");
         for (method, arguments) in others {
             let found = match *arguments {
                 [axis, angle] if *method == "turned" && may_turn && !self.system.is_planar => {
@@ -147,7 +137,10 @@ impl Reader<'_> {
                     None
                 }
             };
-            turned = turned.and_then(|_| found.map(Some));
+            match (found, &mut turned) {
+                (Some(turn), Some(all)) => all.push(turn),
+                _ => turned = None,
+            }
         }
         turned
     }

@@ -20,7 +20,8 @@ pub struct Written {
     pub pin: Components,
     pub directions: Vec<Components>,
     pub pitch: Option<Id>,
-    pub turned: Option<(Components, Id)>,
+    /// Axes and angles, the first one from the carrier's axes.
+    pub turned: Vec<(Components, Id)>,
     /// How its coordinates move, if that is prescribed.
     pub driven: Option<Rates>,
     /// Where the carried body is named.
@@ -250,7 +251,7 @@ impl Reader<'_> {
             pin: zeros,
             directions: self.work.graph.unit_vectors().to_vec(),
             pitch: None,
-            turned: None,
+            turned: Vec::new(),
             driven: None,
             mention: name.span(),
         })

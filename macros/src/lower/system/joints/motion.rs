@@ -146,7 +146,7 @@ impl Moving {
     ) -> Vec<Frame> {
         let zeros = work.graph.zeros();
         let mut frames = Vec::new();
-        if let Some((direction, angle)) = joint.turned {
+        for &(direction, angle) in &joint.turned {
             let frame = work.new_frame(self.frame);
             work.set_attitude(frame, Attitude::Axis { angle, direction });
             self.enter(work, frame, zeros);

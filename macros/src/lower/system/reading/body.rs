@@ -37,11 +37,16 @@ impl<'a> Reader<'a> {
         let frame = self.work.new_frame(Frame::WORLD);
         let mut repeated = check_names(body, errors);
         repeated.extend(check_own_names(self.system, body, errors));
+        let is_frame = body.is_frame;
         let mut draft = Draft {
             description: body,
             frame,
             scope: Scope::new(body, repeated),
-            mass: Mass::Reported,
+            mass: if is_frame {
+                Mass::Known(self.work.graph.zero())
+            } else {
+                Mass::Reported
+            },
             composed: None,
             drawn: self.drawn(number, body, errors),
             state: Some(self.unknown_state(frame)),
@@ -50,7 +55,12 @@ impl<'a> Reader<'a> {
         let (first, _) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
         self.in_body(&mut draft, errors, |lowering, mass| {
-            lowering.check_mass_key(body, true);
+            if let Some(zero) = mass.known().filter(|_| is_frame) {
+                let zero = Value::Scalar(zero, Dimension::MASS);
+                lowering.scope.define("mass", Some(zero));
+            } else {
+                lowering.check_mass_key(body, true);
+            }
             for definition in &first {
                 lowering.definition(*definition, body, &defaults, mass);
             }
@@ -187,13 +197,16 @@ impl<'a> Reader<'a> {
             for definition in rest {
                 lowering.definition(definition, body, &defaults, mass);
             }
-            let is_idle = !turns && body.inertia.is_none() && body.composition.is_none();
+            let is_idle = body.is_frame
+                || !turns && body.inertia.is_none() && body.composition.is_none();
             let inertia = if is_idle {
                 Some(Inertia::Absent)
             } else {
                 lowering.inertia(body, *mass, &defaults)
             };
-            let written = fields.iter().chain(&body.loads);
+            // there is nothing that fields could act on in a frame
+            let fields = fields.iter().filter(|_| !body.is_frame);
+            let written = fields.chain(&body.loads);
             let loads: Vec<Option<Load>> = written
                 .filter(|_| known)
                 .map(|load| {
@@ -237,6 +250,10 @@ fn first_unknown(load: &syntax::Load) -> Option<Extent> {
 /// loads of each body are the fields of the system, in their order.
 pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member], fields: usize) -> Components {
     let mut gravity = work.graph.zeros();
+    let mut bodies: Vec<&mut Member> = bodies
+        .iter_mut()
+        .filter(|body| !work.graph.is_zero(body.mass))
+        .collect();
     for field in (0..fields).rev() {
         let falls: Vec<Option<Components>> = bodies
             .iter()
@@ -247,7 +264,7 @@ pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member], fields: usize
         };
         if falls.iter().all(|other| other.as_ref() == Some(fall)) {
             gravity = work.graph.add_vectors(gravity, *fall);
-            for body in &mut *bodies {
+            for body in &mut bodies {
                 let weight = body.loads.remove(field);
                 body.weights.insert(0, weight);
             }

@@ -131,14 +131,18 @@ fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
 
 /// A vector of the carried body, in the axes of the carrier, where the coordinates are zero.
 fn at_zero(graph: &mut Graph, closing: &Closing, vector: Components) -> Components {
-    let Some((axis, angle)) = closing.turned else {
-        return vector;
-    };
-    let cosine = graph.apply(Function::Cos, &[angle]);
-    let sine = graph.apply(Function::Sin, &[angle]);
-    let turning = Turning::about(graph, axis, cosine, sine);
-    let turned = turning.to_carrier(graph, vector);
-    graph.quantities(turned)
+    // the last turn is that of the carried body
+    closing
+        .turned
+        .iter()
+        .rev()
+        .fold(vector, |vector, (axis, angle)| {
+            let cosine = graph.apply(Function::Cos, &[*angle]);
+            let sine = graph.apply(Function::Sin, &[*angle]);
+            let turning = Turning::about(graph, *axis, cosine, sine);
+            let turned = turning.to_carrier(graph, vector);
+            graph.quantities(turned)
+        })
 }
 
 /// Two vectors that are perpendicular to a direction and to each other.

@@ -1,0 +1,145 @@
+//! `urdf: "robot.urdf"`: what a file describes, with what is written beside it.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{Ident, Span, TokenTree};
+use syn::Lit;
+
+use crate::errors::{Errors, Extent};
+use crate::syntax::Description;
+use crate::syntax::parse::key_value;
+use crate::syntax::tokens::stream;
+use crate::syntax::urdf::{self, Beside, Told};
+
+use super::System;
+
+/// The file that a description names.
+pub struct File {
+    /// As it is written.
+    name: String,
+    span: Span,
+    /// Where it is on this machine, if it was read: when it changes, the description is expanded
+    /// again.
+    pub path: Option<String>,
+    pub told: Told,
+}
+
+impl System {
+    /// `urdf: "robot.urdf"`
+    pub(super) fn parse_file(&mut self, key: &Ident, rest: &[TokenTree], errors: &mut Errors) {
+        self.has_lost_bodies = true;
+        self.has_lost_joints = true;
+        let value = key_value(key, rest, errors);
+        let text = match value {
+            [] => return,
+            [TokenTree::Literal(literal)] => match Lit::new(literal.clone()) {
+                Lit::Str(text) => Some(text),
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some(text) = text else {
+            let message = "expected the path of a file in a string: `urdf: \"robot.urdf\"`";
+            errors.push(Extent::of(stream(value)), message);
+            return;
+        };
+        self.file = Some(File {
+            name: text.value(),
+            span: text.span(),
+            path: None,
+            told: Told::default(),
+        });
+        self.has_lost_bodies = false;
+        self.has_lost_joints = false;
+    }
+
+    /// Adds the bodies and joints of the file, if there is one.
+    pub(super) fn read_file(&mut self, errors: &mut Errors) {
+        let Some(mut file) = self.file.take() else {
+            if let Some(first) = self.locked.first().filter(|_| !self.has_lost_joints) {
+                let message = "`locked` holds joints of a file, and there is no `urdf: \"..\"`";
+                errors.push(first.name.span(), message);
+            }
+            return;
+        };
+        let before = errors.count();
+        if self.add_file(&mut file, errors).is_none() || errors.count() > before {
+            self.has_lost_bodies = true;
+            self.has_lost_joints = true;
+        }
+        self.file = Some(file);
+    }
+
+    fn add_file(&mut self, file: &mut File, errors: &mut Errors) -> Option<()> {
+        let File { name, span, .. } = &*file;
+        if let Some(motion) = &self.top.motion {
+            let message = "a file describes a system in space: leave `motion` out";
+            errors.push(motion.word.span(), message);
+            return None;
+        }
+        // cargo sets it to the folder of the crate that is compiled
+        let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
+        let path = PathBuf::from(folder).join(name);
+        let text = match read(&path) {
+            Ok(text) => text,
+            Err(why) => {
+                let message = format!(
+                    "`{name}` is looked for from the folder of the `Cargo.toml` of this crate, and {why}"
+                );
+                errors.push(*span, message);
+                return None;
+            }
+        };
+        let beside = Beside {
+            runtime: &self.top.runtime,
+            bodies: &self.bodies,
+            joints: &self.joints,
+            locked: &self.locked,
+        };
+        let described = urdf::read((name, *span), &text, beside, errors);
+        file.path = path.to_str().map(str::to_owned);
+        let described = described?;
+        file.told = described.told;
+        let written = core::mem::replace(&mut self.joints, described.joints);
+        self.joints.extend(written);
+        for body in described.bodies {
+            self.add_link(body, errors);
+        }
+        Some(())
+    }
+
+    /// Adds a body, or what the file has of it to what is written.
+    fn add_link(&mut self, mut body: Description, errors: &mut Errors) {
+        let Some(written) = self.bodies.iter_mut().find(|other| other.name == body.name) else {
+            self.firsts.push(self.bodies.len());
+            self.bodies.push(body);
+            return;
+        };
+        if let Some(key) = written.keys.iter().find(|_| written.composition.is_some()) {
+            let name = &body.name;
+            errors.push(
+                written.keys.iter().find(|key| *key == "inertia").unwrap_or(key).span(),
+                format!("the file says where G of `{name}` is: write its inertia about that, or a body of another name, and weld it"),
+            );
+            written.composition = None;
+        }
+        // what is written takes the place of what the file has
+        let is_told = written.mass.is_some() || written.inertia.is_some();
+        written.is_frame = body.is_frame && !is_told;
+        written.mass = written.mass.take().or(body.mass);
+        written.inertia = written.inertia.take().or(body.inertia);
+        written.given = body.given;
+        let own = core::mem::take(&mut written.points);
+        written.points = core::mem::take(&mut body.points);
+        written.points.extend(own);
+    }
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    let bytes = std::fs::read(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => "there is no such file".to_owned(),
+        kind => format!("cannot be read: {kind}"),
+    })?;
+    String::from_utf8(bytes).map_err(|_| "is no text in UTF-8".to_owned())
+}

@@ -1,0 +1,217 @@
+//! Whether the links of a file hang together, and have mass where they move.
+
+use proc_macro2::{Ident, Span};
+
+use crate::errors::Errors;
+use crate::syntax::expression::{Expression, Kind};
+
+use super::Beside;
+use super::robot::{Inertial, Joint, Motion, Robot};
+
+impl Joint {
+    /// Whether it holds its child as it is.
+    pub fn is_rigid(&self) -> bool {
+        self.kind == Motion::Fixed || self.locked.is_some()
+    }
+}
+
+impl Robot {
+    /// The link that no joint carries, if all others hang on it; of each link the joint.
+    pub fn tree(
+        &self,
+        (name, span): (&str, Span),
+        errors: &mut Errors,
+    ) -> Option<(usize, Vec<Option<usize>>)> {
+        let mut carried: Vec<Option<usize>> = vec![None; self.links.len()];
+        let mut is_sound = true;
+        for (number, joint) in self.joints.iter().enumerate() {
+            match carried[joint.child] {
+                None => carried[joint.child] = Some(number),
+                Some(other) => {
+                    is_sound = false;
+                    let (link, other) = (&self.links[joint.child].name, &self.joints[other].name);
+                    errors.push(
+                        joint.extent,
+                        format!("link `{link}` is the child of joint `{other}` already: a link has one parent"),
+                    );
+                }
+            }
+        }
+        if !is_sound {
+            return None;
+        }
+        let roots: Vec<usize> = (0..carried.len())
+            .filter(|link| carried[*link].is_none())
+            .collect();
+        let [root] = roots.as_slice() else {
+            if let Some((first, others)) = roots.split_first() {
+                let first = &self.links[*first].name;
+                for other in others {
+                    let message = format!(
+                        "no joint carries this link, and none carries `{first}`: one of them is the root"
+                    );
+                    errors.push(self.links[*other].extent, message);
+                }
+            } else {
+                let message =
+                    format!("{name}: the joints run in a circle, and no link is the root");
+                errors.push(span, message);
+            }
+            return None;
+        };
+        // with one root, what does not hang on it runs in a circle
+        let hangs = |link: usize| {
+            let mut above = link;
+            for _ in 0..carried.len() {
+                above = carried[above].map_or(above, |joint| self.joints[joint].parent);
+            }
+            above == *root
+        };
+        if let Some(joint) = self.joints.iter().find(|joint| !hangs(joint.child)) {
+            let message = "this joint is part of a circle of joints, or carried by one";
+            errors.push(joint.extent, message);
+            return None;
+        }
+        Some((*root, carried))
+    }
+
+    /// Whether what moves as one has mass; `added` are the links that have something welded to
+    /// them beside the file.
+    pub fn check_masses(
+        &self,
+        carried: &[Option<usize>],
+        (root, root_moves): (usize, bool),
+        added: &[usize],
+        errors: &mut Errors,
+    ) {
+        // of each link, the one at the end of the fixed joints that carry it
+        let first = |link: usize| {
+            let mut first = link;
+            while let Some(joint) = carried[first].map(|joint| &self.joints[joint]) {
+                if !joint.is_rigid() {
+                    break;
+                }
+                first = joint.parent;
+            }
+            first
+        };
+        let mut has_mass = vec![false; self.links.len()];
+        for (number, link) in self.links.iter().enumerate() {
+            if !matches!(link.inertial, Inertial::Absent) || added.contains(&number) {
+                has_mass[first(number)] = true;
+            }
+        }
+        for (number, link) in self.links.iter().enumerate() {
+            let moves = match carried[number] {
+                None => number == root && root_moves,
+                Some(joint) => !self.joints[joint].is_rigid(),
+            };
+            if moves && !has_mass[number] {
+                let how = match carried[number].map(|joint| &self.joints[joint]) {
+                    Some(joint) if joint.kind != Motion::Free && joint.kind != Motion::Plane => {
+                        let (name, ident) = (&joint.name, &joint.ident);
+                        format!(
+                            "joint `{name}` moves it, and it has no mass: write its `<inertial>`, or `locked: [{ident} = 0]`"
+                        )
+                    }
+                    _ => "it moves, and it has no mass: write its `<inertial>`".to_owned(),
+                };
+                errors.push(link.extent, how);
+            }
+        }
+    }
+
+    /// A floating joint has what it carries move against the ground.
+    pub fn check_floating(&self, carried: &[Option<usize>], root_moves: bool, errors: &mut Errors) {
+        for joint in &self.joints {
+            if joint.kind == Motion::Free && !self.is_held(carried, joint.parent, root_moves) {
+                let parent = &self.links[joint.parent].name;
+                let message = format!("a floating joint is to the ground, and `{parent}` moves");
+                errors.push(joint.extent, message);
+            }
+        }
+    }
+
+    /// Whether a link is held by the ground.
+    fn is_held(&self, carried: &[Option<usize>], link: usize, root_moves: bool) -> bool {
+        let mut link = link;
+        while let Some(joint) = carried[link].map(|joint| &self.joints[joint]) {
+            if !joint.is_rigid() {
+                return false;
+            }
+            link = joint.parent;
+        }
+        !root_moves
+    }
+}
+
+/// `name` in `free(name)`, `kind(P, name.Q, ..)` and what may follow.
+fn carried_by(joint: &Expression) -> Option<&Ident> {
+    let mut inner = joint;
+    while let Kind::Method(receiver, _, _) = &inner.kind {
+        inner = receiver;
+    }
+    let Kind::Call(_, arguments) = &inner.kind else {
+        return None;
+    };
+    match arguments.as_slice() {
+        [
+            Expression {
+                kind: Kind::Name(name),
+                ..
+            },
+            ..,
+        ] => Some(name),
+        [_, point, ..] => point.names().into_iter().next(),
+        _ => None,
+    }
+}
+
+/// Whether what is written carries the root as it is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Welded {
+    Yes,
+    No,
+}
+
+impl Beside<'_> {
+    /// Whether a joint beside the file carries a body of this name.
+    pub fn is_carried(self, name: &Ident) -> Option<Welded> {
+        let mut joints = self.joints.iter().filter_map(|joint| joint.value.as_ref());
+        let joint = joints.find(|joint| carried_by(joint) == Some(name))?;
+        Some(if is_weld(joint) {
+            Welded::Yes
+        } else {
+            Welded::No
+        })
+    }
+
+    /// Whether what is written beside the file says that a link has mass.
+    pub fn gives_mass(self, link: &Ident) -> bool {
+        let mut bodies = self.bodies.iter();
+        bodies.any(|body| body.name == *link && (body.mass.is_some() || body.inertia.is_some()))
+    }
+
+    /// The links that get mass beside the file, of their own or by what is welded to them.
+    pub fn massive(self, robot: &Robot) -> Vec<usize> {
+        let joints = self.joints.iter().filter_map(|joint| joint.value.as_ref());
+        let welded = joints
+            .filter(|joint| is_weld(joint))
+            .flat_map(Expression::names);
+        let welded: Vec<&Ident> = welded.collect();
+        let is_massive = |link: &Ident| welded.contains(&link) || self.gives_mass(link);
+        let links = robot.links.iter().enumerate();
+        links
+            .filter(|(_, link)| is_massive(&link.ident))
+            .map(|(number, _)| number)
+            .collect()
+    }
+}
+
+fn is_weld(joint: &Expression) -> bool {
+    let mut inner = joint;
+    while let Kind::Method(receiver, _, _) = &inner.kind {
+        inner = receiver;
+    }
+    matches!(&inner.kind, Kind::Call(word, _) if word == "weld")
+}

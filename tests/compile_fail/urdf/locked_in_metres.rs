@@ -1,0 +1,8 @@
+use newton_euler::prelude::*;
+
+rigid_system!(Robot {
+    urdf: "locked_in_metres.urdf",
+    locked: [swing = 1[m]],
+});
+
+fn main() {}

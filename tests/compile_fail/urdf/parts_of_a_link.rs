@@ -1,0 +1,8 @@
+use newton_euler::prelude::*;
+
+rigid_system!(Robot {
+    urdf: "parts_of_a_link.urdf",
+    bodies: [arm { inertia: compose([sphere(0.1[m]).mass(1[kg])]) }],
+});
+
+fn main() {}

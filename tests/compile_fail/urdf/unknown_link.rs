@@ -1,0 +1,7 @@
+use newton_euler::prelude::*;
+
+rigid_system!(Robot {
+    urdf: "unknown_link.urdf",
+});
+
+fn main() {}

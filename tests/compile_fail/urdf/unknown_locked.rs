@@ -1,0 +1,8 @@
+use newton_euler::prelude::*;
+
+rigid_system!(Robot {
+    urdf: "unknown_locked.urdf",
+    locked: [swnig = 0, mount = 0, turn = 0, turn = 1],
+});
+
+fn main() {}

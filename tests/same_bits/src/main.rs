@@ -63,7 +63,7 @@ fn evaluations_in_double_precision() {
         ("stick", evaluations::stick::<f64>(), 0x1157_5e2a_a861_cca9),
         ("quadrotor", evaluations::quadrotor(), 0xd081_dab8_d534_eff6),
         ("dipole", evaluations::dipole(), 0xee06_4e41_2311_91a0),
-        ("bead", evaluations::bead(), 0x84ed_e769_e4f1_85ae),
+        ("bead", evaluations::bead(), 0xb7ab_7978_4be3_8f4f),
     ]);
 }
 

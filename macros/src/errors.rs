@@ -11,7 +11,7 @@ pub struct Extent {
     source: Option<Source>,
 }
 
-/// A place in a file that a description names, by its number among [`Errors::sources`].
+/// A place in a file that a description names, by its number among those of `Errors`.
 #[derive(Clone, Copy, Debug)]
 pub struct Source(usize);
 

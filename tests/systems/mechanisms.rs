@@ -138,6 +138,7 @@ floating!(
 );
 floating!(ByRail, cylindrical(base.end, third.q, body(0, 0, 1)));
 floating!(BySlide, prismatic(base.end, third.q, body(0, 1, 0)));
+floating!(ByPlane, planar(base.end, third.q, body(1, 2, 3)));
 floating!(ByWeld, weld(base.end, third.q));
 
 #[test]
@@ -153,6 +154,7 @@ fn each_kind_closes_a_loop() {
     check!(ByCardan, ByCardanState, 24, [base, first, second, third]);
     check!(ByRail, ByRailState, 25, [base, first, second, third]);
     check!(BySlide, BySlideState, 26, [base, first, second, third]);
+    check!(ByPlane, ByPlaneState, 28, [base, first, second, third]);
     check!(ByWeld, ByWeldState, 27, [base, first, second, third]);
 }
 

@@ -66,7 +66,7 @@ pub fn lower_system(
     let joints = reader.joints(errors);
     reader.check_held(&joints, errors);
     let (order, closing) = reader.tree(&joints, errors);
-    let (closings, joints) = reader.closings(&closing, joints);
+    let (closings, joints) = reader.closings(&closing, joints, errors);
     let joints = reader.motions(order, joints, &mut drafts);
     reader.members.are_moving = true;
     reader.locals(errors, true);

@@ -59,7 +59,8 @@ pub struct Closing {
     /// of the world.
     pub place: Components,
     pub pin: Components,
-    /// Unit vectors, in the axes of the carried body.
+    /// Unit vectors, in the axes of the carried body; behind the one axis of a joint in space two that
+    /// are across it.
     pub directions: Vec<Components>,
     /// How the carried body is turned where the coordinates are zero: axes and angles, the first one
     /// from the carrier's axes.

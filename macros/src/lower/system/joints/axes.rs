@@ -188,7 +188,7 @@ impl Reader<'_> {
 /// Two unit vectors that make right-handed axes with a unit vector of numbers: the two axes after
 /// the one that is nearest to it, the first of those that are, turned with that one by the shortest
 /// way.
-fn across(graph: &mut Graph, normal: Components) -> Option<[Components; 2]> {
+pub fn across(graph: &mut Graph, normal: Components) -> Option<[Components; 2]> {
     let is_symbol = |id: Id| matches!(graph.node(id), Node::Symbol(_));
     if graph.depends_on(&normal, is_symbol) {
         return None;

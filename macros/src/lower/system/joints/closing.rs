@@ -1,9 +1,11 @@
 //! Joints that close loops.
 
-use crate::model::Closing;
-
-use super::joint::Written;
+use crate::errors::Errors;
 use crate::lower::system::reading::reader::Reader;
+use crate::model::{Axes, Closing};
+
+use super::axes::across;
+use super::joint::Written;
 
 impl Reader<'_> {
     /// Takes the joints that close loops from the others.
@@ -11,6 +13,7 @@ impl Reader<'_> {
         &mut self,
         closing: &[usize],
         mut joints: Vec<Option<Written>>,
+        errors: &mut Errors,
     ) -> (Vec<Closing>, Vec<Option<Written>>) {
         let mut closings = Vec::new();
         for index in closing {
@@ -18,6 +21,20 @@ impl Reader<'_> {
             let Some(written) = joints[*index].take() else {
                 continue;
             };
+            let mut directions = written.directions;
+            if let (Axes::Written(1), false, [axis]) =
+                (written.kind.axes, self.system.is_planar, &*directions)
+            {
+                let Some(both) = across(&mut self.work.graph, *axis) else {
+                    errors.push(
+                        written.mention,
+                        "the axis of a joint that closes a loop is made of numbers: from it follows across \
+                         which directions it holds",
+                    );
+                    continue;
+                };
+                directions.extend(both);
+            }
             closings.push(Closing {
                 name: written.name,
                 kind: written.kind,
@@ -25,7 +42,7 @@ impl Reader<'_> {
                 carried: written.carried,
                 place: written.place,
                 pin: written.pin,
-                directions: written.directions,
+                directions,
                 turned: written.turned,
             });
         }

@@ -87,33 +87,29 @@ fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
         // hinges in the plane, and ball joints
         ([Part::Turn(_)], _) if ends.is_planar => all.extend(places()),
         ([Part::Ball], _) => all.extend(places()),
-        ([Part::Turn(_)], [axis, ..]) => {
+        ([Part::Turn(_)], [axis, across @ ..]) => {
             all.extend(places());
-            for across in perpendiculars(graph, *axis) {
-                all.push(Held::Between(turned(graph, across), *axis));
+            for across in across {
+                all.push(Held::Between(turned(graph, *across), *axis));
             }
         }
-        ([Part::Slide(_), Part::Turn(_)], [axis, ..]) => {
-            for across in perpendiculars(graph, *axis) {
-                let across = turned(graph, across);
+        ([Part::Slide(_), Part::Turn(_)], [axis, across @ ..]) => {
+            for across in across {
+                let across = turned(graph, *across);
                 all.extend([Held::Across(across), Held::Between(across, *axis)]);
             }
         }
-        ([Part::Slide(_)], [axis, ..]) => {
-            let across = if ends.is_planar {
-                vec![graph.cross(units[2], *axis)]
-            } else {
-                perpendiculars(graph, *axis).to_vec()
-            };
-            for across in across {
+        ([Part::Slide(_)], [axis, across @ ..]) => {
+            let in_plane = ends.is_planar.then(|| graph.cross(units[2], *axis));
+            for across in across.iter().copied().chain(in_plane) {
                 all.push(Held::Across(turned(graph, across)));
             }
             all.extend(still(graph));
         }
-        ([Part::Slide(_), Part::Slide(_), Part::Turn(_)], [normal, ..]) => {
+        ([Part::Slide(_), Part::Slide(_), Part::Turn(_)], [normal, along @ ..]) => {
             all.push(Held::Across(turned(graph, *normal)));
-            for across in perpendiculars(graph, *normal) {
-                all.push(Held::Between(turned(graph, across), *normal));
+            for along in along {
+                all.push(Held::Between(turned(graph, *along), *normal));
             }
         }
         ([Part::Turn(0), Part::Turn(1)], [first, second, ..]) => {
@@ -143,32 +139,6 @@ fn at_zero(graph: &mut Graph, closing: &Closing, vector: Components) -> Componen
             let turned = turning.to_carrier(graph, vector);
             graph.quantities(turned)
         })
-}
-
-/// Two vectors that are perpendicular to a direction and to each other.
-fn perpendiculars(graph: &mut Graph, axis: Components) -> [Components; 2] {
-    let units = graph.unit_vectors();
-    if let Some(along) = (0..3).find(|along| graph.is_along(axis, *along)) {
-        return [units[(along + 1) % 3], units[(along + 2) % 3]];
-    }
-    // the coordinate axis that the direction is farthest from, as far as numbers tell
-    let size = |part: usize| {
-        graph
-            .as_number(axis[part])
-            .map(|number| number.abs().to_f64())
-    };
-    let farthest = (0..3).min_by(|a, b| {
-        let [a, b] = [*a, *b].map(|part| size(part).unwrap_or(f64::MAX));
-        a.total_cmp(&b)
-    });
-    let first = graph.cross(axis, units[farthest.unwrap_or(0)]);
-    let length = graph.norm(first);
-    let one = graph.one();
-    let per_length = graph.divide(one, length);
-    let first = graph.scale_vector(per_length, first);
-    let first = graph.quantities(first);
-    let second = graph.cross(axis, first);
-    [first, graph.quantities(second)]
 }
 
 type Sides<'a> = (&'a Ends<'a>, [&'a Placed; 2], [Spot; 2]);
@@ -258,8 +228,8 @@ fn row(
     }
 }
 
-/// The power that a force at a place on each body and a moment have by the rate of each open freedom: on the carried
-/// body, and with the opposite sign on the carrier.
+/// The power of a force and a moment by the rate of each open freedom: on the carried body, and with
+/// the opposite sign on the carrier, each force at its place.
 fn slopes(
     graph: &mut Graph,
     tree: &Tree,

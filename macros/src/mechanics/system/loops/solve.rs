@@ -54,36 +54,8 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built) -> Closed {
     }
     let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
     let (count, loads) = (matrix.driving.len(), constraints.len());
-    let mut equations = Vec::new();
-    let zero = work.graph.zero();
-    for (freedom, row) in matrix.rows.iter().enumerate() {
-        let of_loads = constraints.iter().map(|(_, row)| row.slopes[freedom]);
-        let of_loads: Vec<Id> = of_loads.map(|slope| work.graph.negate(slope)).collect();
-        let mut sizes = vec![Size::Terms; count + loads];
-        sizes[freedom] = Size::Squares;
-        equations.push((
-            [row.clone(), of_loads].concat(),
-            matrix.driving[freedom],
-            sizes,
-        ));
-    }
-    for (_, row) in &constraints {
-        let coefficients = [row.slopes.clone(), vec![zero; loads]].concat();
-        let right = work.graph.negate(row.bias);
-        equations.push((coefficients, right, vec![Size::Terms; count + loads]));
-    }
-    let all: Vec<Id> = equations.iter().flat_map(|(row, ..)| row.clone()).collect();
-    let mut values = samples(work, &all).into_iter();
-    let equations = equations
-        .into_iter()
-        .map(|(coefficients, right, sizes)| Equation {
-            sample: values.by_ref().take(coefficients.len()).collect(),
-            sizes,
-            active: None,
-            coefficients,
-            right,
-        });
-    let equations: Vec<Equation> = equations.collect();
+    let rows: Vec<&Row> = constraints.iter().map(|(_, row)| row).collect();
+    let equations = equations(work, &matrix, &rows);
     let solved = work.graph.solve(equations, count + loads);
     let open = solved.undetermined.iter();
     let open = open.filter_map(|one| Some(constraints.get(one.column.checked_sub(count)?)?.0));
@@ -115,6 +87,39 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built) -> Closed {
         loaded,
         undetermined,
     }
+}
+
+/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads.
+fn equations(work: &mut Workspace, matrix: &MassMatrix, constraints: &[&Row]) -> Vec<Equation> {
+    let loads = constraints.len();
+    let zero = work.graph.zero();
+    let mut sides = Vec::new();
+    for (freedom, row) in matrix.rows.iter().enumerate() {
+        let slopes = constraints.iter().map(|row| row.slopes[freedom]);
+        let of_loads: Vec<Id> = slopes.map(|slope| work.graph.negate(slope)).collect();
+        let coefficients = [row.clone(), of_loads].concat();
+        sides.push((coefficients, matrix.driving[freedom], Some(freedom)));
+    }
+    for row in constraints {
+        let coefficients = [row.slopes.clone(), vec![zero; loads]].concat();
+        sides.push((coefficients, work.graph.negate(row.bias), None));
+    }
+    let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();
+    let mut values = samples(work, &all).into_iter();
+    let equations = sides.into_iter().map(|(coefficients, right, positive)| {
+        let mut sizes = vec![Size::Terms; coefficients.len()];
+        if let Some(freedom) = positive {
+            sizes[freedom] = Size::Squares;
+        }
+        Equation {
+            sample: values.by_ref().take(coefficients.len()).collect(),
+            sizes,
+            active: None,
+            coefficients,
+            right,
+        }
+    });
+    equations.collect()
 }
 
 fn ends<'a>(

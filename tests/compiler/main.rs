@@ -29,6 +29,8 @@ mod range;
 mod symbolic;
 #[path = "../../macros/src/syntax/mod.rs"]
 mod syntax;
+#[path = "../../examples/describe/text.rs"]
+mod text;
 
 mod calculus;
 mod descriptions;
@@ -39,6 +41,7 @@ mod expansions;
 mod files;
 mod numbers;
 mod operations;
+mod printed;
 mod rooms;
 mod trees;
 mod words;

@@ -4,6 +4,7 @@
 mod asked;
 mod between;
 mod drives;
+mod frames;
 mod joints;
 mod outline;
 mod potentials;
@@ -90,6 +91,7 @@ pub fn lower_system(
     let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let mut closings = closings;
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
+    frames::check_frames(&work, &bodies, &joints, errors);
     let written = tell_frames(outline, &joints);
     let system = System {
         is_planar: system.is_planar,

@@ -3,6 +3,7 @@
 mod body;
 mod drawing;
 mod file;
+mod frames;
 mod lost;
 mod outputs;
 
@@ -112,6 +113,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
     system.read_file(errors);
     system.is_planar = system.check_motion(errors);
     system.take_centers(errors);
+    system.take_frames();
     system.lose_names();
     let word = if system.is_planar {
         "planar"

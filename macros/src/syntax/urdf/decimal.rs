@@ -66,6 +66,17 @@ impl Decimal {
         mantissa.bytes().all(|byte| matches!(byte, b'0' | b'.'))
     }
 
+    pub fn negated(&self) -> Self {
+        Self {
+            is_negative: !self.is_negative,
+            ..self.clone()
+        }
+    }
+
+    pub fn is_negative(&self) -> bool {
+        self.is_negative
+    }
+
     pub fn text(&self) -> String {
         let sign = if self.is_negative { "-" } else { "" };
         format!("{sign}{}", self.digits)
@@ -150,7 +161,7 @@ impl Angle {
 }
 
 /// `-value`
-pub fn negative(value: Expression) -> Expression {
+fn negative(value: Expression) -> Expression {
     Expression {
         extent: value.extent,
         kind: Kind::Prefix(Prefix::Minus, Box::new(value)),

@@ -10,7 +10,7 @@ use crate::families::LoadKind;
 use crate::fraction::Fraction;
 use crate::syntax::{
     Composition, Declaration, Definition, Description, Expression, Kind, Load, Operator, Prefix,
-    System, UnitExpression,
+    Step, System, UnitExpression,
 };
 
 /// What stands in the parentheses of `rigid_system!`.
@@ -198,10 +198,11 @@ fn parts(composition: &Composition) -> TokenStream {
     quote!(compose([#(#parts),*]))
 }
 
-/// How tightly an expression holds together: chains less than signs, these less than all else.
+/// How tightly an expression holds together: chains less than signs, these less than all else. What
+/// comes last in a chain holds least.
 fn strength(expression: &Expression) -> usize {
     match &expression.kind {
-        Kind::Chain(_, steps) => steps.first().map_or(7, |step| rank(step.operator)),
+        Kind::Chain(_, steps) => steps.last().map_or(7, |step| rank(step.operator)),
         Kind::If(_) => 0,
         Kind::Prefix(..) => 6,
         _ => 7,
@@ -258,15 +259,7 @@ fn expression(whole: &Expression) -> TokenStream {
                 Prefix::Not => quote!(!#operand),
             }
         }
-        Kind::Chain(first, steps) => {
-            let own = strength(whole);
-            let first = held(first, own);
-            let steps = steps.iter().map(|step| {
-                let (sign, operand) = (sign(step.operator), held(&step.operand, own + 1));
-                quote!(#sign #operand)
-            });
-            quote!(#first #(#steps)*)
-        }
+        Kind::Chain(first, steps) => chain(first, steps),
         Kind::Call(function, arguments) => {
             let arguments = all(arguments);
             quote!(#function(#(#arguments),*))
@@ -293,6 +286,21 @@ fn expression(whole: &Expression) -> TokenStream {
             quote!(if #condition { #first } else { #second })
         }
     }
+}
+
+/// From left to right: what is there is in parentheses where the next operator holds tighter.
+fn chain(first: &Expression, steps: &[Step]) -> TokenStream {
+    let (mut all, mut holds) = (expression(first), strength(first));
+    for step in steps {
+        let rank = rank(step.operator);
+        if holds < rank {
+            all = quote!((#all));
+        }
+        let (sign, operand) = (sign(step.operator), held(&step.operand, rank + 1));
+        all = quote!(#all #sign #operand);
+        holds = rank;
+    }
+    all
 }
 
 /// A literal with these digits; Rust has a digit in front of the point.

@@ -70,3 +70,8 @@ fn plain(tokens: &TokenStream) -> String {
 fn what_urdf_files_amount_to_is_printed() {
     check("urdf", "urdf");
 }
+
+#[test]
+fn what_files_of_mujoco_amount_to_is_printed() {
+    check("mjcf", "mjcf");
+}

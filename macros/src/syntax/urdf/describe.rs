@@ -7,11 +7,11 @@ use crate::errors::{Errors, Extent};
 use crate::syntax::expression::{Expression, Kind, Operator, Step};
 use crate::syntax::{Definition, Description, Written};
 
-use super::decimal::{Angle, Decimal};
-use super::names::ORIGIN;
 use super::robot::{Inertial, Joint, Link, Motion, Placed, Robot, Substance};
 use super::tree::Welded;
-use super::{Beside, Told};
+use crate::syntax::xml::decimal::{Angle, Decimal};
+use crate::syntax::xml::names::ORIGIN;
+use crate::syntax::xml::{Beside, Told};
 
 /// Writes expressions whose words all underline the string that names the file.
 struct Writer {

@@ -82,6 +82,27 @@ impl Decimal {
         format!("{sign}{}", self.digits)
     }
 
+    /// As Rust writes it, with a digit in front of the point.
+    pub fn literal(&self) -> String {
+        let sign = if self.is_negative && !self.is_zero() {
+            "-"
+        } else {
+            ""
+        };
+        let zero = if self.digits.starts_with('.') {
+            "0"
+        } else {
+            ""
+        };
+        let digits = self.digits.replace(".e", ".0e").replace(".E", ".0E");
+        format!("{sign}{zero}{digits}")
+    }
+
+    /// The nearest double.
+    pub fn value(&self) -> f64 {
+        self.text().parse().unwrap_or(f64::NAN)
+    }
+
     pub fn expression(&self) -> Expression {
         let number = Expression {
             kind: Kind::Number(self.digits.clone()),

@@ -11,7 +11,7 @@ use crate::expand::expand_system;
 use crate::{syntax, text};
 
 /// Numbers that look random, the same in each run.
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
     fn below(&mut self, bound: usize) -> usize {
@@ -47,7 +47,7 @@ fn expanded(name: &str, text: &[u8]) -> TokenStream {
     tokens
 }
 
-fn errors(tokens: &TokenStream) -> usize {
+pub fn errors(tokens: &TokenStream) -> usize {
     tokens.to_string().matches("compile_error").count()
 }
 
@@ -79,7 +79,7 @@ const WORDS: [&str; 24] = [
     "1e99999999999999999999",
 ];
 
-fn mutant(text: &str, random: &mut Random) -> Vec<u8> {
+pub fn mutant(text: &str, random: &mut Random) -> Vec<u8> {
     let mut bytes = text.as_bytes().to_vec();
     for _ in 0..=random.below(3) {
         let place = random.below(bytes.len());

@@ -39,6 +39,7 @@ mod eigen;
 mod equations;
 mod expansions;
 mod files;
+mod models;
 mod numbers;
 mod operations;
 mod printed;

@@ -5,6 +5,7 @@ use roxmltree::Node;
 
 use crate::errors::{Extent, hint};
 use crate::syntax::Declaration;
+use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
 
 use super::body::Body;
@@ -88,7 +89,7 @@ impl Reader<'_> {
         Some(Motor {
             name: given.map_or_else(|| format!("motor_{}", number + 1), str::to_owned),
             joint: ident.clone(),
-            gear: gear.first().map_or("1".to_owned(), |gear| gear.literal()),
+            gear: gear.first().map_or("1".to_owned(), Decimal::literal),
             kind: *kind,
             extent: self.at(node),
         })

@@ -45,7 +45,7 @@ impl Writer<'_> {
         if free.is_none() && is_turned && body.joints.first().is_some_and(is_pinned) {
             let frame = self.add(name(&format!("{}_frame", body.ident), self.span), None);
             let mount = self.fresh(names, &format!("{}_turned", body.ident));
-            self.weld(foot, frame, mount, body.extent);
+            self.weld(&foot, frame, &mount, body.extent);
             foot = Foot::origin(frame);
         }
         let (last, before) = match body.joints.split_last() {
@@ -71,7 +71,7 @@ impl Writer<'_> {
                     .map(|body| self.described.bodies[body].name.to_string());
                 let carrier = carrier.unwrap_or("ground".to_owned());
                 let mount = self.fresh(names, &format!("{}_to_{carrier}", body.ident));
-                self.weld(foot, number, mount, body.extent);
+                self.weld(&foot, number, &mount, body.extent);
             }
         }
         number
@@ -126,11 +126,11 @@ impl Writer<'_> {
         format!("{}.{word}", self.described.bodies[number].name)
     }
 
-    fn weld(&mut self, foot: Foot, body: usize, mount: Ident, extent: Extent) {
+    fn weld(&mut self, foot: &Foot, body: usize, mount: &Ident, extent: Extent) {
         let word = self.described.bodies[body].name.to_string();
         let place = self.end(foot.body, &word, &foot.place, extent);
         let text = format!("weld({place}, {word}.{ORIGIN}){}", foot.turned);
-        self.define(&mount, &text, extent);
+        self.define(mount, &text, extent);
     }
 
     fn joint(&mut self, foot: Foot, body: usize, joint: &Joint) {

@@ -209,7 +209,7 @@ impl Reader<'_> {
             };
             let says = text.split_whitespace().any(|part| {
                 let is_zero = part.parse().is_ok_and(|value: f64| value == 0.0);
-                !nothing.contains(&part) && !(is_zero && nothing.contains(&"0"))
+                !(nothing.contains(&part) || is_zero && nothing.contains(&"0"))
             });
             if says {
                 self.report::<()>(element.node, format!("`{name}`: {why}"));

@@ -183,6 +183,6 @@ fn in_turns(turned: [f64; 4]) -> String {
     let axes = ["(0, 0, 1)", "(0, 1, 0)", "(1, 0, 0)"];
     let all = axes.iter().zip(clean([yaw, pitch, roll]));
     let all = all.filter(|(_, angle)| *angle != 0.0);
-    all.map(|(axis, angle)| format!(".turned(body{axis}, {angle})"))
-        .collect()
+    let all = all.map(|(axis, angle)| format!(".turned(body{axis}, {angle})"));
+    all.collect::<Vec<String>>().concat()
 }

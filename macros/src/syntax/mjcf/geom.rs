@@ -146,10 +146,12 @@ impl Reader<'_> {
     /// A geom that has mass.
     fn geom(&mut self, element: &Element<'_, '_>, settings: &Settings) -> Option<Substance> {
         let node = element.node;
-        let word = element.get("type").unwrap_or(match element.has("mesh") {
-            true => "mesh",
-            false => "sphere",
-        });
+        let plain = if element.has("mesh") {
+            "mesh"
+        } else {
+            "sphere"
+        };
+        let word = element.get("type").unwrap_or(plain);
         let Some(kind) = TYPES.iter().position(|known| *known == word) else {
             let all = TYPES.join("`, `");
             return self.report(

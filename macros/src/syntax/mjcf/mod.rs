@@ -1,4 +1,4 @@
-//! `mjcf: "model.xml"`: bodies, joints, motors and gravity from a file (the format of MuJoCo).
+//! `mjcf: "model.xml"`: bodies, joints, motors and gravity from a file (the format of `MuJoCo`).
 //!
 //! What the file says becomes what could have been written: a body made of parts for each that has
 //! mass, a frame for each that has none and between the joints of one body, and a definition of each
@@ -132,7 +132,10 @@ impl Beside<'_> {
         for node in of("tendon").filter(Node::has_children) {
             reader.parts(node, &[], &[]);
         }
-        self.check(&bodies, reader.errors);
+        // what is wrong may be what a body is made of
+        if reader.errors.is_empty() {
+            self.check(&bodies, reader.errors);
+        }
         let extent = reader.at(root);
         Some(Model {
             bodies,

@@ -117,12 +117,11 @@ impl Reader<'_> {
         };
         let (moving, fixed) = (axes("xyz"), axes("XYZ"));
         settings.is_fixed = moving.is_none();
-        match moving.or(fixed).map(<[usize; 3]>::try_from) {
-            Some(Ok(order)) => settings.order = order,
-            _ => {
-                let message = "`eulerseq` is three letters of `xyz`, or three of `XYZ`";
-                self.report::<()>(node, message);
-            }
+        if let Some(Ok(order)) = moving.or(fixed).map(<[usize; 3]>::try_from) {
+            settings.order = order;
+        } else {
+            let message = "`eulerseq` is three letters of `xyz`, or three of `XYZ`";
+            self.report::<()>(node, message);
         }
     }
 

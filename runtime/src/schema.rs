@@ -87,7 +87,7 @@ pub struct System {
     /// A file in the Unified Robot Description Format, whose links are bodies and whose joints are
     /// joints: `"robot.urdf"`, its path from the folder of `Cargo.toml`.
     pub urdf: (),
-    /// A file in the format of MuJoCo: bodies, joints, motors and gravity: `"model.xml"`, its path from
+    /// A file in the format of `MuJoCo`: bodies, joints, motors and gravity: `"model.xml"`, its path from
     /// the folder of `Cargo.toml`.
     pub mjcf: (),
     /// Joints of the file that are held at a coordinate: `[finger = 0.02[m]]`.

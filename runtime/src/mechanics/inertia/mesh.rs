@@ -111,7 +111,8 @@ impl MassProperties {
         density: f64,
     ) -> Result<Self, InvalidMesh> {
         let is_finite = |vertex: &Vector3<f64>| vertex.iter().all(|part| part.is_finite());
-        if !vertices.iter().all(is_finite) || !(density > 0.0 && density.is_finite()) {
+        let is_given = vertices.iter().all(is_finite) && density.is_finite();
+        if !is_given || density <= 0.0 {
             return Err(InvalidMesh::NotFinite);
         }
         check_closed(vertices, triangles)?;
@@ -129,7 +130,7 @@ impl MassProperties {
             moment += (a + b + c) * (part / 4.0);
             size = size.max(a.amax()).max(b.amax()).max(c.amax());
         }
-        if !(volume.abs() > NOTHING * size * size * size) {
+        if volume.is_nan() || volume.abs() <= NOTHING * size * size * size {
             return Err(InvalidMesh::Empty);
         }
         if volume < 0.0 {

@@ -118,6 +118,7 @@ fn solve_system(
 ) -> Option<Solved<System>> {
     let system = &with_system_potentials(system, &mut work);
     let equations = derive_system(system, &mut work);
+    equations.check(system, errors)?;
     let outputs = derive_outputs(outline, system, &mut work, &equations, errors)?;
     let mut report = describe_system(system, &work, &equations);
     if let Some(file) = file {

@@ -4,6 +4,7 @@
 mod balanced;
 mod balances;
 mod compare;
+mod constrained;
 mod corners;
 mod counts;
 mod described;

@@ -1,8 +1,10 @@
 //! A description of a system, read in order: what it declares, the points of its bodies, the
 //! joints, and then all that depends on how it moves.
 
+mod apart;
 mod asked;
 mod between;
+mod constraints;
 mod drives;
 mod joints;
 mod outline;
@@ -17,8 +19,8 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Members, Scope};
 use crate::model::{
-    Closing, Declared, Defaults, Meaning, Member, Outline, PLANAR, SPATIAL, System, TreeJoint,
-    Workspace,
+    Closing, Constraint, Declared, Defaults, Meaning, Member, Outline, PLANAR, SPATIAL, System,
+    TreeJoint, Workspace,
 };
 use crate::symbolic::{Components, Stage};
 use crate::syntax;
@@ -64,7 +66,7 @@ pub fn lower_system(
     let mut wrong = HashSet::new();
     let mut drafts = reader.drafts(&mut wrong, errors);
     let joints = reader.joints(errors);
-    reader.check_held(&joints, errors);
+    reader.check_held(&joints, &outline.kept, errors);
     let (order, closing) = reader.tree(&joints, errors);
     let (closings, joints) = reader.closings(&closing, joints, errors);
     let joints = reader.motions(order, joints, &mut drafts);
@@ -72,6 +74,7 @@ pub fn lower_system(
     reader.locals(errors, true);
     let bodies = reader.bodies(&mut drafts, &mut wrong, errors);
     let potentials = reader.potentials(&mut drafts, &joints, errors);
+    let constraints = reader.constraints(&mut drafts, &joints, &outline.inputs, errors);
     let joints = reader.drives(joints, errors);
     let between = reader.loads_between(errors);
     let points = reader.asked_points(errors);
@@ -91,6 +94,11 @@ pub fn lower_system(
     let mut closings = closings;
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
     let written = tell_frames(outline, &joints);
+    outline.kept = constraints
+        .iter()
+        .flat_map(|kept| &kept.list)
+        .map(load_of)
+        .collect();
     let system = System {
         is_planar: system.is_planar,
         bodies,
@@ -99,6 +107,7 @@ pub fn lower_system(
         written,
         points,
         gravity,
+        constraints: constraints?,
         potentials: potentials?,
         energies: between.energies,
         cables: between.cables,
@@ -110,6 +119,12 @@ pub fn lower_system(
         errors.push(outline.name.span(), message);
     }
     errors.is_empty().then_some((system, work))
+}
+
+/// What the load is called that keeps a constraint.
+fn load_of(constraint: &Constraint) -> Ident {
+    let name = constraint.name.replace('.', "_");
+    Ident::new(&name, constraint.place.span())
 }
 
 /// The frames of what joints carry, by which their states are known; and the joints that move, by

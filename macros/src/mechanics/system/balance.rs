@@ -5,6 +5,7 @@ use proc_macro2::Ident;
 
 use crate::mechanics::answers::{LoadExpressions, Resultant};
 use crate::mechanics::tree::{self, Moving};
+use crate::mechanics::variation::derive_unit_loads;
 use crate::model::{Frame, Load, Meaning, Member, System, Vector, Workspace};
 use crate::symbolic::{Components, Id, Stage};
 
@@ -42,6 +43,7 @@ pub fn derive_system_balances(
     let by_link = by_link(equations, &built.tree, &given);
     let motions = tree::motions(&mut work.graph, &built.tree, &by_link);
     let carried = joint_loads(system, work, holding);
+    let kept = loads_of_constraints(system, work, 2 * holding.len());
     let mut all: Vec<BodyBalance> = Vec::new();
     for (number, body) in system.bodies.iter().enumerate() {
         let loads = || body.weights.iter().chain(&body.loads);
@@ -66,6 +68,12 @@ pub fn derive_system_balances(
                 let part = if on_it { part } else { work.negate(part) };
                 *sum = work.add(*sum, part);
             }
+        }
+        let pin = work.vector(body.state.body, system.joints[number].pin);
+        for [force, moment] in kept.iter().filter_map(|on| on.get(number)) {
+            let lever = work.cross(pin, *force);
+            let whole = work.add(*moment, lever);
+            sums = [work.add(sums[0], *force), work.add(sums[1], whole)];
         }
         let [taken_force, taken_moment] =
             taken(system, work, body, &motions[built.body(number)], number);
@@ -127,6 +135,33 @@ fn joint_loads<'a>(
         Some((joint, load))
     });
     loads.collect()
+}
+
+/// What each written constraint does to each body, at the point that its joint holds, as its load is
+/// given; the first one has this number among the parts of the reactions.
+fn loads_of_constraints(
+    system: &System,
+    work: &mut Workspace,
+    first: usize,
+) -> Vec<Vec<[Vector; 2]>> {
+    let Some(form) = &system.constraints.form else {
+        return Vec::new();
+    };
+    let levels = system.constraints.list.iter().map(|one| one.level);
+    let units = derive_unit_loads(work, form, levels).into_iter();
+    let units = units.enumerate().map(|(number, unit)| {
+        let load = work.symbol(Stage::State, Meaning::Reaction(first + number, 0));
+        let on = system.bodies.iter().map(|body| {
+            let mut drawn = form.bodies.iter().zip(&unit.on);
+            let found = drawn.find(|(displaced, _)| displaced.body == body.state.body);
+            found.map_or([Vector::ZERO; 2], |(_, draw)| {
+                let moment = work.vector(body.state.body, draw.moment);
+                [draw.force, moment].map(|part| work.scale(load, part))
+            })
+        });
+        on.collect()
+    });
+    units.collect()
 }
 
 /// `m a_G` and `J w' + w x J w`: what its motion takes.

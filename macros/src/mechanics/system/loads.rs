@@ -102,31 +102,23 @@ pub fn derive_system_reactions(
     all
 }
 
-/// The loads along the freedoms whose motion is prescribed, joint by joint: the drives that make it so.
+/// The loads along the freedoms whose motion is prescribed, joint by joint, less what else is known to
+/// act there: the drives that make it so.
 pub fn derive_system_driving(work: &mut Workspace, equations: &SystemEquations) -> Vec<Vec<Id>> {
-    let built = &equations.built;
-    let loads = loads(
-        work,
-        equations,
-        equations.loaded(),
-        &equations.accelerations,
-    );
-    let joints = built.links.iter().map(|links| {
-        let links = links
-            .clone()
-            .map(|link| (&built.tree.links[link], loads[link]));
+    let tree = equations.loaded();
+    let loads = loads(work, equations, tree, &equations.accelerations);
+    let joints = equations.built.links.iter().map(|links| {
+        let links = links.clone().map(|link| (&tree.links[link], loads[link]));
         let freedoms = links.flat_map(|(link, load)| {
             let driven = link.freedoms.iter().filter(|one| one.given.is_some());
-            driven.map(move |freedom| (freedom.twist, load))
+            driven.map(move |freedom| (freedom, load))
         });
-        let freedoms: Vec<_> = freedoms.collect();
-        freedoms
-            .into_iter()
-            .map(|(twist, load)| {
-                let drive = twist.dot(&mut work.graph, load);
-                work.graph.result(drive)
-            })
-            .collect()
+        let drives = freedoms.map(|(freedom, load)| {
+            let needed = freedom.twist.dot(&mut work.graph, load);
+            let drive = work.graph.subtract(needed, freedom.drive);
+            work.graph.result(drive)
+        });
+        drives.collect()
     });
     joints.collect()
 }

@@ -4,8 +4,8 @@ use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
 
+use super::constraints::moved_in_world;
 use super::equations::SystemEquations;
-use super::loops::moved_in_world;
 use super::rates::order;
 
 /// `M q'' = f`, in the order in which the state has its rates.

@@ -2,11 +2,12 @@
 
 mod balance;
 mod consistency;
+mod constraints;
 mod equations;
 mod jacobian;
 mod loads;
-mod loops;
 mod matrix;
+mod motion;
 mod rates;
 mod series;
 mod totals;

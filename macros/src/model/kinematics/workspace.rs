@@ -56,6 +56,15 @@ impl Workspace {
         self.carriers[frame.index()] = carrier;
     }
 
+    /// Of two frames, between which a vector was turned, the one that is carried by the other.
+    pub fn turned_frame(&self, turn: &Turn) -> Frame {
+        if self.carrier(turn.from) == turn.to {
+            turn.from
+        } else {
+            turn.to
+        }
+    }
+
     /// Frames that are turned like all that there are, each against the copy of its carrier.
     pub fn copied_frames(&mut self) -> Vec<Frame> {
         let count = self.carriers.len();
@@ -99,6 +108,17 @@ impl Workspace {
         [0, 1, 2].map(|axis| {
             if axes.contains(&axis) {
                 self.symbol(stage, meaning(axis))
+            } else {
+                self.graph.zero()
+            }
+        })
+    }
+
+    /// The same, of what is changed by itself and has no name.
+    pub fn free_symbols(&mut self, axes: Range<usize>) -> Components {
+        [0, 1, 2].map(|axis| {
+            if axes.contains(&axis) {
+                self.graph.symbol(Stage::State)
             } else {
                 self.graph.zero()
             }

@@ -22,8 +22,8 @@ const OFFER: Offer = Offer {
 struct Carried {
     /// Force and moment of each joint, by name.
     wrenches: Vec<(Ident, [Components; 2])>,
-    /// Along coordinates whose motion is prescribed, by name.
-    drives: Vec<(Ident, Id)>,
+    /// Along coordinates whose motion is prescribed, and of written constraints, by name.
+    scalars: Vec<(Ident, Id)>,
 }
 
 #[derive(Default)]
@@ -66,22 +66,25 @@ impl Output<System> for Reactions {
             let number = same.position(|(_, other)| other == name)?;
             Some((name.clone(), *loads.get(number)?))
         });
-        let drives: Vec<(Ident, Id)> = drives.collect();
-        for (name, drive) in &drives {
-            basis.work.labels.name(*drive, name.to_string());
+        let loads = basis.equations.kept_loads().iter().copied();
+        let kept = basis.outline.kept.iter().cloned().zip(loads);
+        let kept = kept.filter(|(name, _)| basis.outline.is_held(name));
+        let scalars: Vec<(Ident, Id)> = drives.chain(kept).collect();
+        for (name, load) in &scalars {
+            basis.work.labels.name(*load, name.to_string());
         }
         self.0 = Some(Carried {
             wrenches: held,
-            drives,
+            scalars,
         });
         Some(())
     }
 
     fn roots(&self) -> Vec<Id> {
         let wrenches = self.0.iter().flat_map(|carried| &carried.wrenches);
-        let drives = self.0.iter().flat_map(|carried| &carried.drives);
+        let scalars = self.0.iter().flat_map(|carried| &carried.scalars);
         let wrenches = wrenches.flat_map(|(_, pair)| pair.concat());
-        wrenches.chain(drives.map(|(_, drive)| *drive)).collect()
+        wrenches.chain(scalars.map(|(_, load)| *load)).collect()
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
@@ -91,8 +94,8 @@ impl Output<System> for Reactions {
         let method = site.method(self.0.as_ref(), |writer, carried| {
             let wrenches = carried.wrenches.iter();
             let parts = wrenches.flat_map(|(_, [force, moment])| shapes.wrench_part(force, moment));
-            let drives = carried.drives.iter().map(|(_, drive)| *drive);
-            let parts: Vec<Id> = parts.chain(drives).collect();
+            let scalars = carried.scalars.iter().map(|(_, load)| *load);
+            let parts: Vec<Id> = parts.chain(scalars).collect();
             Method::write(writer, &parts, |values| {
                 by_name.filled(site, values, |field, values| {
                     if field < count {
@@ -117,14 +120,16 @@ pub fn reactions_by_name(site: &Site<'_>) -> ByName {
     let (shapes, outline) = (&site.shapes, site.outline);
     let (wrench, scalar) = (shapes.wrench_type(), shapes.scalar.kind());
     let wrenches = held(outline).map(|name| (name.clone(), wrench.clone()));
-    let drives = driving_of(outline).map(|(_, name)| (name.clone(), scalar.clone()));
+    let kept = outline.kept.iter().filter(|name| outline.is_held(name));
+    let scalars = driving_of(outline).map(|(_, name)| name).chain(kept);
+    let scalars = scalars.map(|name| (name.clone(), scalar.clone()));
     ByName {
         suffix: "Reactions",
         doc: format!(
             " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
             outline.name
         ),
-        fields: wrenches.chain(drives).collect(),
+        fields: wrenches.chain(scalars).collect(),
         has_default: true,
     }
 }

@@ -6,18 +6,12 @@ use crate::mechanics::tree::turning::Turning;
 use crate::model::{Closing, Part};
 use crate::symbolic::{Components, Function, Graph, Id};
 
+use super::row::Row;
 use super::world::{Placed, Spot};
 
-/// One constraint.
-pub struct Row {
-    pub name: String,
-    /// Zero where the loop is closed.
-    pub value: Id,
-    pub rate: Id,
-    /// Its second derivative, if no joint accelerates.
-    pub bias: Id,
-    /// By the rates of the open freedoms, in the order of the links.
-    pub slopes: Vec<Id>,
+/// One constraint of a joint.
+pub struct JointRow {
+    pub row: Row,
     /// What a unit of its load is on the carried body, at its point of the joint, world axes; on the
     /// carrier the opposite, at the same place.
     pub force: Components,
@@ -45,7 +39,7 @@ pub struct Ends<'a> {
 }
 
 /// The constraints of a joint that closes a loop.
-pub fn rows(graph: &mut Graph, tree: &Tree, placed: &[Placed], ends: &Ends<'_>) -> Vec<Row> {
+pub fn rows(graph: &mut Graph, tree: &Tree, placed: &[Placed], ends: &Ends<'_>) -> Vec<JointRow> {
     let ground = Placed::ground(graph);
     let sides = ends
         .links
@@ -150,7 +144,7 @@ fn row(
     (ends, sides, spots): Sides<'_>,
     held: Held,
     name: String,
-) -> Row {
+) -> JointRow {
     let [carrier, carried] = sides;
     let difference = |graph: &mut Graph, part: fn(&Spot) -> Components| {
         let both = graph.subtract_vectors(part(&spots[1]), part(&spots[0]));
@@ -217,12 +211,15 @@ fn row(
     let [force, moment] = [force, moment].map(|vector| graph.quantities(vector));
     let slopes = slopes(graph, tree, placed, (ends, places), [force, moment]);
     let [value, rate, bias] = [value, rate, bias].map(|id| graph.quantity(id));
-    Row {
-        name,
-        value,
-        rate,
-        bias,
-        slopes,
+    JointRow {
+        row: Row {
+            name,
+            value: Some(value),
+            rate,
+            bias,
+            slopes,
+            active: None,
+        },
         force,
         moment,
     }

@@ -1,15 +1,30 @@
-//! The accelerations of a system with loops, and the loads of the joints that close them.
+//! The accelerations of a system that is held by more than the joints of its tree, and the loads that
+//! hold it.
 
+use std::collections::BTreeSet;
+
+use crate::errors::Errors;
 use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, MassMatrix};
+use crate::mechanics::variation::Direction;
 use crate::model::{Closing, Frame, System, Workspace};
-use crate::symbolic::{Components, Equation, Graph, Id, Size};
+use crate::symbolic::{Components, Elimination, Equation, Graph, Id, Size};
 
-use super::rows::{Ends, Row, rows};
+use super::joints::{self, Ends};
+use super::row::Row;
 use super::world::{Placed, place_links};
+use super::written;
 
-/// What is known of a system with loops.
+/// What keeps a scalar at zero.
+enum Keeper {
+    /// A joint that closes a loop, by number: the force and moment of a unit of its load.
+    Joint(usize, [Components; 2]),
+    /// The load of a written constraint, by number.
+    Written(usize),
+}
+
+/// What is known of a system that is held so.
 pub struct Closed {
     /// Of the open freedoms, link by link.
     pub accelerations: Vec<Vec<Id>>,
@@ -19,15 +34,20 @@ pub struct Closed {
     /// Force and moment of each joint that closes a loop on what it carries, at its point there, world
     /// axes.
     pub wrenches: Vec<[Components; 2]>,
+    /// The load of each written constraint, for one unit of its gradient.
+    pub loads: Vec<Id>,
     /// The tree with these loads on its links.
     pub loaded: Tree,
     /// The joints whose loads the equations do not determine.
     pub undetermined: Vec<usize>,
+    /// The written constraints that say nothing, or nothing new, each with the names of those it
+    /// follows from.
+    redundant: Vec<(usize, BTreeSet<String>)>,
 }
 
-/// Closes all loops; what the tree is written like does not matter, but the origins of its links are
-/// at their joints.
-pub fn close(system: &System, work: &mut Workspace, built: &Built) -> Closed {
+/// Finds all that keeps; what the tree is written like does not matter, but the origins of its links
+/// are at their joints. `motion` is how the state changes.
+pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Direction) -> Closed {
     let tree = moved_in_world(work, &built.tree);
     let placed = {
         let free: Vec<Option<[Components; 2]>> = free_links(system, work, built);
@@ -38,55 +58,115 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built) -> Closed {
         .iter()
         .map(|closing| ends(system, work, built, closing))
         .collect();
-    let (mut constraints, mut undetermined) = (Vec::new(), Vec::new());
+    let mut kept: Vec<(Keeper, Row)> = Vec::new();
     for (number, ends) in ends.iter().enumerate() {
-        let rows = rows(&mut work.graph, &built.tree, &placed, ends);
-        for row in rows {
-            // what holds in all states, as parallel axes in space do, says nothing, and has any load
-            let parts = [row.slopes.clone(), vec![row.value, row.rate, row.bias]].concat();
-            let is_idle = parts.iter().all(|part| work.graph.vanishes(*part));
-            if is_idle {
-                undetermined.push(number);
-            } else {
-                constraints.push((number, row));
+        let rows = joints::rows(&mut work.graph, &built.tree, &placed, ends);
+        let rows = rows.into_iter();
+        kept.extend(rows.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
+    }
+    let written = written::rows(system, work, built, motion).into_iter();
+    kept.extend(
+        written
+            .enumerate()
+            .map(|(number, row)| (Keeper::Written(number), row)),
+    );
+    let (mut undetermined, mut redundant) = (Vec::new(), Vec::new());
+    kept.retain(|(keeper, row)| {
+        // what holds in all states, as parallel axes in space do, says nothing, and has any load
+        let rest = [row.rate, row.bias].into_iter().chain(row.value);
+        let mut parts = row.slopes.iter().copied();
+        let is_idle = match keeper {
+            Keeper::Joint(..) => parts.chain(rest).all(|part| work.graph.vanishes(part)),
+            Keeper::Written(_) => parts.all(|part| work.graph.vanishes(part)),
+        };
+        match keeper {
+            _ if !is_idle => {}
+            Keeper::Joint(number, _) => undetermined.push(*number),
+            Keeper::Written(number) => redundant.push((*number, BTreeSet::new())),
+        }
+        !is_idle
+    });
+    let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
+    let (count, loads) = (matrix.driving.len(), kept.len());
+    let rows: Vec<&Row> = kept.iter().map(|(_, row)| row).collect();
+    let equations = equations(work, &matrix, &rows);
+    let solved = work.graph.solve(equations, count + loads);
+    for (column, others) in open(&solved, count) {
+        match &kept[column].0 {
+            Keeper::Joint(number, _) => undetermined.push(*number),
+            Keeper::Written(number) => {
+                let others = others.into_iter().map(|other| kept[other].1.name.clone());
+                redundant.push((*number, others.collect()));
             }
         }
     }
-    let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
-    let (count, loads) = (matrix.driving.len(), constraints.len());
-    let rows: Vec<&Row> = constraints.iter().map(|(_, row)| row).collect();
-    let equations = equations(work, &matrix, &rows);
-    let solved = work.graph.solve(equations, count + loads);
-    let open = solved.undetermined.iter();
-    let open = open.filter_map(|one| Some(constraints.get(one.column.checked_sub(count)?)?.0));
-    undetermined.extend(open);
     let mut found = solved.values.into_iter();
     let links = built.tree.links.iter();
     let accelerations = links.map(|link| found.by_ref().take(link.open().count()).collect());
     let accelerations = accelerations.collect();
-    let loads: Vec<Id> = found.collect();
-    let zeros = work.graph.zeros();
-    let mut wrenches = vec![[zeros; 2]; ends.len()];
-    for ((number, row), load) in constraints.iter().zip(loads) {
-        for (sum, unit) in wrenches[*number].iter_mut().zip([row.force, row.moment]) {
-            let part = work.graph.scale_vector(load, unit);
-            *sum = work.graph.add_vectors(*sum, part);
+    let mut wrenches = vec![[work.graph.zeros(); 2]; ends.len()];
+    let mut loads = vec![work.graph.zero(); system.constraints.list.len()];
+    for ((keeper, row), load) in kept.iter().zip(found) {
+        match keeper {
+            Keeper::Joint(number, unit) => {
+                for (sum, unit) in wrenches[*number].iter_mut().zip(unit) {
+                    let part = work.graph.scale_vector(load, *unit);
+                    *sum = work.graph.add_vectors(*sum, part);
+                }
+            }
+            Keeper::Written(number) => {
+                let load = work.graph.quantity(load);
+                let name = format!("{}_load", row.name.replace('.', "_"));
+                work.labels.name(load, name);
+                loads[*number] = load;
+            }
         }
     }
     let mut loaded = built.tree.clone();
     for (ends, wrench) in ends.iter().zip(&wrenches) {
         push(&mut work.graph, &mut loaded, &placed, ends, *wrench);
     }
+    written::push(system, work, built, &mut loaded, &loads);
     Closed {
         accelerations,
-        constraints: constraints.into_iter().map(|(_, row)| row).collect(),
+        constraints: kept.into_iter().map(|(_, row)| row).collect(),
         inertias: (0..count)
             .map(|freedom| matrix.rows[freedom][freedom])
             .collect(),
         wrenches,
+        loads,
         loaded,
         undetermined,
+        redundant,
     }
+}
+
+/// The rows whose loads are not determined, each with those that can do all that it does.
+fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
+    let row = |column: &usize| column.checked_sub(count);
+    let undetermined = solved.undetermined.iter();
+    let open = undetermined.filter_map(|one| {
+        let others = one.others.iter().filter_map(row).collect();
+        Some((row(&one.column)?, others))
+    });
+    open.collect()
+}
+
+/// Reports written constraints that say nothing, or nothing new.
+pub fn check_kept(system: &System, closed: &Closed, errors: &mut Errors) -> Option<()> {
+    for (number, others) in &closed.redundant {
+        let constraint = &system.constraints.list[*number];
+        let name = &constraint.name;
+        let message = if others.is_empty() {
+            format!("no acceleration changes `{name}`: no load can keep it at zero")
+        } else {
+            let others: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
+            let others = others.join(" and ");
+            format!("`{name}` is kept already by {others}: leave one of them out")
+        };
+        errors.push(constraint.place.span(), message);
+    }
+    closed.redundant.is_empty().then_some(())
 }
 
 /// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads.
@@ -100,8 +180,13 @@ fn equations(work: &mut Workspace, matrix: &MassMatrix, constraints: &[&Row]) ->
         let coefficients = [row.clone(), of_loads].concat();
         sides.push((coefficients, matrix.driving[freedom], Some(freedom)));
     }
-    for row in constraints {
-        let coefficients = [row.slopes.clone(), vec![zero; loads]].concat();
+    let one = work.graph.one();
+    for (number, row) in constraints.iter().enumerate() {
+        let mut coefficients = [row.slopes.clone(), vec![zero; loads]].concat();
+        // where it says nothing, its load is zero
+        if let Some(active) = row.active {
+            coefficients[matrix.driving.len() + number] = work.graph.select(active, zero, one);
+        }
         sides.push((coefficients, work.graph.negate(row.bias), None));
     }
     let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();

@@ -1,0 +1,14 @@
+//! What is kept beside the joints of the tree: joints that close loops, and written constraints. The
+//! loads that keep it are found with the accelerations,
+//!
+//! ```text
+//! M q'' - A^T l = f        A q'' = -b        A: slopes of the constraints, b: their bias
+//! ```
+
+mod joints;
+mod row;
+mod solve;
+mod world;
+mod written;
+
+pub use solve::{Closed, check_kept, close, moved_in_world};

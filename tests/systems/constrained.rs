@@ -289,3 +289,410 @@ fn gears_and_racks() {
     let drive = 0.002 * 2.0 + 0.7 * 1.0 - mesh;
     close("drive", &[loads.shaft_drive], &[drive], 1.0, 1e-13);
 }
+
+/// A crate slides on a cart with friction that follows what the cart carries it with.
+mod friction {
+    use newton_euler::prelude::*;
+
+    rigid_system!(Cart {
+        motion: planar,
+        params: [mu = 0.3],
+        bodies: [
+            cart {
+                mass: 3[kg],
+                points: [top = (0, 0.2)[m]]
+            },
+            load {
+                mass: 5[kg],
+                inertia: 0.4[kg * m ^ 2],
+                points: [left = (-0.3, -0.25)[m], right = (0.4, -0.25)[m]],
+            },
+        ],
+        joints: [
+            track = prismatic(world(0, 0), cart.G, body(1, 0)),
+            away = free(load)
+        ],
+        constraints: [
+            first = load.left.position().in_world().y - cart.top.position().in_world().y,
+            second = load.right.position().in_world().y - cart.top.position().in_world().y,
+        ],
+        drives: [drag = (mu * (first + second)).on(track)],
+        fields: [weight = mass * world(0, -9.8[m / s ^ 2])],
+        forces: [],
+        outputs: [reactions, balance],
+    });
+
+    rigid_system!(Brake {
+        motion: planar,
+        params: [mu = 0.4, radius = 0.2[m]],
+        bodies: [
+            drum {
+                mass: 2[kg],
+                inertia: 0.05[kg * m ^ 2]
+            },
+            shoe {
+                mass: 0.5[kg],
+                inertia: 0.01[kg * m ^ 2],
+                points: [hinge = (-0.4, 0)[m], pad = (0, -0.1)[m]],
+                forces: [press = world(0, -30[N]), rub = world(mu * touch, 0).at(pad),],
+            },
+        ],
+        joints: [
+            axle = revolute(world(0, 0), drum.G),
+            arm = revolute(world(-0.4, 0.3), shoe.hinge),
+        ],
+        constraints: [touch = shoe.pad.position().in_world().y - radius],
+        moments: [friction = moment(mu * radius * touch).on(drum)],
+        outputs: [reactions, inverse],
+        drives: [motor = _.on(axle)],
+    });
+}
+
+#[test]
+fn friction_follows_what_keeps_a_constraint() {
+    let cart = friction::Cart::default();
+    let state = friction::CartState {
+        track: Slide {
+            position: 0.1,
+            velocity: 0.0,
+        },
+        away: Planar {
+            position: [0.2, 0.45].into(),
+            velocity: [2.0, 0.0].into(),
+            ..Planar::default()
+        },
+    };
+    cart.check(0.0, &state, &()).unwrap();
+    let found = cart.acceleration(0.0, &state, &());
+    // nothing holds the crate along x: the drag acts on the cart alone, from the ground
+    close("cart", &[found.track], &[0.3 * 5.0 * 9.8 / 3.0], 1.0, 1e-13);
+    close("crate", found.away.linear.as_slice(), &[0.0; 2], 1.0, 1e-13);
+    let loads = cart.reactions(0.0, &state, &());
+    close(
+        "both",
+        &[loads.first + loads.second],
+        &[5.0 * 9.8],
+        1.0,
+        1e-12,
+    );
+    // moments about G: 0.3 first = 0.4 second
+    close(
+        "first",
+        &[loads.first],
+        &[5.0 * 9.8 * 4.0 / 7.0],
+        1.0,
+        1e-12,
+    );
+    let left = cart.residual(0.0, &state, &found, &loads, &());
+    close("cart", left.cart.force.as_slice(), &[0.0; 2], 30.0, 1e-13);
+    close("crate", left.load.force.as_slice(), &[0.0; 2], 30.0, 1e-13);
+    close("crate", &left.load.moment.list(), &[0.0], 30.0, 1e-13);
+
+    let brake = friction::Brake::default();
+    let turn = |rate: f64| friction::BrakeState {
+        axle: Hinge {
+            angle: 0.3,
+            angular_velocity: rate,
+        },
+        arm: Hinge::default(),
+    };
+    let state = turn(-5.0);
+    brake.check(0.0, &state, &()).unwrap();
+    let found = brake.acceleration(0.0, &state, &());
+    let loads = brake.reactions(0.0, &state, &());
+    // about the hinge of the shoe: 0.4 (N - 30) + 0.1 mu N = 0
+    let normal = 0.4 * 30.0 / (0.4 + 0.1 * 0.4);
+    close("normal", &[loads.touch], &[normal], 1.0, 1e-12);
+    close(
+        "drum",
+        &[found.axle],
+        &[0.4 * 0.2 * normal / 0.05],
+        1.0,
+        1e-11,
+    );
+    assert!(found.arm.abs() < 1e-12);
+    // and the motor that holds its pace
+    let mut wanted = found;
+    wanted.axle = 0.0;
+    let drives = brake.inverse(0.0, &state, &wanted, &());
+    close("motor", &[drives.motor], &[-0.4 * 0.2 * normal], 1.0, 1e-12);
+}
+
+/// Rolling in space: a disc alone as a body with reactions, and as a system; and on a turntable.
+mod rolling {
+    use newton_euler::prelude::*;
+
+    rigid_body!(Disc {
+        motion: spatial,
+        params: [radius = 0.3[m]],
+        mass: 2[kg],
+        inertia: principal(0.05, 0.09, 0.05)[kg * m ^ 2],
+        locals: [
+            axis = body(0, 1, 0),
+            down = world(0, 0, -1) + axis.in_world().z * axis,
+        ],
+        points: [contact = G + radius * down / down.norm()],
+        fields: [weight = mass * world(0, 0, -9.8[m / s ^ 2])],
+        constraints: [rolling = contact.velocity()],
+        reactions: [ground = world(_, _, _).at(contact)],
+        outputs: [reactions],
+    });
+
+    rigid_system!(Discs {
+        params: [radius = 0.3[m]],
+        bodies: [disc {
+            mass: 2[kg],
+            inertia: principal(0.05, 0.09, 0.05)[kg * m ^ 2],
+            locals: [
+                axis = body(0, 1, 0),
+                down = world(0, 0, -1) + axis.in_world().z * axis,
+            ],
+            points: [contact = G + radius * down / down.norm()],
+            constraints: [rolling = contact.velocity()],
+        },],
+        joints: [away = free(disc)],
+        fields: [weight = mass * world(0, 0, -9.8[m / s ^ 2])],
+        outputs: [reactions, balance, energy],
+    });
+
+    // the same disc on a hinged fork without mass of its own worth speaking of, and held by its height
+    rigid_system!(Tilted {
+        params: [radius = 0.3[m]],
+        bodies: [
+            fork {
+                mass: 0.5[kg],
+                inertia: principal(0.02, 0.03, 0.04)[kg * m ^ 2]
+            },
+            disc {
+                mass: 2[kg],
+                inertia: principal(0.05, 0.09, 0.05)[kg * m ^ 2],
+                locals: [
+                    axis = body(0, 1, 0),
+                    down = world(0, 0, -1) + axis.in_world().z * axis,
+                ],
+                points: [contact = G + radius * down / down.norm()],
+            },
+        ],
+        joints: [
+            away = free(fork),
+            hub = revolute(fork.G, disc.G, body(0, 1, 0)),
+        ],
+        constraints: [
+            touch = disc.contact.position().in_world().z,
+            slip = disc.contact.velocity().in_world().x,
+        ],
+        fields: [weight = mass * world(0, 0, -9.8[m / s ^ 2])],
+        outputs: [reactions, balance],
+    });
+
+    // a ball on a turntable goes round in circles, at 2/7 of its rate
+    rigid_system!(Turntable {
+        params: [radius = 0.05[m]],
+        bodies: [
+            table {
+                mass: 8[kg],
+                inertia: principal(0.2, 0.2, 0.4)[kg * m ^ 2]
+            },
+            ball {
+                mass: 0.4[kg],
+                inertia: sphere(0.05[m])
+            },
+        ],
+        joints: [
+            axle = revolute(world(0, 0, 0), table.G, body(0, 0, 1)).driven(2[rad / s] * t),
+            away = free(ball),
+        ],
+        locals: [
+            arm = world(0, 0, -1) * radius,
+            under = ball.position + arm,
+            matter = table.angular_velocity.cross(under),
+        ],
+        constraints: [rolling = ball.velocity + ball.angular_velocity.cross(arm) - matter,],
+        fields: [weight = mass * world(0, 0, -9.8[m / s ^ 2])],
+        outputs: [reactions],
+    });
+}
+
+#[test]
+fn bodies_roll_in_space() {
+    let mut numbers = Random::new(5);
+    let (alone, discs) = (rolling::Disc::default(), rolling::Discs::default());
+    for _ in 0..20 {
+        let mut vector = || nalgebra::Vector3::from_fn(|_, _| numbers.number());
+        let attitude = nalgebra::UnitQuaternion::from_scaled_axis(vector());
+        let mut state = Spatial {
+            position: vector(),
+            attitude,
+            velocity: vector(),
+            angular_velocity: vector(),
+        };
+        alone.project(0.0, &mut state, &()).unwrap();
+        let system = rolling::DiscsState { away: state };
+        let (one, other) = (
+            alone.acceleration(0.0, &state, &()),
+            discs.acceleration(0.0, &system, &()),
+        );
+        close(
+            "linear",
+            other.away.linear.as_slice(),
+            one.linear.as_slice(),
+            10.0,
+            1e-11,
+        );
+        close(
+            "angular",
+            other.away.angular.as_slice(),
+            one.angular.as_slice(),
+            10.0,
+            1e-11,
+        );
+        let ground = alone.reactions(0.0, &state, &()).unwrap().ground;
+        let loads = discs.reactions(0.0, &system, &());
+        let found = [
+            loads.disc_rolling_x,
+            loads.disc_rolling_y,
+            loads.disc_rolling_z,
+        ];
+        close("ground", &found, ground.as_slice(), 30.0, 1e-11);
+        let left = discs.residual(0.0, &system, &other, &loads, &());
+        close("force", left.disc.force.as_slice(), &[0.0; 3], 30.0, 1e-12);
+        close(
+            "moment",
+            left.disc.moment.as_slice(),
+            &[0.0; 3],
+            30.0,
+            1e-12,
+        );
+    }
+    let tilted = rolling::Tilted::default();
+    for _ in 0..20 {
+        let mut vector = || nalgebra::Vector3::from_fn(|_, _| numbers.number());
+        let away = Spatial {
+            position: vector(),
+            attitude: nalgebra::UnitQuaternion::from_scaled_axis(vector()),
+            velocity: vector(),
+            angular_velocity: vector(),
+        };
+        let mut state = rolling::TiltedState {
+            away,
+            hub: Hinge {
+                angle: numbers.number(),
+                angular_velocity: numbers.number(),
+            },
+        };
+        tilted.project(0.0, &mut state, &()).unwrap();
+        let found = tilted.acceleration(0.0, &state, &());
+        let loads = tilted.reactions(0.0, &state, &());
+        let left = tilted.residual(0.0, &state, &found, &loads, &());
+        for part in [left.fork, left.disc] {
+            close("force", part.force.as_slice(), &[0.0; 3], 30.0, 1e-12);
+            close("moment", part.moment.as_slice(), &[0.0; 3], 30.0, 1e-12);
+        }
+        let moved = |time: f64| {
+            let middle = state.moved(&(state.rate(&found) * (0.5 * time)));
+            state.moved(&(middle.rate(&found) * time))
+        };
+        let worst = |time: f64| {
+            let violations = tilted.violations(0.0, &moved(time), &());
+            violations
+                .iter()
+                .map(|one| one.velocity.abs())
+                .fold(0.0, f64::max)
+        };
+        // rates are off by the square of the time, were accelerations right
+        assert!(worst(1e-4) < 0.015 * worst(1e-3) + 1e-11);
+    }
+    let turntable = rolling::Turntable::default();
+    let mut start = rolling::TurntableState {
+        away: Spatial {
+            position: [0.3, 0.1, 0.05].into(),
+            velocity: [0.2, -0.1, 0.0].into(),
+            ..Spatial::default()
+        },
+    };
+    turntable.project(0.0, &mut start, &()).unwrap();
+    // a circle in 7/2 turns of the table
+    let period = core::f64::consts::TAU * 3.5 / 2.0;
+    let end = turntable
+        .integrate(&start)
+        .tolerance(1e-12)
+        .to(period)
+        .unwrap();
+    close(
+        "position",
+        end.away.position.as_slice(),
+        start.away.position.as_slice(),
+        1.0,
+        1e-9,
+    );
+    close(
+        "velocity",
+        end.away.velocity.as_slice(),
+        start.away.velocity.as_slice(),
+        1.0,
+        1e-9,
+    );
+}
+
+/// A constraint that says nothing on one side of a condition.
+mod stop {
+    use newton_euler::prelude::*;
+
+    rigid_system!(Stopped {
+        motion: planar,
+        bodies: [first { mass: 2[kg] }, second { mass: 3[kg] },],
+        joints: [
+            a = prismatic(world(0, 0), first.G, body(1, 0)),
+            b = prismatic(world(0, 1), second.G, body(1, 0)),
+        ],
+        inputs: [push[N]],
+        drives: [pushed = push.on(a)],
+        constraints: [
+            chain = if b.position > 1[m] {
+                a.position - b.position
+            } else {
+                0[m]
+            },
+            even = b.velocity.max(0.5[m / s]) - 0.5[m / s],
+        ],
+        outputs: [reactions],
+    });
+}
+
+#[test]
+fn constraints_that_say_nothing_on_a_branch() {
+    let stopped = stop::Stopped::default();
+    let at = |position: f64, velocity: f64| stop::StoppedState {
+        a: Slide { position, velocity },
+        b: Slide { position, velocity },
+    };
+    let input = stop::StoppedInput { push: 10.0 };
+    let found = |position, velocity| {
+        let state = at(position, velocity);
+        let found = stopped.acceleration(0.0, &state, &input);
+        let loads = stopped.reactions(0.0, &state, &input);
+        [found.a, found.b, loads.chain, loads.even]
+    };
+    close(
+        "both apart",
+        &found(0.5, 0.2),
+        &[5.0, 0.0, 0.0, 0.0],
+        1.0,
+        1e-14,
+    );
+    close(
+        "chained",
+        &found(1.5, 0.2),
+        &[2.0, 2.0, -6.0, 0.0],
+        1.0,
+        1e-13,
+    );
+    close("paced", &found(0.5, 0.7), &[5.0, 0.0, 0.0, 0.0], 1.0, 1e-13);
+    close(
+        "chained and paced",
+        &found(1.5, 0.7),
+        &[0.0, 0.0, -10.0, -10.0],
+        1.0,
+        1e-13,
+    );
+}

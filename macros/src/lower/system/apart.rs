@@ -8,6 +8,7 @@
 
 use std::collections::HashMap;
 
+use crate::errors::Errors;
 use crate::lower::expressions::{BodyMotion, Value};
 use crate::model::{Along, Displaced, Form, Frame, State, TreeJoint, Turns, Variable, Vector};
 use crate::symbolic::{Components, Id, Stage};
@@ -44,6 +45,10 @@ impl Reader<'_> {
             .chain(apart.along.iter().map(|one| one.rate))
             .collect();
         self.work.turns = Some(Turns::new(self.motion.axes(), Frame::WORLD));
+        // what is wrong with these is reported already
+        let mut reported = Errors::default();
+        self.late_points(drafts, &mut reported);
+        let _ = reported.finish();
         let values = read(self, drafts, &rates);
         let turns = self.work.turns.take()?;
         for (draft, ((state, scope), carrier)) in drafts

@@ -19,8 +19,8 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Members, Scope};
 use crate::model::{
-    Closing, Constraint, Declared, Defaults, Meaning, Member, Outline, PLANAR, SPATIAL, System,
-    TreeJoint, Workspace,
+    Closing, Constraint, Declared, Defaults, Kept, Meaning, Member, Outline, PLANAR, SPATIAL,
+    System, TreeJoint, Workspace,
 };
 use crate::symbolic::{Components, Stage};
 use crate::syntax;
@@ -57,6 +57,8 @@ pub fn lower_system(
         time,
         defaults: Defaults::new(),
         derivatives: Vec::new(),
+        kept: Some(Kept::default()),
+        first_load: 2 * outline.holding.len(),
     };
     reader.defaults = reader.at_top(errors, |lowering| {
         lowering.declarations(&system.top, outline)
@@ -71,10 +73,12 @@ pub fn lower_system(
     let (closings, joints) = reader.closings(&closing, joints, errors);
     let joints = reader.motions(order, joints, &mut drafts);
     reader.members.are_moving = true;
+    reader.late_points(&mut drafts, errors);
     reader.locals(errors, true);
-    let bodies = reader.bodies(&mut drafts, &mut wrong, errors);
+    reader.top_constraints(&outline.inputs, errors);
+    let bodies = reader.bodies(&mut drafts, &mut wrong, &outline.inputs, errors);
     let potentials = reader.potentials(&mut drafts, &joints, errors);
-    let constraints = reader.constraints(&mut drafts, &joints, &outline.inputs, errors);
+    let constraints = reader.constraints_apart(&mut drafts, &joints, errors);
     let joints = reader.drives(joints, errors);
     let between = reader.loads_between(errors);
     let points = reader.asked_points(errors);

@@ -77,15 +77,19 @@ pub fn derive_system_balances(
         }
         let [taken_force, taken_moment] =
             taken(system, work, body, &motions[built.body(number)], number);
+        let given = in_world(work, [force, moment], &body.name);
+        let applied = applied(work, equations, &given);
         let [less_force, less_moment] = [taken_force, taken_moment].map(|part| work.negate(part));
         let residual = [
             work.add(sums[0], less_force),
             work.add(sums[1], less_moment),
         ];
         all.push(BodyBalance {
-            applied: in_world(work, [force, moment], &body.name),
+            applied,
             residual: in_world(work, residual, &body.name),
-            loads: loads().map(|load| listed(work, body, load)).collect(),
+            loads: loads()
+                .map(|load| listed(work, equations, body, load))
+                .collect(),
         });
     }
     all
@@ -203,10 +207,27 @@ fn in_world(work: &mut Workspace, parts: [Vector; 2], body: &Ident) -> Resultant
     Resultant { force, moment }
 }
 
-fn listed(work: &mut Workspace, body: &Member, load: &Load) -> LoadExpressions {
+/// With what is found where loads follow those of constraints.
+fn applied(work: &mut Workspace, equations: &SystemEquations, given: &Resultant) -> Resultant {
+    let [force, moment] = [given.force, given.moment].map(|part| with_loads(work, equations, part));
+    Resultant { force, moment }
+}
+
+fn with_loads(work: &mut Workspace, equations: &SystemEquations, part: Components) -> Components {
+    let found = equations.with_loads(work, &part);
+    [found[0], found[1], found[2]]
+}
+
+fn listed(
+    work: &mut Workspace,
+    equations: &SystemEquations,
+    body: &Member,
+    load: &Load,
+) -> LoadExpressions {
     let place: Vector = body.state.place(work, load.point);
     let world = |work: &mut Workspace, vector: Vector| -> Components {
-        work.components(vector, Frame::WORLD)
+        let found = work.components(vector, Frame::WORLD);
+        with_loads(work, equations, found)
     };
     LoadExpressions {
         name: load.name.to_string(),

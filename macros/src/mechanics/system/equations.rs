@@ -10,7 +10,7 @@ use crate::mechanics::tree::{self, Built, Solved};
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
 
-use super::constraints::{self, Closed, check_kept};
+use super::constraints::{self, Closed, check_kept, replace};
 use super::motion::motion;
 
 /// The equations of motion of a system.
@@ -64,7 +64,12 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let roots = accelerations.concat();
     let time = system.bodies.first().map(|body| body.state.time);
     let switches = time.map(|time| derive_switches(time, &system.derivatives, work, &roots));
-    let loads = loads(system, work);
+    let mut loads = loads(system, work);
+    if let Some(closed) = &closed {
+        for (_, parts) in &mut loads {
+            *parts = replace(&mut work.graph, parts, &closed.values);
+        }
+    }
     SystemEquations {
         switches: switches.unwrap_or_default(),
         partial: list_partial(loads, work),
@@ -83,6 +88,16 @@ impl SystemEquations {
         closed.map_or(&self.built.tree, |closed| &closed.loaded)
     }
 
+    /// An expression without symbols of the loads of constraints.
+    pub fn with_loads(&self, work: &mut Workspace, roots: &[Id]) -> Vec<Id> {
+        match &self.closed {
+            Some(closed) if !closed.values.is_empty() => {
+                replace(&mut work.graph, roots, &closed.values)
+            }
+            _ => roots.to_vec(),
+        }
+    }
+
     /// The load of each written constraint.
     pub fn kept_loads(&self) -> &[Id] {
         let closed = self.closed.as_ref();
@@ -98,7 +113,7 @@ impl SystemEquations {
     /// The joints that close loops whose loads are not determined, by number.
     pub fn undetermined(&self) -> &[usize] {
         let closed = self.closed.as_ref();
-        closed.map_or(&[], |closed| &closed.undetermined)
+        closed.map_or(&[], |closed| &closed.unsettled.joints)
     }
 }
 

@@ -14,6 +14,7 @@ mod totals;
 
 pub use balance::{BodyBalance, derive_system_balances};
 pub use consistency::derive_system_consistency;
+pub use constraints::check_followers;
 pub use equations::{SystemEquations, derive_system, describe_system};
 pub use jacobian::{Jacobian, derive_jacobians};
 pub use loads::{derive_system_driving, derive_system_inverse, derive_system_reactions};

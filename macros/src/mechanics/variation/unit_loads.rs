@@ -7,7 +7,7 @@
 
 use std::collections::HashSet;
 
-use crate::model::{Form, Frame, Level, Turn, Workspace};
+use crate::model::{Displaced, Form, Frame, Level, Turn, Workspace};
 use crate::symbolic::Id;
 
 use super::potential::{Derived, Draw, derive, expand};
@@ -33,7 +33,7 @@ pub fn derive_unit_loads(
 }
 
 fn by_rates(work: &mut Workspace, form: &Form, value: Id) -> Derived {
-    let bodies = form.bodies.iter().flat_map(|body| body.rates());
+    let bodies = form.bodies.iter().flat_map(Displaced::rates);
     let along = form.along.iter().map(|freedom| freedom.rate);
     let turned = form.turns.iter().flat_map(|turn: &Turn| turn.turned);
     let leaves: HashSet<Id> = bodies

@@ -27,6 +27,8 @@ pub struct Workspace {
     pub turned: Vec<Turn>,
     /// Of a rod, products `u x b`, and b; world axes.
     pub swept: Vec<(Components, Components)>,
+    /// A vector was turned between frames that do not turn, or of which that is not known yet.
+    pub met_still: bool,
     /// What was written that parameters may leave without a value.
     pub doubtful: Vec<Doubtful>,
 }

@@ -69,8 +69,11 @@ pub struct Closing {
 }
 
 /// What the motion of a system keeps at zero.
+#[derive(Default)]
 pub struct Kept {
     pub list: Vec<Constraint>,
+    /// The symbols of the loads that keep them: given loads may follow these.
+    pub loads: Vec<Id>,
     /// The same scalars as functions of each body by itself, if there are any.
     pub form: Option<Form>,
 }

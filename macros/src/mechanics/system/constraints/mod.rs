@@ -5,10 +5,14 @@
 //! M q'' - A^T l = f        A q'' = -b        A: slopes of the constraints, b: their bias
 //! ```
 
+mod followers;
+mod inverse;
 mod joints;
 mod row;
 mod solve;
 mod world;
 mod written;
 
+pub use followers::{check_followers, replace};
+pub use inverse::solve_drives;
 pub use solve::{Closed, check_kept, close, moved_in_world};

@@ -11,6 +11,7 @@ use crate::mechanics::variation::Direction;
 use crate::model::{Closing, Frame, System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id, Size};
 
+use super::followers::{replace_in_tree, split};
 use super::joints::{self, Ends};
 use super::row::Row;
 use super::world::{Placed, place_links};
@@ -29,6 +30,8 @@ pub struct Closed {
     /// Of the open freedoms, link by link.
     pub accelerations: Vec<Vec<Id>>,
     pub constraints: Vec<Row>,
+    /// For each, its number if it is written.
+    pub written: Vec<Option<usize>>,
     /// Of the mass matrix of the tree: what each freedom has alone.
     pub inertias: Vec<Id>,
     /// Force and moment of each joint that closes a loop on what it carries, at its point there, world
@@ -36,13 +39,21 @@ pub struct Closed {
     pub wrenches: Vec<[Components; 2]>,
     /// The load of each written constraint, for one unit of its gradient.
     pub loads: Vec<Id>,
+    /// The symbols of these loads, each with what is found.
+    pub values: Vec<(Id, Id)>,
     /// The tree with these loads on its links.
     pub loaded: Tree,
-    /// The joints whose loads the equations do not determine.
-    pub undetermined: Vec<usize>,
-    /// The written constraints that say nothing, or nothing new, each with the names of those it
-    /// follows from.
-    redundant: Vec<(usize, BTreeSet<String>)>,
+    pub unsettled: Unsettled,
+}
+
+/// What has loads that the equations do not determine, by number.
+#[derive(Default)]
+pub struct Unsettled {
+    /// Joints that close loops.
+    pub joints: Vec<usize>,
+    /// Written constraints that say nothing, or nothing new, each with the names of those it follows
+    /// from.
+    written: Vec<(usize, BTreeSet<String>)>,
 }
 
 /// Finds all that keeps; what the tree is written like does not matter, but the origins of its links
@@ -65,46 +76,96 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         kept.extend(rows.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
     }
     let written = written::rows(system, work, built, motion).into_iter();
-    kept.extend(
-        written
-            .enumerate()
-            .map(|(number, row)| (Keeper::Written(number), row)),
-    );
-    let (mut undetermined, mut redundant) = (Vec::new(), Vec::new());
+    let written = written.enumerate();
+    kept.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
+    let mut unsettled = Unsettled::default();
     kept.retain(|(keeper, row)| {
-        // what holds in all states, as parallel axes in space do, says nothing, and has any load
-        let rest = [row.rate, row.bias].into_iter().chain(row.value);
-        let mut parts = row.slopes.iter().copied();
-        let is_idle = match keeper {
-            Keeper::Joint(..) => parts.chain(rest).all(|part| work.graph.vanishes(part)),
-            Keeper::Written(_) => parts.all(|part| work.graph.vanishes(part)),
-        };
-        match keeper {
-            _ if !is_idle => {}
-            Keeper::Joint(number, _) => undetermined.push(*number),
-            Keeper::Written(number) => redundant.push((*number, BTreeSet::new())),
+        let is_idle = keeper.is_idle(work, row);
+        if is_idle {
+            unsettled.add(keeper, BTreeSet::new());
         }
         !is_idle
     });
     let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
-    let (count, loads) = (matrix.driving.len(), kept.len());
+    let count = matrix.driving.len();
+    let written: Vec<Option<usize>> = kept.iter().map(|(keeper, _)| keeper.number()).collect();
+    let symbols = &system.constraints.loads;
+    let followed: Vec<Option<Id>> = written.iter().map(|one| Some(symbols[(*one)?])).collect();
     let rows: Vec<&Row> = kept.iter().map(|(_, row)| row).collect();
-    let equations = equations(work, &matrix, &rows);
-    let solved = work.graph.solve(equations, count + loads);
+    let equations = equations(work, &matrix, &rows, &followed);
+    let solved = work.graph.solve(equations, count + kept.len());
     for (column, others) in open(&solved, count) {
-        match &kept[column].0 {
-            Keeper::Joint(number, _) => undetermined.push(*number),
-            Keeper::Written(number) => {
-                let others = others.into_iter().map(|other| kept[other].1.name.clone());
-                redundant.push((*number, others.collect()));
-            }
-        }
+        let others = others.into_iter().map(|other| kept[other].1.name.clone());
+        unsettled.add(&kept[column].0, others.collect());
     }
     let mut found = solved.values.into_iter();
     let links = built.tree.links.iter();
     let accelerations = links.map(|link| found.by_ref().take(link.open().count()).collect());
     let accelerations = accelerations.collect();
-    let mut wrenches = vec![[work.graph.zeros(); 2]; ends.len()];
+    let (wrenches, loads) = loads_of(system, work, &kept, found);
+    let mut loaded = built.tree.clone();
+    for (ends, wrench) in ends.iter().zip(&wrenches) {
+        push(&mut work.graph, &mut loaded, &placed, ends, *wrench);
+    }
+    written::push(system, work, built, &mut loaded, &loads);
+    let values: Vec<(Id, Id)> = symbols.iter().copied().zip(loads.iter().copied()).collect();
+    replace_in_tree(&mut work.graph, &mut loaded, &values);
+    Closed {
+        accelerations,
+        constraints: kept.into_iter().map(|(_, row)| row).collect(),
+        written,
+        inertias: (0..count)
+            .map(|freedom| matrix.rows[freedom][freedom])
+            .collect(),
+        wrenches,
+        loads,
+        values,
+        loaded,
+        unsettled,
+    }
+}
+
+impl Keeper {
+    /// Of a written constraint, its number.
+    fn number(&self) -> Option<usize> {
+        match self {
+            Self::Joint(..) => None,
+            Self::Written(number) => Some(*number),
+        }
+    }
+
+    /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as those of
+    /// parallel axes in space do, has any load.
+    fn is_idle(&self, work: &Workspace, row: &Row) -> bool {
+        let rest = [row.rate, row.bias].into_iter().chain(row.value);
+        let mut parts = row.slopes.iter().copied();
+        let vanishes = |part: Id| work.graph.vanishes(part);
+        match self {
+            Self::Joint(..) => parts.chain(rest).all(vanishes),
+            Self::Written(_) => parts.all(vanishes),
+        }
+    }
+}
+
+impl Unsettled {
+    /// Something whose load is not determined, with the names of what can do all that it does.
+    fn add(&mut self, keeper: &Keeper, others: BTreeSet<String>) {
+        match keeper {
+            Keeper::Joint(number, _) => self.joints.push(*number),
+            Keeper::Written(number) => self.written.push((*number, others)),
+        }
+    }
+}
+
+/// Force and moment of each joint that closes a loop, and the load of each written constraint, by the
+/// loads of all rows.
+fn loads_of(
+    system: &System,
+    work: &mut Workspace,
+    kept: &[(Keeper, Row)],
+    found: impl Iterator<Item = Id>,
+) -> (Vec<[Components; 2]>, Vec<Id>) {
+    let mut wrenches = vec![[work.graph.zeros(); 2]; system.closings.len()];
     let mut loads = vec![work.graph.zero(); system.constraints.list.len()];
     for ((keeper, row), load) in kept.iter().zip(found) {
         match keeper {
@@ -122,23 +183,7 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
             }
         }
     }
-    let mut loaded = built.tree.clone();
-    for (ends, wrench) in ends.iter().zip(&wrenches) {
-        push(&mut work.graph, &mut loaded, &placed, ends, *wrench);
-    }
-    written::push(system, work, built, &mut loaded, &loads);
-    Closed {
-        accelerations,
-        constraints: kept.into_iter().map(|(_, row)| row).collect(),
-        inertias: (0..count)
-            .map(|freedom| matrix.rows[freedom][freedom])
-            .collect(),
-        wrenches,
-        loads,
-        loaded,
-        undetermined,
-        redundant,
-    }
+    (wrenches, loads)
 }
 
 /// The rows whose loads are not determined, each with those that can do all that it does.
@@ -154,7 +199,7 @@ fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
 
 /// Reports written constraints that say nothing, or nothing new.
 pub fn check_kept(system: &System, closed: &Closed, errors: &mut Errors) -> Option<()> {
-    for (number, others) in &closed.redundant {
+    for (number, others) in &closed.unsettled.written {
         let constraint = &system.constraints.list[*number];
         let name = &constraint.name;
         let message = if others.is_empty() {
@@ -166,19 +211,34 @@ pub fn check_kept(system: &System, closed: &Closed, errors: &mut Errors) -> Opti
         };
         errors.push(constraint.place.span(), message);
     }
-    closed.redundant.is_empty().then_some(())
+    closed.unsettled.written.is_empty().then_some(())
 }
 
-/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads.
-fn equations(work: &mut Workspace, matrix: &MassMatrix, constraints: &[&Row]) -> Vec<Equation> {
+/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l; what of f follows
+/// these, by its symbols, is on the left.
+fn equations(
+    work: &mut Workspace,
+    matrix: &MassMatrix,
+    constraints: &[&Row],
+    followed: &[Option<Id>],
+) -> Vec<Equation> {
     let loads = constraints.len();
     let zero = work.graph.zero();
+    let symbols: Vec<Id> = followed.iter().flatten().copied().collect();
+    let (driving, following) = split(&mut work.graph, &matrix.driving, &symbols);
+    let following = |symbol: &Option<Id>, freedom: usize| {
+        let number = symbols.iter().position(|one| Some(*one) == *symbol)?;
+        Some(following[number][freedom])
+    };
     let mut sides = Vec::new();
     for (freedom, row) in matrix.rows.iter().enumerate() {
-        let slopes = constraints.iter().map(|row| row.slopes[freedom]);
-        let of_loads: Vec<Id> = slopes.map(|slope| work.graph.negate(slope)).collect();
-        let coefficients = [row.clone(), of_loads].concat();
-        sides.push((coefficients, matrix.driving[freedom], Some(freedom)));
+        let mut coefficients = row.clone();
+        for (row, symbol) in constraints.iter().zip(followed) {
+            let follows = following(symbol, freedom).unwrap_or(zero);
+            let whole = work.graph.add(row.slopes[freedom], follows);
+            coefficients.push(work.graph.negate(whole));
+        }
+        sides.push((coefficients, driving[freedom], Some(freedom)));
     }
     let one = work.graph.one();
     for (number, row) in constraints.iter().enumerate() {

@@ -79,9 +79,9 @@ fn push_one(
         };
         let force = work.components(draw.force, displaced.body);
         let link = &mut tree.links[built.body(body)];
-        for axis in 0..3 {
-            link.force[axis] = add(&mut work.graph, link.force[axis], force[axis]);
-            link.moment[axis] = add(&mut work.graph, link.moment[axis], draw.moment[axis]);
+        let sums = link.force.iter_mut().chain(&mut link.moment);
+        for (sum, part) in sums.zip(force.into_iter().chain(draw.moment)) {
+            *sum = add(&mut work.graph, *sum, part);
         }
     }
     for (along, part) in form.along.iter().zip(&unit.along) {

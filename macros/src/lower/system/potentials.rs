@@ -58,8 +58,10 @@ impl Reader<'_> {
         joints: &[TreeJoint],
         errors: &mut Errors,
     ) -> Option<Form> {
+        // what is prescribed is a function of time, or a number that stands elsewhere too
         let moving: Vec<&Coordinate> = joints
             .iter()
+            .filter(|joint| !joint.is_driven())
             .flat_map(|joint| &joint.coordinates.0)
             .collect();
         let of = |variables: [Variable; 2]| {
@@ -78,7 +80,8 @@ impl Reader<'_> {
             .map(|draft| self.work.carrier(draft.frame))
             .collect();
         let apart = self.displace(drafts, joints, &places);
-        self.work.turns = Some(Turns::new(self.motion.axes(), Frame::WORLD));
+        let bodies = apart.bodies.iter().map(|displaced| displaced.body);
+        self.work.turns = Some(Turns::of_bodies(self.motion.axes(), bodies));
         let energies = self.energies(drafts, &rates, errors);
         let turns = self.work.turns.take()?;
         for (draft, ((state, scope), carrier)) in drafts

@@ -13,6 +13,9 @@
 #[path = "../../random_bodies/src/wide/mod.rs"]
 mod wide;
 
+#[path = "../../lagrange_systems/mod.rs"]
+mod lagrange;
+
 mod check;
 mod draw;
 mod law;
@@ -101,6 +104,7 @@ mod tests {
     fn seen(
         is_of_kind: impl Fn(&Drawn) -> bool,
         change: impl Fn(&mut Compiled) -> Option<()>,
+        word: &str,
     ) -> (usize, usize) {
         let mut rng = fastrand::Rng::with_seed(5);
         let (mut wrong, mut seen) = (0, 0);
@@ -120,7 +124,7 @@ mod tests {
             }
             if let Some(found) = check(&drawn, &compiled, &state, &mut rng) {
                 wrong += 1;
-                seen += usize::from(found.is_err());
+                seen += usize::from(found.is_err_and(|text| text.contains(word)));
             }
         }
         (wrong, seen)
@@ -148,13 +152,19 @@ mod tests {
 
     #[test]
     fn a_wrong_acceleration_is_seen() {
-        let (wrong, seen) = seen(|drawn| drawn.rings.is_empty(), wrong_acceleration);
-        assert!(wrong > 8 && seen * 3 > wrong * 2, "{seen} of {wrong}");
+        // by both derivations
+        for word in ["acceleration", "Lagrange"] {
+            let (wrong, seen) = seen(|drawn| drawn.rings.is_empty(), wrong_acceleration, word);
+            assert!(
+                wrong > 8 && seen * 3 > wrong * 2,
+                "{word}: {seen} of {wrong}"
+            );
+        }
     }
 
     #[test]
     fn a_wrong_acceleration_of_a_loop_is_seen() {
-        let (wrong, seen) = seen(|drawn| !drawn.rings.is_empty(), wrong_acceleration);
+        let (wrong, seen) = seen(|drawn| !drawn.rings.is_empty(), wrong_acceleration, "");
         assert!(wrong > 4 && seen * 3 > wrong * 2, "{seen} of {wrong}");
     }
 
@@ -169,6 +179,7 @@ mod tests {
                 compiled.reactions.as_mut()?[last][0][0] = wrong;
                 Some(())
             },
+            "reaction",
         );
         assert!(wrong > 4 && seen * 3 > wrong * 2, "{seen} of {wrong}");
     }
@@ -182,6 +193,7 @@ mod tests {
                 compiled.energy.potential = off(compiled, right);
                 Some(())
             },
+            "energy",
         );
         assert!(wrong > 8 && seen * 3 > wrong * 2, "{seen} of {wrong}");
     }

@@ -5,6 +5,7 @@ mod doubles;
 mod inverse;
 mod motion;
 mod power;
+mod second;
 pub mod state;
 mod totals;
 

@@ -48,6 +48,9 @@ impl Checks<'_> {
             self.reactions(&carried);
         }
         self.power(&loads, &carried, &accelerations);
+        if self.drawn.rings.is_empty() {
+            self.lagrange(&accelerations);
+        }
         found
     }
 

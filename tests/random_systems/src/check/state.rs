@@ -94,14 +94,13 @@ impl State {
     pub fn new(drawn: &Drawn, rng: &mut Rng) -> Option<Self> {
         let inputs = drawn.declared.inputs.iter();
         let inputs: Vec<Wide> = inputs.map(|(_, value)| (*value).into()).collect();
-        let (time, rates) = match &drawn.start {
-            Some(start) => drawn.closed(start, &inputs, rng)?,
-            None => {
-                let time = number(rng, 2.0);
-                let mut rates = drawn.any(rng);
-                drawn.prescribe(time, &inputs, &mut rates);
-                (time, rates)
-            }
+        let (time, rates) = if let Some(start) = &drawn.start {
+            drawn.closed(start, &inputs, rng)?
+        } else {
+            let time = number(rng, 2.0);
+            let mut rates = drawn.any(rng);
+            drawn.prescribe(time, &inputs, &mut rates);
+            (time, rates)
         };
         let (mut accelerations, mut loads) = (Vec::new(), Vec::new());
         for link in &drawn.links {

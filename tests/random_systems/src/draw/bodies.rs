@@ -39,7 +39,7 @@ impl Drawing {
             let axis = self.numbers.rng.usize(0..3);
             let mut parts = ["0"; 3];
             parts[axis] = "1";
-            word += &format!(" = body({})", parts.join(", "));
+            word = format!("{word} = body({})", parts.join(", "));
             let mut moments = [[0, 1, 2].map(|i| self.links[first].inertia[i][i])].concat();
             moments.sort_by(|a, b| a.high.total_cmp(&b.high));
             let mut tensor = diagonal([moments[0]; 3]);

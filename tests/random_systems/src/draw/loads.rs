@@ -170,7 +170,7 @@ impl Drawing {
             if is_named {
                 let local = format!("swift = {velocity}");
                 self.bodies[body].locals.push(local);
-                velocity = "swift".to_owned();
+                "swift".clone_into(&mut velocity);
             }
             let word = format!(
                 "drag_{body} = (-{}[N * s / m] * {velocity}){at}",

@@ -26,4 +26,5 @@ mod references;
 mod series;
 mod shapes;
 mod spatial;
+mod squeezer;
 mod unequal;

@@ -10,6 +10,7 @@ mod counts;
 mod described;
 mod drawings;
 mod driven;
+mod frames;
 mod kinds;
 mod large;
 mod laws;

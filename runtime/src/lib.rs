@@ -106,6 +106,11 @@ pub use nalgebra;
 #[doc(no_inline)]
 pub use scalar::{Dual, Scalar};
 
+/// The first page of the repository: its code is tried as that of this documentation is.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+mod first_page {}
+
 #[doc = include_str!("rigid_system.md")]
 #[macro_export]
 macro_rules! rigid_system {

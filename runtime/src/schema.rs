@@ -114,6 +114,9 @@ pub struct System {
     /// Energies U, scalars \[J\], of coordinates of joints and of places and axes of bodies; their forces
     /// and moments are derived: `[coil = 0.5 * stiffness * elbow.angle.powi(2)]`.
     pub potentials: (),
+    /// Expressions that the motion keeps at zero, across bodies:
+    /// `[mesh = shaft.angle + 3 * axle.angle]`.
+    pub constraints: (),
     /// What is generated beyond the accelerations: `[energy, momentum, reactions, inverse]`.
     pub outputs: (),
 }

@@ -4,6 +4,7 @@
 mod balanced;
 mod balances;
 mod compare;
+mod constrained;
 mod corners;
 mod counts;
 mod described;
@@ -26,4 +27,5 @@ mod references;
 mod series;
 mod shapes;
 mod spatial;
+mod squeezer;
 mod unequal;

@@ -78,11 +78,15 @@ impl Workspace {
             Attitude::Axis { angle, .. } => self.graph.is_early(angle),
             _ => false,
         };
-        if let Some(turns) = self.turns.as_mut().filter(|_| !is_always_so) {
+        let turns = self.turns.as_mut();
+        if let Some(turns) = turns.filter(|turns| !is_always_so || turns.are_apart(body)) {
             return turns.turn(&mut self.graph, v, from, to);
         }
         let turned = match self.attitude(body) {
-            Attitude::Fixed | Attitude::Line { .. } => return v,
+            Attitude::Fixed | Attitude::Line { .. } => {
+                self.met_still = true;
+                return v;
+            }
             Attitude::Axis { angle, direction } => self.turn_by_angle(angle, direction, v, is_back),
             Attitude::Quaternion { scalar, vector } => {
                 let axis = if is_back {

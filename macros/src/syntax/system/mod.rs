@@ -82,7 +82,7 @@ const OF_SYSTEMS: [&str; 12] = [
     "urdf", "mjcf", "locked",
 ];
 /// Keys of the language of systems that are not there yet.
-const LATER: [&str; 3] = ["constraints", "reactions", "independent"];
+const LATER: [&str; 2] = ["reactions", "independent"];
 
 /// Parses `(runtime) Name { key: value, .. }` of a system.
 pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {

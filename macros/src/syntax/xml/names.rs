@@ -41,6 +41,15 @@ impl Names {
         self.take(name, word, span)
     }
 
+    /// A name of something else than links and joints, with a suffix if it is one of these.
+    pub fn fresh(&mut self, name: &str, suffix: &str, span: Span) -> Ident {
+        let mut word = word(name).unwrap_or(suffix.to_owned());
+        while !self.taken.insert(word.clone()) {
+            word = format!("{word}_{suffix}");
+        }
+        Ident::new(&word, span)
+    }
+
     fn take(&mut self, name: &str, word: String, span: Span) -> Result<Ident, Refused> {
         if !self.taken.insert(word.clone()) {
             return Err(Refused::Taken(word));

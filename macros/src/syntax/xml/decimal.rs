@@ -66,9 +66,41 @@ impl Decimal {
         mantissa.bytes().all(|byte| matches!(byte, b'0' | b'.'))
     }
 
+    pub fn negated(&self) -> Self {
+        Self {
+            is_negative: !self.is_negative,
+            ..self.clone()
+        }
+    }
+
+    pub fn is_negative(&self) -> bool {
+        self.is_negative
+    }
+
     pub fn text(&self) -> String {
         let sign = if self.is_negative { "-" } else { "" };
         format!("{sign}{}", self.digits)
+    }
+
+    /// As Rust writes it, with a digit in front of the point.
+    pub fn literal(&self) -> String {
+        let sign = if self.is_negative && !self.is_zero() {
+            "-"
+        } else {
+            ""
+        };
+        let zero = if self.digits.starts_with('.') {
+            "0"
+        } else {
+            ""
+        };
+        let digits = self.digits.replace(".e", ".0e").replace(".E", ".0E");
+        format!("{sign}{zero}{digits}")
+    }
+
+    /// The nearest double.
+    pub fn value(&self) -> f64 {
+        self.text().parse().unwrap_or(f64::NAN)
     }
 
     pub fn expression(&self) -> Expression {
@@ -150,7 +182,7 @@ impl Angle {
 }
 
 /// `-value`
-pub fn negative(value: Expression) -> Expression {
+fn negative(value: Expression) -> Expression {
     Expression {
         extent: value.extent,
         kind: Kind::Prefix(Prefix::Minus, Box::new(value)),

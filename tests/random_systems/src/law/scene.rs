@@ -1,4 +1,4 @@
-//! The law of each body by itself, (1.3) and (1.4), the loads of its joints unknown, in 106 bits.
+//! Where bodies are and how they move, what acts on them, and what their joints carry.
 //!
 //! Poses are carried through the tree with their first and second derivatives in time, so that
 //! velocity products follow from the product rule. Of given accelerations the loads of the joints
@@ -6,25 +6,11 @@
 
 use std::cell::Cell;
 
-use crate::space::{
-    Mat3, NONE, Vec3, ZERO, add, apply, cross, crossing, dot, identity, product, scale, size,
-    subtract, sum, times, transposed,
+use super::kind::{Kind, Motion, Pose, Rates};
+use super::space::{
+    Mat3, Vec3, ZERO, add, apply, cross, dot, product, scale, size, subtract, transposed,
 };
 use crate::wide::Wide;
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
-    Weld,
-    Revolute(Vec3),
-    Prismatic(Vec3),
-    Cylindrical(Vec3),
-    Screw(Vec3, Wide),
-    Universal(Vec3, Vec3),
-    Spherical,
-    Free,
-    /// Along x and y, and about z.
-    Plane,
-}
 
 /// A coordinate as a function of time and of inputs, with its rate and acceleration.
 pub type Prescribed = Box<dyn Fn(Wide, &[Wide]) -> [Wide; 3]>;
@@ -40,20 +26,29 @@ pub struct Link {
     /// Q, from G in body axes.
     pub pin: Vec3,
     pub kind: Kind,
-    /// An axis, and an angle about it.
-    pub turned: Option<(Vec3, Wide)>,
+    /// Axes, and angles about them, each in the axes that those before it have made.
+    pub turned: Vec<(Vec3, Wide)>,
     pub driven: Option<Vec<Prescribed>>,
 }
-
-/// Coordinates of a joint and their rates.
-pub type Rates = (Vec<Wide>, Vec<Wide>);
 
 /// What acts.
 pub type Acting = Box<dyn Fn(&Scene<'_>, &mut Loads)>;
 
+/// An energy.
+pub type Stored = Box<dyn Fn(&Scene<'_>) -> Wide>;
+
+/// A joint that closes a loop carries a link without mass, which is where the body is.
+#[derive(Clone, Copy)]
+pub struct Ring {
+    pub link: usize,
+    pub body: usize,
+}
+
 /// Where the bodies are and how they move, in which no coordinate accelerates.
 pub struct Scene<'a> {
     pub links: &'a [Link],
+    /// Links behind these have no mass, and are no bodies.
+    pub bodies: usize,
     pub time: Wide,
     pub inputs: &'a [Wide],
     pub rates: &'a [Rates],
@@ -70,24 +65,6 @@ pub struct Loads {
     pub drives: Vec<Vec<Wide>>,
 }
 
-/// A pose with its derivatives in time: of a frame in world axes.
-#[derive(Clone, Copy)]
-struct Pose {
-    place: [Vec3; 3],
-    turn: [Mat3; 3],
-}
-
-/// How a body moves, in world axes.
-#[derive(Clone, Copy)]
-pub struct Motion {
-    pub position: Vec3,
-    pub velocity: Vec3,
-    pub acceleration: Vec3,
-    pub attitude: Mat3,
-    pub angular_velocity: Vec3,
-    pub angular_acceleration: Vec3,
-}
-
 /// What the joints have to carry.
 pub struct Carried {
     /// Force and moment on the carried body at Q, world axes.
@@ -98,141 +75,6 @@ pub struct Carried {
     pub size: f64,
 }
 
-impl Kind {
-    pub fn freedoms(self) -> usize {
-        match self {
-            Self::Weld => 0,
-            Self::Revolute(_) | Self::Prismatic(_) | Self::Screw(..) => 1,
-            Self::Cylindrical(_) | Self::Universal(..) => 2,
-            Self::Spherical | Self::Plane => 3,
-            Self::Free => 6,
-        }
-    }
-
-    fn pose(self, (q, v): &Rates, a: &[Wide]) -> Pose {
-        let of = |k: usize| [q[k], v[k], a[k]];
-        let [x, y, z] = identity();
-        match self {
-            Self::Weld => Pose::at(ZERO),
-            Self::Revolute(d) => Pose::turn(d, of(0)),
-            Self::Prismatic(d) => Pose::slide(d, of(0)),
-            Self::Cylindrical(d) => Pose::slide(d, of(0)).then(&Pose::turn(d, of(1))),
-            Self::Screw(d, pitch) => {
-                Pose::slide(scale(d, pitch), of(0)).then(&Pose::turn(d, of(0)))
-            }
-            Self::Universal(d, e) => Pose::turn(d, of(0)).then(&Pose::turn(e, of(1))),
-            Self::Spherical => Pose::ball(q, v, a),
-            Self::Plane => Pose::slide(x, of(0))
-                .then(&Pose::slide(y, of(1)))
-                .then(&Pose::turn(z, of(2))),
-            Self::Free => {
-                let mut pose = Pose::ball(&q[3..], &v[3..], &a[3..]);
-                pose.place = [vector(q), vector(v), vector(a)];
-                pose
-            }
-        }
-    }
-}
-
-fn vector(list: &[Wide]) -> Vec3 {
-    [list[0], list[1], list[2]]
-}
-
-impl Pose {
-    fn at(place: Vec3) -> Self {
-        Self {
-            place: [place, ZERO, ZERO],
-            turn: [identity(), NONE, NONE],
-        }
-    }
-
-    fn slide(direction: Vec3, along: [Wide; 3]) -> Self {
-        let mut pose = Self::at(ZERO);
-        pose.place = along.map(|part| scale(direction, part));
-        pose
-    }
-
-    fn turn(axis: Vec3, [angle, rate, second]: [Wide; 3]) -> Self {
-        let (sine, cosine) = angle.sin_cos();
-        let k = crossing(axis);
-        let twice = product(&k, &k);
-        let turn = sum(
-            &identity(),
-            &sum(&times(&k, sine), &times(&twice, Wide::ONE - cosine)),
-        );
-        let mut pose = Self::at(ZERO);
-        pose.turn = [
-            turn,
-            times(&product(&k, &turn), rate),
-            product(&sum(&times(&k, second), &times(&twice, rate * rate)), &turn),
-        ];
-        pose
-    }
-
-    /// Of a quaternion x, y, z, w, its angular velocity and acceleration in the axes it carries.
-    fn ball(q: &[Wide], v: &[Wide], a: &[Wide]) -> Self {
-        let k = crossing(vector(q));
-        // of a unit quaternion
-        let turn = sum(
-            &times(&k, q[3] * 2.0),
-            &times(&product(&k, &k), Wide::from(2.0)),
-        );
-        let turn = sum(&identity(), &turn);
-        let (rate, second) = (crossing(vector(v)), crossing(vector(a)));
-        let mut pose = Self::at(ZERO);
-        pose.turn = [
-            turn,
-            product(&turn, &rate),
-            product(&turn, &sum(&second, &product(&rate, &rate))),
-        ];
-        pose
-    }
-
-    /// The product, with its derivatives.
-    fn then(&self, next: &Self) -> Self {
-        let two = Wide::from(2.0);
-        let [turn, rate, second] = &self.turn;
-        let ([p, dp, ddp], [t, dt, ddt]) = (next.place, &next.turn);
-        let place = [
-            apply(turn, p),
-            add(apply(rate, p), apply(turn, dp)),
-            add(
-                add(apply(second, p), scale(apply(rate, dp), two)),
-                apply(turn, ddp),
-            ),
-        ];
-        Self {
-            place: [0, 1, 2].map(|order| add(self.place[order], place[order])),
-            turn: [
-                product(turn, t),
-                sum(&product(rate, t), &product(turn, dt)),
-                sum(
-                    &sum(&product(second, t), &times(&product(rate, dt), two)),
-                    &product(turn, ddt),
-                ),
-            ],
-        }
-    }
-
-    fn motion(&self) -> Motion {
-        let [turn, rate, second] = &self.turn;
-        let back = transposed(turn);
-        Motion {
-            position: self.place[0],
-            velocity: self.place[1],
-            acceleration: self.place[2],
-            attitude: *turn,
-            angular_velocity: vector_of(&product(rate, &back)),
-            angular_acceleration: vector_of(&product(second, &back)),
-        }
-    }
-}
-
-/// Of the skew part.
-fn vector_of(m: &Mat3) -> Vec3 {
-    [(2, 1), (0, 2), (1, 0)].map(|(i, j)| (m[i][j] - m[j][i]) * 0.5)
-}
-
 /// The motions of all bodies, with these accelerations joint by joint.
 pub fn motions(links: &[Link], rates: &[Rates], accelerations: &[Vec<Wide>]) -> Vec<Motion> {
     let mut poses: Vec<Pose> = Vec::new();
@@ -241,8 +83,8 @@ pub fn motions(links: &[Link], rates: &[Rates], accelerations: &[Vec<Wide>]) -> 
             .carrier
             .map_or(Pose::at(ZERO), |carrier| poses[carrier]);
         let mut pose = carrier.then(&Pose::at(link.place));
-        if let Some((axis, angle)) = link.turned {
-            pose = pose.then(&Pose::turn(axis, [angle, Wide::ZERO, Wide::ZERO]));
+        for (axis, angle) in &link.turned {
+            pose = pose.then(&Pose::turn(*axis, [*angle, Wide::ZERO, Wide::ZERO]));
         }
         let pose = pose
             .then(&link.kind.pose(rates, a))
@@ -259,10 +101,16 @@ pub fn still(links: &[Link]) -> Vec<Vec<Wide>> {
 }
 
 impl<'a> Scene<'a> {
-    pub fn new(links: &'a [Link], time: Wide, inputs: &'a [Wide], rates: &'a [Rates]) -> Self {
+    pub fn new(
+        (links, bodies): (&'a [Link], usize),
+        time: Wide,
+        inputs: &'a [Wide],
+        rates: &'a [Rates],
+    ) -> Self {
         let motions = motions(links, rates, &still(links));
         Self {
             links,
+            bodies,
             time,
             inputs,
             rates,
@@ -287,7 +135,7 @@ impl<'a> Scene<'a> {
         add(motion.velocity, swept)
     }
 
-    pub fn loads(&self, acting: &[Acting]) -> Loads {
+    pub fn loads<'b>(&self, acting: impl Iterator<Item = &'b Acting>) -> Loads {
         let mut loads = Loads {
             on: vec![[ZERO; 2]; self.links.len()],
             drives: still(self.links),
@@ -337,6 +185,21 @@ impl<'a> Scene<'a> {
             size,
         };
         (carried, motions)
+    }
+
+    /// The directions in which a joint slides before it turns, world axes.
+    pub fn slides(&self, joint: usize) -> Vec<Vec3> {
+        let link = &self.links[joint];
+        let mut still = self.rates[joint].clone();
+        still.1.fill(Wide::ZERO);
+        let own = link.kind.pose(&still, &vec![Wide::ZERO; still.1.len()]);
+        let before = product(&self.motions[joint].attitude, &transposed(&own.turn[0]));
+        let directions = match link.kind {
+            Kind::Planar(along, across, _) => vec![along, across],
+            Kind::Shift(count) => super::space::identity()[..count].to_vec(),
+            _ => Vec::new(),
+        };
+        directions.iter().map(|one| apply(&before, *one)).collect()
     }
 
     /// `m a_G`, and `J w' + w x J w`.

@@ -2,7 +2,7 @@
 
 use fastrand::Rng;
 
-use crate::space::Vec3;
+use crate::law::space::{Vec3, unit};
 use crate::wide::Wide;
 
 /// What is declared.
@@ -13,6 +13,9 @@ pub struct Declared {
     pub inputs: Vec<(String, f64)>,
     /// How inputs are declared: of moving ones the rates are not.
     pub input_words: Vec<String>,
+    /// By the inputs: the number of one that is its rate.
+    pub rates: Vec<Option<usize>>,
+    pub locals: Vec<String>,
 }
 
 /// Draws numbers of few binary digits, which decimals write exactly.
@@ -21,9 +24,14 @@ pub struct Numbers {
     pub declared: Declared,
     /// One of so many is a parameter; 0: none.
     pub params: usize,
+    /// And a local.
+    pub locals: usize,
 }
 
 pub type Written = (String, Wide);
+
+/// A vector as it is written, and what it is.
+pub type Written3 = (String, Vec3);
 
 impl Numbers {
     pub fn one_of(&mut self, count: usize) -> bool {
@@ -47,7 +55,22 @@ impl Numbers {
         if self.params > 0 && self.one_of(self.params) {
             return (self.param(value, unit), value.into());
         }
-        (format!("{}[{unit}]", literal(value)), value.into())
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!("[{unit}]")
+        };
+        (self.local(literal(value) + &unit), value.into())
+    }
+
+    /// What is written, or the name of a local that is this.
+    pub fn local(&mut self, word: String) -> String {
+        if self.locals == 0 || !self.one_of(self.locals) {
+            return word;
+        }
+        let name = format!("l{}", self.declared.locals.len());
+        self.declared.locals.push(format!("{name} = {word}"));
+        name
     }
 
     pub fn param(&mut self, value: f64, unit: &str) -> String {
@@ -67,6 +90,7 @@ impl Numbers {
         self.declared.input_words.push(format!("{name}[{unit}]"));
         let value = self.plain(3.0);
         self.declared.inputs.push((name.clone(), value));
+        self.declared.rates.push(None);
         (name, place)
     }
 
@@ -77,8 +101,10 @@ impl Numbers {
         self.declared
             .input_words
             .push(format!("{name}[{unit}].moving"));
-        for suffix in ["", "_rate", "_acceleration"] {
+        for (order, suffix) in ["", "_rate", "_acceleration"].into_iter().enumerate() {
             let value = self.plain(2.0);
+            let rate = (order < 2).then_some(place + order + 1);
+            self.declared.rates.push(rate);
             self.declared
                 .inputs
                 .push((format!("{name}{suffix}"), value));
@@ -112,11 +138,25 @@ impl Numbers {
     }
 
     /// A direction: an axis, of whole numbers, or of a parameter.
-    pub fn direction(&mut self, is_planar: bool) -> (String, Vec3) {
+    pub fn direction(&mut self, is_planar: bool) -> Written3 {
+        let (parts, mut words) = self.whole(is_planar);
+        let is_of_param = self.one_of(5) && self.params > 0;
+        if is_of_param && let Some(axis) = parts.iter().position(|part| *part != 0.0) {
+            words[axis] = self.param(parts[axis], "");
+        }
+        (words.join(", "), unit(parts.map(Wide::from)))
+    }
+
+    /// One of numbers.
+    pub fn numeric(&mut self, is_planar: bool) -> Written3 {
+        let (parts, words) = self.whole(is_planar);
+        (words.join(", "), unit(parts.map(Wide::from)))
+    }
+
+    fn whole(&mut self, is_planar: bool) -> ([f64; 3], Vec<String>) {
         let count = if is_planar { 2 } else { 3 };
         let mut parts = [0.0_f64; 3];
-        let kind = self.rng.usize(0..5);
-        if kind < 3 {
+        if self.rng.usize(0..5) < 3 {
             parts[self.rng.usize(0..count)] = if self.one_of(4) { -1.0 } else { 1.0 };
         } else {
             while parts.iter().all(|part| part.abs() < 0.5) {
@@ -125,12 +165,8 @@ impl Numbers {
                 }
             }
         }
-        let mut words: Vec<String> = parts.iter().take(count).map(ToString::to_string).collect();
-        let is_of_param = kind == 4 && self.params > 0;
-        if is_of_param && let Some(axis) = parts.iter().position(|part| *part != 0.0) {
-            words[axis] = self.param(parts[axis], "");
-        }
-        (words.join(", "), crate::space::unit(parts.map(Wide::from)))
+        let words = parts.iter().take(count).map(ToString::to_string);
+        (parts, words.collect())
     }
 }
 

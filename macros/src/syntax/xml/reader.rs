@@ -1,11 +1,12 @@
 //! Elements and attributes of a file, with what is wrong with them.
 
-use proc_macro2::Span;
+use proc_macro2::{Ident, Span};
 use roxmltree::{Document, Node};
 
 use crate::errors::{Errors, Extent, hint, similar};
 
 use super::decimal::Decimal;
+use super::names::Refused;
 
 /// Attributes that are read.
 const ATTRIBUTES: [&str; 12] = [
@@ -135,7 +136,7 @@ impl<'e> Reader<'e> {
         self.decimal(node, name, text.trim())
     }
 
-    fn decimal(&mut self, node: Node<'_, '_>, name: &str, text: &str) -> Option<Decimal> {
+    pub fn decimal(&mut self, node: Node<'_, '_>, name: &str, text: &str) -> Option<Decimal> {
         let extent = self.at(node);
         let found = Decimal::parse(text, extent);
         if found.is_none() {
@@ -164,6 +165,51 @@ impl<'e> Reader<'e> {
             return None;
         };
         Some([x, y, z])
+    }
+
+    /// The name of a link or a joint, as it is used here, and as it stands in the file.
+    pub fn named<'n>(
+        &mut self,
+        node: Node<'n, '_>,
+        take: impl FnOnce(&str, Span) -> Result<Ident, Refused>,
+    ) -> Option<(Ident, &'n str)> {
+        self.owner.clear();
+        let name = self.attribute(node, "name")?;
+        self.given(node, name, take).map(|ident| (ident, name))
+    }
+
+    /// A name as it is used here; what cannot be one is reported, and has some other.
+    pub fn take(
+        &mut self,
+        node: Node<'_, '_>,
+        name: &str,
+        take: impl FnOnce(&str, Span) -> Result<Ident, Refused>,
+    ) -> Ident {
+        let found = self.given(node, name, take);
+        found.unwrap_or_else(|| Ident::new("unnamed", self.span))
+    }
+
+    fn given(
+        &mut self,
+        node: Node<'_, '_>,
+        name: &str,
+        take: impl FnOnce(&str, Span) -> Result<Ident, Refused>,
+    ) -> Option<Ident> {
+        match take(name, self.span) {
+            Ok(ident) => Some(ident),
+            Err(Refused::Empty) => self.report(
+                node,
+                format!("`{name}` is no name: it has no letter and no digit of ASCII"),
+            ),
+            Err(Refused::Taken(word)) => {
+                let becomes = if word == name {
+                    String::new()
+                } else {
+                    format!(", as `{name}` is written here,")
+                };
+                self.report(node, format!("the name `{word}`{becomes} is taken already"))
+            }
+        }
     }
 }
 

@@ -1,14 +1,21 @@
 //! Joints at random.
 
-use crate::drawn::Drawing;
-use crate::number::literal;
-use crate::oracle::{Kind, Prescribed};
-use crate::space::{Vec3, ZERO, cross, dot, identity, unit};
+use super::Drawing;
+use super::number::{Written3, literal};
+use crate::law::kind::Kind;
+use crate::law::scene::Prescribed;
+use crate::law::space::{Vec3, ZERO, cross, dot, identity, unit};
 use crate::wide::Wide;
+
+/// From a point to a point, as they are written.
+pub struct Ends {
+    pub from: String,
+    pub to: String,
+}
 
 impl Drawing {
     /// A place on a body or the ground: G, or a point with a name.
-    fn place(&mut self, body: Option<usize>, name: &str, is_drawn: bool) -> (String, Vec3) {
+    pub fn place(&mut self, body: Option<usize>, name: &str, is_drawn: bool) -> Written3 {
         let is_center = self.numbers.one_of(4) || !is_drawn;
         let (word, place) = self.numbers.components(0.5, "m", self.is_planar);
         let Some(body) = body else {
@@ -18,68 +25,26 @@ impl Drawing {
             return (format!("world({word})"), place);
         };
         if is_center {
-            return (format!("b{body}.G"), ZERO);
+            return (format!("{}.G", self.name(body)), ZERO);
         }
-        self.bodies[body]
-            .points
-            .push((name.to_owned(), place, word));
-        (format!("b{body}.{name}"), place)
+        self.keys(body).points.push((name.to_owned(), place, word));
+        (format!("{}.{name}", self.name(body)), place)
     }
 
     fn origin(&self) -> String {
-        if self.is_planar {
-            "world(0, 0)"
-        } else {
-            "world(0, 0, 0)"
-        }
-        .to_owned()
+        let zeros = if self.is_planar { "0, 0" } else { "0, 0, 0" };
+        format!("world({zeros})")
     }
 
     pub fn joint(&mut self, number: usize, carrier: Option<usize>) {
-        let is_planar = self.is_planar;
-        let kind = match (carrier, is_planar) {
-            (None, _) => self.numbers.rng.usize(0..10),
-            (_, true) => self.numbers.rng.usize(0..7),
-            (_, false) => self.numbers.rng.usize(0..9),
-        };
-        let is_free = carrier.is_none() && kind >= 7;
-        if is_free {
-            self.links[number].kind = if is_planar { Kind::Plane } else { Kind::Free };
-            self.joints.push(format!("free(b{number})"));
+        if carrier.is_none() && !self.is_open && !self.is_flat && self.numbers.rng.usize(0..10) >= 7
+        {
+            self.ground_joint(number);
             return;
         }
         let (from, place) = self.place(carrier, &format!("c{number}"), self.extent.places);
-        let (to, pin) = self.place(Some(number), "p", self.extent.pins);
-        let (direction, d) = self.numbers.direction(is_planar);
-        let (second, e) = self.across(d);
-        let pitch = self.numbers.plain(0.3);
-        let (pitch_word, pitch) = self.numbers.quantity(pitch, "m");
-        let z = identity()[2];
-        let (word, kind) = match (kind, is_planar) {
-            (0..=3, true) => (format!("revolute({from}, {to})"), Kind::Revolute(z)),
-            (4..=5, true) | (3, false) => (
-                format!("prismatic({from}, {to}, body({direction}))"),
-                Kind::Prismatic(d),
-            ),
-            (0..=2, false) => (
-                format!("revolute({from}, {to}, body({direction}))"),
-                Kind::Revolute(d),
-            ),
-            (4, false) => (
-                format!("cylindrical({from}, {to}, body({direction}))"),
-                Kind::Cylindrical(d),
-            ),
-            (5, false) => (
-                format!("screw({from}, {to}, body({direction}), {pitch_word})"),
-                Kind::Screw(d, pitch),
-            ),
-            (6, false) => (
-                format!("universal({from}, {to}, body({direction}), body({second}))"),
-                Kind::Universal(d, e),
-            ),
-            (7, false) => (format!("spherical({from}, {to})"), Kind::Spherical),
-            _ => (format!("weld({from}, {to})"), Kind::Weld),
-        };
+        let (to, pin) = self.place(Some(number), &format!("q{number}"), self.extent.pins);
+        let (word, kind) = self.kind(&Ends { from, to });
         let turned = self.turned();
         let driven = self.driven(kind);
         let link = &mut self.links[number];
@@ -87,7 +52,7 @@ impl Drawing {
         let mut word = word;
         if let Some((written, axis, angle)) = turned {
             word += &written;
-            link.turned = Some((axis, angle));
+            link.turned.push((axis, angle));
         }
         if let Some((written, functions)) = driven {
             word += &written;
@@ -96,8 +61,89 @@ impl Drawing {
         self.joints.push(word);
     }
 
+    /// What is written with a body alone.
+    fn ground_joint(&mut self, number: usize) {
+        let which = self.numbers.rng.usize(0..5);
+        let (word, kind) = match (which, self.is_planar) {
+            (0..=2, true) => ("free", Kind::Plane),
+            (3, true) => ("translation", Kind::Shift(2)),
+            (_, true) => ("planar_translation", Kind::Shift(2)),
+            (0..=2, false) => ("free", Kind::Free),
+            (3, false) => ("rotation", Kind::Spherical),
+            (_, false) => ("translation", Kind::Shift(3)),
+        };
+        let word = format!("{word}({})", self.name(number));
+        self.links[number].kind = kind;
+        self.joints.push(word);
+    }
+
+    /// Any kind that there is between bodies.
+    fn kind(&mut self, ends: &Ends) -> (String, Kind) {
+        let kind = match (self.is_planar || self.is_flat, self.is_open) {
+            (true, _) => self.numbers.rng.usize(0..7),
+            (false, true) => 10 - self.numbers.rng.usize(0..8),
+            (false, false) => 10 - self.numbers.rng.usize(0..11),
+        };
+        let (direction, d) = self.numbers.direction(self.is_planar);
+        let (second, e) = self.across(d);
+        let (normal, n) = self.numbers.numeric(false);
+        let pitch = self.numbers.plain(0.3);
+        let (pitch_word, pitch) = self.numbers.quantity(pitch, "m");
+        let Ends { from, to } = ends;
+        let z = identity()[2];
+        if self.is_planar || self.is_flat {
+            return match (kind, self.is_planar) {
+                (0..=3, true) => (format!("revolute({from}, {to})"), Kind::Revolute(z)),
+                (0..=4, false) => (
+                    format!("revolute({from}, {to}, body(0, 0, 1))"),
+                    Kind::Revolute(z),
+                ),
+                (4..=5, true) => (
+                    format!("prismatic({from}, {to}, body({direction}))"),
+                    Kind::Prismatic(d),
+                ),
+                (5, false) => {
+                    let words = format!("prismatic({from}, {to}, body(1, 2, 0))");
+                    (
+                        words,
+                        Kind::Prismatic(unit([1.0, 2.0, 0.0].map(Wide::from))),
+                    )
+                }
+                _ => (format!("weld({from}, {to})"), Kind::Weld),
+            };
+        }
+        match kind {
+            8..=10 => (
+                format!("revolute({from}, {to}, body({direction}))"),
+                Kind::Revolute(d),
+            ),
+            7 => (
+                format!("prismatic({from}, {to}, body({direction}))"),
+                Kind::Prismatic(d),
+            ),
+            6 => (
+                format!("cylindrical({from}, {to}, body({direction}))"),
+                Kind::Cylindrical(d),
+            ),
+            5 => (
+                format!("screw({from}, {to}, body({direction}), {pitch_word})"),
+                Kind::Screw(d, pitch),
+            ),
+            4 => (
+                format!("universal({from}, {to}, body({direction}), body({second}))"),
+                Kind::Universal(d, e),
+            ),
+            3 => (format!("weld({from}, {to})"), Kind::Weld),
+            2 => (
+                format!("planar({from}, {to}, body({normal}))"),
+                Kind::planar(n),
+            ),
+            _ => (format!("spherical({from}, {to})"), Kind::Spherical),
+        }
+    }
+
     /// A direction that is not parallel to this one.
-    fn across(&mut self, d: Vec3) -> (String, Vec3) {
+    pub fn across(&mut self, d: Vec3) -> (String, Vec3) {
         let (word, direction) = self.numbers.direction(self.is_planar);
         let across = cross(d, direction);
         if dot(across, across).high > 0.05 {
@@ -126,6 +172,13 @@ impl Drawing {
         if !is_turned || !self.extent.turned {
             return None;
         }
+        if self.is_flat {
+            return Some((
+                format!(".turned(body(0, 0, 1), {word})"),
+                identity()[2],
+                angle,
+            ));
+        }
         if self.is_planar {
             return Some((format!(".turned({word})"), identity()[2], angle));
         }
@@ -138,9 +191,10 @@ impl Drawing {
             Kind::Prismatic(_) => &["m"],
             Kind::Cylindrical(_) => &["m", "rad"],
             Kind::Universal(..) => &["rad", "rad"],
+            Kind::Planar(..) => &["m", "m", "rad"],
             _ => return None,
         };
-        if !self.numbers.one_of(5) || !self.extent.driven {
+        if !self.numbers.one_of(5) || !self.extent.driven || self.is_open {
             return None;
         }
         let (mut words, mut functions) = (Vec::new(), Vec::new());

@@ -5,9 +5,10 @@ use std::collections::HashMap;
 use fuzz::errors::Errors;
 use fuzz::lower::{lower_system, outline, outline_system};
 use fuzz::mechanics::{
-    BodyBalance, Energy, Inertias, Jacobian, Momentum, derive_inertias, derive_jacobians,
-    derive_system, derive_system_balances, derive_system_driving, derive_system_energy,
-    derive_system_inverse, derive_system_momentum, derive_system_reactions, describe_system,
+    BodyBalance, Consistency, Energy, Inertias, Jacobian, Momentum, derive_inertias,
+    derive_jacobians, derive_system, derive_system_balances, derive_system_consistency,
+    derive_system_driving, derive_system_energy, derive_system_inverse, derive_system_momentum,
+    derive_system_reactions, describe_system, with_system_potentials,
 };
 use fuzz::model::{Meaning, Outline, System, Variable, Workspace};
 use fuzz::outputs::offers;
@@ -15,8 +16,7 @@ use fuzz::symbolic::{Comparison, Components, Function, Id, Node, Number};
 use fuzz::syntax::parse_system;
 use proc_macro2::TokenStream;
 
-use crate::drawn::Drawn;
-use crate::oracle::Rates;
+use crate::law::kind::Rates;
 use crate::wide::Wide;
 
 pub struct Compiled {
@@ -25,18 +25,23 @@ pub struct Compiled {
     pub work: Workspace,
     /// By the system's joints, as all that follows; `links` tells which they are.
     pub accelerations: Vec<Vec<Id>>,
-    pub reactions: Vec<[Components; 2]>,
+    /// Behind those of the tree those that close loops; none if they are not determined.
+    pub reactions: Option<Vec<[Components; 2]>>,
     pub driving: Vec<Vec<Id>>,
+    /// Of trees alone, as the next.
     pub inverse: Vec<Vec<Id>>,
-    pub inertias: Inertias,
+    pub inertias: Option<Inertias>,
     pub energy: Energy,
     pub momentum: Momentum,
     pub balances: Vec<BodyBalance>,
     pub jacobians: Vec<Jacobian>,
     /// What is said not to be in the equations.
     pub skipped: Vec<String>,
-    /// The link of each joint and body.
+    /// What keeps loops closed.
+    pub constraints: Vec<Consistency>,
+    /// The link of each joint and body, and of those that close loops.
     pub links: Vec<usize>,
+    pub closing: Vec<usize>,
 }
 
 /// Values of the symbols.
@@ -51,15 +56,17 @@ pub struct Given<'a> {
     pub loads: &'a [[[Wide; 3]; 2]],
 }
 
-/// The number behind the letter of a name.
+/// The number at the end of a name.
 fn number_of(name: &impl ToString) -> usize {
-    name.to_string()[1..].parse().expect("names are numbered")
+    let name = name.to_string();
+    let letters = name.trim_end_matches(|letter: char| letter.is_ascii_digit());
+    name[letters.len()..].parse().expect("names are numbered")
 }
 
 impl Compiled {
     /// Its equations, or what is wrong with it.
-    pub fn new(drawn: &Drawn) -> Result<Self, String> {
-        let tokens = format!("(::newton_euler) {}", drawn.text).parse::<TokenStream>();
+    pub fn new(text: &str) -> Result<Self, String> {
+        let tokens = format!("(::newton_euler) {text}").parse::<TokenStream>();
         let tokens = tokens.map_err(|error| error.to_string())?;
         let mut errors = Errors::default();
         let found = Self::derive(tokens, &mut errors);
@@ -74,28 +81,48 @@ impl Compiled {
         let mut outline = outline(&description.top, &offers::<System>(), errors);
         outline_system(&description, &mut outline);
         let (system, mut work) = lower_system(&description, &mut outline, errors)?;
+        let system = with_system_potentials(system, &mut work);
         let equations = derive_system(&system, &mut work);
-        let named = derive_system_reactions(&system, &mut work, &equations);
-        let zeros = work.graph.zeros();
-        // what is free has none
-        let reactions = system.joints.iter().map(|joint| {
-            let mut named = named.iter();
-            let found = named.find(|(name, _)| *name == joint.name);
-            found.map_or([zeros; 2], |(_, load)| *load)
+        let is_tree = system.closings.is_empty();
+        let reactions = equations.undetermined().is_empty().then(|| {
+            let named = derive_system_reactions(&system, &mut work, &equations);
+            let zeros = work.graph.zeros();
+            let joints = system.joints.iter().map(|joint| &joint.name);
+            let closings = system.closings.iter().map(|closing| &closing.name);
+            // what is free has none
+            let reactions = joints.chain(closings).map(|joint| {
+                let found = named.iter().find(|(name, _)| name == joint);
+                found.map_or([zeros; 2], |(_, load)| *load)
+            });
+            reactions.collect()
         });
-        let links = system.joints.iter().map(|joint| number_of(&joint.name));
+        let constraints = derive_system_consistency(&system, &mut work, &equations);
         Some(Self {
-            links: links.collect(),
+            links: system
+                .joints
+                .iter()
+                .map(|one| number_of(&one.name))
+                .collect(),
+            closing: system
+                .closings
+                .iter()
+                .map(|one| number_of(&one.name))
+                .collect(),
             skipped: describe_system(&system, &work, &equations).skipped,
             accelerations: equations.accelerations.clone(),
-            reactions: reactions.collect(),
+            reactions,
             driving: derive_system_driving(&mut work, &equations),
-            inverse: derive_system_inverse(&system, &mut work, &equations),
-            inertias: derive_inertias(&system, &mut work, &equations),
+            inverse: if is_tree {
+                derive_system_inverse(&system, &mut work, &equations)
+            } else {
+                Vec::new()
+            },
+            inertias: is_tree.then(|| derive_inertias(&system, &mut work, &equations)),
             energy: derive_system_energy(&system, &mut work),
             momentum: derive_system_momentum(&system, &mut work),
             balances: derive_system_balances(&system, &mut work, &equations, &outline.holding),
             jacobians: derive_jacobians(&system, &mut work),
+            constraints: constraints.into_iter().map(|(one, _)| one).collect(),
             system,
             outline,
             work,
@@ -218,6 +245,20 @@ fn unary(function: Function, a: Wide) -> Wide {
 fn binary(function: Function, a: Wide, b: Wide) -> Wide {
     match function {
         Function::Hypot => (a * a + b * b).sqrt(),
+        Function::Max => {
+            if a < b {
+                b
+            } else {
+                a
+            }
+        }
+        Function::Min => {
+            if a < b {
+                a
+            } else {
+                b
+            }
+        }
         other => panic!("no {other:?} of {a:?} and {b:?} is drawn"),
     }
 }

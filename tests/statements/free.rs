@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::reference::{self, attitude, distance, number, statement, trajectory, vector};
 
-mod free {
+mod scenes {
     newton_euler::rigid_body!(Handle {
         motion: rotation,
         inertia: principal(1, 2, 3)[kg * m ^ 2],
@@ -58,10 +58,10 @@ fn f11_handle_after_10_s() {
     let [q, w] =
         ["q(10) (scalar first, body->world)", "w(10) closed form"].map(|key| &expected[key]);
     // Order four at steps of 2 ms: (2e-3)⁴ = 1.6e-11 and a small factor; 16 times less at half the step.
-    let end = cf4(&free::Handle {}, &handle(), &(), 0.0..10.0, 5000);
+    let end = cf4(&scenes::Handle {}, &handle(), &(), 0.0..10.0, 5000);
     arrives(&end, q, w);
-    assert!((2.0 * free::Handle {}.kinetic_energy(&end) - number(&expected["2T"])).abs() < 1e-11);
-    let momentum = free::Handle {}.angular_momentum(&end);
+    assert!((2.0 * scenes::Handle {}.kinetic_energy(&end) - number(&expected["2T"])).abs() < 1e-11);
+    let momentum = scenes::Handle {}.angular_momentum(&end);
     assert!((momentum.norm_squared() - number(&expected["L^2"])).abs() < 1e-11);
 
     // A full tensor, falling: G and the attitude know nothing of each other.
@@ -70,7 +70,7 @@ fn f11_handle_after_10_s() {
         velocity: Vector3::new(3.0, 4.0, 25.0),
         ..Spatial::default()
     };
-    let thrown = cf4(&free::Thrown {}, &start, &(), 0.0..10.0, 5000);
+    let thrown = cf4(&scenes::Thrown {}, &start, &(), 0.0..10.0, 5000);
     let turned = Rotation {
         attitude: thrown.attitude,
         angular_velocity: thrown.angular_velocity,
@@ -85,9 +85,9 @@ fn f11_handle_after_10_s() {
 fn f11_handle_after_100_s() {
     let expected = statement("F11 torque-free (Dzhanibekov), t=100");
     // Five flips, each of which stretches the error of the phase: steps of 1 ms are needed for 1e-10.
-    let end = cf4(&free::Handle {}, &handle(), &(), 0.0..100.0, 100_000);
+    let end = cf4(&scenes::Handle {}, &handle(), &(), 0.0..100.0, 100_000);
     arrives(&end, &expected["q"], &expected["w"]);
-    let momentum = free::Handle {}.angular_momentum(&end);
+    let momentum = scenes::Handle {}.angular_momentum(&end);
     assert!((momentum - Vector3::new(0.01, 2.0, 0.03)).amax() < 1e-10);
 }
 
@@ -99,12 +99,12 @@ fn free_asymmetric_body_after_10_s() {
         angular_velocity: vector(&given["w0"]),
         ..Rotation::default()
     };
-    let body = free::Described::new(free::DescribedParams { a, b, c }).unwrap();
+    let body = scenes::Described::new(scenes::DescribedParams { a, b, c }).unwrap();
     // Rates of 3 rad/s: (3 · 5e-4)⁴ = 5e-12 and a factor below 10.
     let end = cf4(
         &body,
         &start,
-        &free::DescribedInput::default(),
+        &scenes::DescribedInput::default(),
         0.0..10.0,
         20_000,
     );
@@ -114,17 +114,17 @@ fn free_asymmetric_body_after_10_s() {
 #[test]
 fn axisymmetric_body_under_a_moment_along_its_axis() {
     let expected = statement("axisymmetric, torque along axis: closed form");
-    let params = free::DescribedParams {
+    let params = scenes::DescribedParams {
         a: 0.4,
         b: 0.4,
         c: 0.7,
     };
-    let body = free::Described::new(params).unwrap();
+    let body = scenes::Described::new(params).unwrap();
     let start = Rotation {
         angular_velocity: Vector3::new(0.5, 0.0, 2.0),
         ..Rotation::default()
     };
-    let input = free::DescribedInput { twist: 0.21 };
+    let input = scenes::DescribedInput { twist: 0.21 };
     // Rates of 3 rad/s: (3 · 1e-3)⁴ = 8e-11 over a hundred.
     let end = cf4(&body, &start, &input, 0.0..3.0, 3000);
     assert!((end.angular_velocity - vector(&expected["w(3)"])).amax() <= 1e-11);
@@ -146,12 +146,12 @@ fn f12_regular_precession() {
         attitude: UnitQuaternion::from_axis_angle(&Vector3::x_axis(), tilt),
         angular_velocity: Vector3::new(0.0, transverse, spin),
     };
-    let params = free::DescribedParams {
+    let params = scenes::DescribedParams {
         a: i1,
         b: i1,
         c: i3,
     };
-    let body = free::Described::new(params).unwrap();
+    let body = scenes::Described::new(params).unwrap();
     // M = 0.456 along the vertical; a few roundings.
     let vertical = Vector3::new(0.0, 0.0, momentum);
     assert!((body.angular_momentum(&start) - vertical).amax() < 1e-15);
@@ -159,7 +159,7 @@ fn f12_regular_precession() {
     let end = cf4(
         &body,
         &start,
-        &free::DescribedInput::default(),
+        &scenes::DescribedInput::default(),
         0.0..0.2,
         4000,
     );

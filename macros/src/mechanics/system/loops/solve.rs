@@ -107,7 +107,8 @@ fn equations(work: &mut Workspace, matrix: &MassMatrix, constraints: &[&Row]) ->
     let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();
     let mut values = samples(work, &all).into_iter();
     let equations = sides.into_iter().map(|(coefficients, right, positive)| {
-        let mut sizes = vec![Size::Terms; coefficients.len()];
+        // the matrix is not definite: what closes loops is eliminated last
+        let mut sizes = vec![Size::Beside; coefficients.len()];
         if let Some(freedom) = positive {
             sizes[freedom] = Size::Squares;
         }

@@ -7,8 +7,8 @@ use crate::emit::items::{Equated, Roots};
 use crate::emit::{Sound, emit_body, emit_tracked};
 use crate::errors::Errors;
 use crate::mechanics::{
-    Switch, derive_equations, derive_system, describe_equations, describe_system, with_potentials,
-    with_system_potentials,
+    Switch, check_followers, derive_equations, derive_system, describe_equations, describe_system,
+    with_potentials, with_system_potentials,
 };
 use crate::model::{Model, Outline, System, Workspace};
 use crate::outputs::{Listed, Outputs, derive_outputs, offers, wanted};
@@ -116,8 +116,10 @@ fn solve_system(
     mut work: Workspace,
     errors: &mut Errors,
 ) -> Option<Solved<System>> {
+    check_followers(&system, &mut work, errors)?;
     let system = &with_system_potentials(system, &mut work);
     let equations = derive_system(system, &mut work);
+    equations.check(system, errors)?;
     let outputs = derive_outputs(outline, system, &mut work, &equations, errors)?;
     let mut report = describe_system(system, &work, &equations);
     if let Some(file) = file {

@@ -87,6 +87,9 @@ pub struct System {
     /// A file in the Unified Robot Description Format, whose links are bodies and whose joints are
     /// joints: `"robot.urdf"`, its path from the folder of `Cargo.toml`.
     pub urdf: (),
+    /// A file in the format of MuJoCo: bodies, joints, motors and gravity: `"model.xml"`, its path from
+    /// the folder of `Cargo.toml`.
+    pub mjcf: (),
     /// Joints of the file that are held at a coordinate: `[finger = 0.02[m]]`.
     pub locked: (),
     /// The bodies: `[arm { mass: 1[kg], inertia: principal(1, 2, 3), points: [tip = (1, 0, 0)] }]`,
@@ -111,6 +114,9 @@ pub struct System {
     /// Energies U, scalars \[J\], of coordinates of joints and of places and axes of bodies; their forces
     /// and moments are derived: `[coil = 0.5 * stiffness * elbow.angle.powi(2)]`.
     pub potentials: (),
+    /// Expressions that the motion keeps at zero, across bodies:
+    /// `[mesh = shaft.angle + 3 * axle.angle]`.
+    pub constraints: (),
     /// What is generated beyond the accelerations: `[energy, momentum, reactions, inverse]`.
     pub outputs: (),
 }

@@ -4,11 +4,13 @@
 mod balanced;
 mod balances;
 mod compare;
+mod constrained;
 mod corners;
 mod counts;
 mod described;
 mod drawings;
 mod driven;
+mod frames;
 mod kinds;
 mod large;
 mod laws;

@@ -9,10 +9,10 @@ mod system;
 mod words;
 
 pub use body::{
-    Asked, Charges, Composed, Constraint, Declared, Defaults, Displaced, Drawn, ENTRIES, Form,
-    Inertia, Jointed, Level, Load, Mass, Matrix, Origin, Outline, Potential, Potentials, Reaction,
-    SOLIDS, Solid, Substance, Violation, displaced, is_flat, is_possible, is_solid, least_moment,
-    matrix, thinnest, words,
+    Along, Asked, Charges, Composed, Constraint, Declared, Defaults, Displaced, Drawn, ENTRIES,
+    Form, Inertia, Jointed, Level, Load, Mass, Matrix, Origin, Outline, Potential, Potentials,
+    Reaction, SOLIDS, Solid, Substance, Violation, displaced, is_flat, is_possible, is_solid,
+    least_moment, matrix, thinnest, words,
 };
 pub use joints::{
     Coordinate, Field, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
@@ -20,7 +20,7 @@ pub use joints::{
 pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use system::{Axes, Cable, Closing, Holds, JointKind, Member, Part, System, TreeJoint};
+pub use system::{Axes, Cable, Closing, Holds, JointKind, Kept, Member, Part, System, TreeJoint};
 pub use words::{
     AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
 };
@@ -52,22 +52,6 @@ pub struct Model {
 }
 
 impl Model {
-    /// Whether an input changes while it is held.
-    pub fn moves(&self, input: usize) -> bool {
-        self.derivatives.get(input).is_some_and(|count| *count > 0)
-    }
-
-    /// The rate of a part of an input, if it moves.
-    pub fn input_rate(
-        &self,
-        work: &Workspace,
-        input: usize,
-        component: Option<usize>,
-    ) -> Option<Id> {
-        let rate = Meaning::Input(input + 1, component);
-        work.symbol_of(rate).filter(|_| self.moves(input))
-    }
-
     /// The mass, if G has coordinates of its own.
     pub fn moved_mass(&self) -> Option<Id> {
         self.mass.filter(|_| self.motion.translates())
@@ -92,4 +76,17 @@ impl Model {
     pub fn inertia_entries(&self) -> Vec<Id> {
         self.substance().inertia_entries()
     }
+}
+
+/// What inputs change by that move: each part with its rate.
+pub fn input_rates(work: &Workspace, derivatives: &[usize]) -> Vec<(Id, Id)> {
+    let moving = derivatives.iter().enumerate();
+    let moving = moving.filter(|(_, given)| **given > 0);
+    let parts = moving.flat_map(|(input, _)| {
+        [None, Some(0), Some(1), Some(2)].map(|part| {
+            let symbol = work.symbol_of(Meaning::Input(input, part))?;
+            Some((symbol, work.symbol_of(Meaning::Input(input + 1, part))?))
+        })
+    });
+    parts.flatten().collect()
 }

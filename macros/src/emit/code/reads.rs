@@ -101,20 +101,27 @@ fn places_of_body(motion: Motion) -> Vec<(Source, TokenStream, Vec<String>, Vari
     ]
 }
 
-/// What reactions are called, where they are, and what they are; of a system force and moment of each
-/// joint that holds.
-fn reactions(outline: &Outline) -> Vec<(String, TokenStream, LoadKind)> {
+/// What reactions are called, where they are, and how many components they have; of a system force and
+/// moment of each joint that holds, and the load of each constraint.
+fn reactions(outline: &Outline) -> Vec<(String, TokenStream, usize)> {
+    let count = |kind: LoadKind| outline.motion.axes_of(kind).len();
     let own = outline.reactions.iter().map(|(word, kind)| {
         let field = local(&word.to_string());
-        (word.to_string(), quote!(#field), *kind)
+        (word.to_string(), quote!(#field), count(*kind))
     });
     let joints = outline.holding.iter().flat_map(|joint| {
         [("force", LoadKind::Force), ("moment", LoadKind::Moment)].map(|(part, kind)| {
             let field = format_ident!("{part}");
-            (format!("{joint}_{part}"), quote!(#joint.#field), kind)
+            (
+                format!("{joint}_{part}"),
+                quote!(#joint.#field),
+                count(kind),
+            )
         })
     });
-    own.chain(joints).collect()
+    let kept = outline.kept.iter();
+    let kept = kept.map(|name| (name.to_string(), quote!(#name), 1));
+    own.chain(joints).chain(kept).collect()
 }
 
 impl Block<'_> {
@@ -197,7 +204,7 @@ impl Block<'_> {
     /// `let [pin_x, pin_y]: [f64; 2] = reactions.pin.into();`
     fn read_reactions(&mut self, symbols: &[(Id, Meaning)]) -> TokenStream {
         let mut tokens = TokenStream::new();
-        for (index, (word, path, kind)) in reactions(self.writer.outline).iter().enumerate() {
+        for (index, (word, path, count)) in reactions(self.writer.outline).iter().enumerate() {
             let component = |meaning: Meaning| match meaning {
                 Meaning::Reaction(reaction, axis) if reaction == index => Some(axis),
                 _ => None,
@@ -207,8 +214,8 @@ impl Block<'_> {
                 continue;
             }
             self.reads.push(Source::Reactions);
-            let (reactions, motion) = (local("reactions"), self.writer.outline.motion);
-            let names: Vec<String> = match &AXES[motion.axes_of(*kind)] {
+            let reactions = local("reactions");
+            let names: Vec<String> = match &AXES[..*count] {
                 [_] => vec![word.clone()],
                 axes => axes.iter().map(|axis| format!("{word}_{axis}")).collect(),
             };

@@ -66,7 +66,7 @@ impl<'a> Site<'a> {
     /// The type of the unknown reactions, if there are any.
     pub fn reactions_type(&self) -> TokenStream {
         let outline = self.outline;
-        let is_there = !outline.reactions.is_empty() || !outline.holding.is_empty();
+        let is_there = outline.has_reactions();
         is_there
             .then(|| self.own_type("Reactions"))
             .unwrap_or(quote!(()))

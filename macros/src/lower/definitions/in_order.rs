@@ -2,8 +2,10 @@
 
 use std::collections::HashMap;
 
+use proc_macro2::Ident;
+
 use crate::lower::expressions::{Lowering, Value};
-use crate::model::{Defaults, Dimension, Frame, Mass, Outline, Workspace, shown};
+use crate::model::{Defaults, Dimension, Frame, Mass, Outline, Point, Workspace, shown};
 use crate::symbolic::{Graph, Id};
 use crate::syntax::{Composition, Description, Expression};
 
@@ -114,6 +116,52 @@ impl Lowering<'_> {
             self.read(definition, description)
         };
         self.scope.define(&name, value);
+    }
+
+    /// Reads definitions while it is not known how the body moves; returns those that follow from it,
+    /// which have no value yet.
+    pub fn fixed_definitions(
+        &mut self,
+        definitions: &[Definition],
+        description: &Description,
+        defaults: &Defaults,
+        mass: &mut Mass,
+    ) -> Vec<Definition> {
+        let mut late: Vec<Definition> = Vec::new();
+        for definition in definitions {
+            let (name, value) = definition.of(description);
+            let is_late = |name: &&Ident| late.iter().any(|one| **name == one.of(description).0);
+            let follows = value.and_then(|value| value.names().into_iter().find(is_late));
+            if let (Definition::Mass, Some(name)) = (definition, follows) {
+                let message =
+                    format!("this is fixed, and `{name}` follows from how the body moves");
+                self.errors.push(name.span(), message);
+                self.scope.define("mass", None);
+                continue;
+            }
+            if follows.is_none() {
+                self.work.met_still = false;
+                self.definition(*definition, description, defaults, mass);
+            }
+            if follows.is_some() || self.work.met_still || self.is_late(&name) {
+                self.scope.forget(&name);
+                late.push(*definition);
+            }
+        }
+        late
+    }
+
+    /// Whether the value of a name depends on the state.
+    fn is_late(&self, name: &str) -> bool {
+        let graph = &self.work.graph;
+        match self.scope.peek(name) {
+            Some(Value::Scalar(id, _) | Value::Condition(id)) => !graph.is_early(id),
+            Some(Value::Components(_, components, _)) => !graph.are_early(&components),
+            Some(Value::Vector(vector, _) | Value::Point(Point::Moving(vector))) => {
+                !graph.are_early(&self.work.entries(&[vector]))
+            }
+            _ => false,
+        }
     }
 
     /// The value of a point or a local.

@@ -85,6 +85,7 @@ pub fn outline(
         held: None,
         points: Vec::new(),
         driving: Vec::new(),
+        kept: Vec::new(),
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
         outputs: check_outputs(description, offers, errors),

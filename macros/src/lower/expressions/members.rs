@@ -3,11 +3,11 @@
 use proc_macro2::Ident;
 
 use crate::errors::hint;
-use crate::model::{Dimension, Frame};
-use crate::symbolic::Components;
+use crate::model::{Dimension, Frame, Vector};
 use crate::syntax::{Expression, Kind};
 
 use super::lowering::Lowering;
+use super::scope::Offset;
 use super::value::Value;
 
 impl Lowering<'_> {
@@ -109,14 +109,21 @@ impl Lowering<'_> {
         let known = &self.members.bodies[body];
         let written = word.to_string();
         if written == "G" {
-            return Some(Value::Carried(body, self.work.graph.zeros()));
+            return Some(Value::Carried(body, Vector::ZERO));
         }
         if let Some((_, value)) = known.values.iter().find(|(name, _)| *name == written) {
             return Some(*value);
         }
         if let Some((_, offset)) = known.points.iter().find(|(name, _)| *name == written) {
             self.members.used.borrow_mut().insert((body, written));
-            return offset.map(|offset| Value::Carried(body, offset));
+            return match offset {
+                Offset::Known(offset) => Some(Value::Carried(body, *offset)),
+                Offset::Late => {
+                    let message = "this is fixed, and this point moves in its body: it cannot depend on how the system moves";
+                    self.report(word.span(), message)
+                }
+                Offset::Reported => None,
+            };
         }
         let of_state = [
             "position",
@@ -145,7 +152,7 @@ impl Lowering<'_> {
     pub fn carried_point(
         &mut self,
         body: usize,
-        offset: Components,
+        offset: Vector,
         method: &Ident,
         arguments: &[Expression],
     ) -> Option<Value> {
@@ -168,10 +175,9 @@ impl Lowering<'_> {
         let (whole, part, dimension) = if word == "position" {
             (motion.position, offset, Dimension::LENGTH)
         } else {
-            let swept = self.work.graph.cross(motion.angular_velocity, offset);
+            let swept = self.swept(offset, motion.angular_velocity, frame);
             (motion.velocity, swept, Dimension::VELOCITY)
         };
-        let part = self.work.vector(frame, part);
         Some(Value::Vector(self.work.add(whole, part), dimension))
     }
 

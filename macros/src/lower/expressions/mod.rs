@@ -17,7 +17,7 @@ mod written;
 
 pub use along_axis::UNTURNED;
 pub use lowering::{Lowering, dimension};
-pub use scope::{BUILT_IN, BodyMotion, BodyNames, JointNames, Members, OF_ROD, Scope};
+pub use scope::{BUILT_IN, BodyMotion, BodyNames, JointNames, Members, OF_ROD, Offset, Scope};
 pub use unit::lower_unit;
 pub use value::Value;
 pub use written::{

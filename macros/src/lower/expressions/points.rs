@@ -55,7 +55,11 @@ impl Lowering<'_> {
                 }
             }
             Value::Carried(body, offset) if self.members.bodies[body].frame == self.state.body => {
-                Some(Point::Fixed(self.state.body, offset))
+                Some(if self.work.is_in(offset, self.state.body) {
+                    Point::Fixed(self.state.body, self.work.part(offset, self.state.body))
+                } else {
+                    Point::Moving(offset)
+                })
             }
             Value::Carried(..) => self.report(
                 expression.extent,

@@ -65,6 +65,11 @@ impl Scope {
         self.values.insert(name.to_owned(), value);
     }
 
+    /// Takes the value of a name, which gets one later.
+    pub fn forget(&mut self, name: &str) {
+        self.values.remove(name);
+    }
+
     /// `None` for a name that nobody defined.
     #[allow(clippy::option_option, reason = "outer: not defined; inner: reported")]
     pub fn look_up(&mut self, name: &str) -> Option<Option<Value>> {
@@ -146,12 +151,22 @@ pub struct BodyNames {
     pub frame: Frame,
     /// Where its G is, if others are drawn in the same frame.
     pub origin: Option<Origin>,
-    /// Its points, from its G in its axes; without components those that are reported.
-    pub points: Vec<(String, Option<Components>)>,
+    /// Its points, from its G.
+    pub points: Offsets,
     /// Once the joints are known.
     pub motion: Option<BodyMotion>,
     /// `position`, `attitude`, `mass`: what it has without a point.
     pub values: Values,
+}
+
+/// Where a point of a body is.
+#[derive(Clone, Copy)]
+pub enum Offset {
+    /// From its G.
+    Known(Vector),
+    /// It follows from how the body moves, which is not known yet.
+    Late,
+    Reported,
 }
 
 /// How a body moves.
@@ -166,9 +181,12 @@ pub struct BodyMotion {
 /// Words, and what they stand for.
 type Values = Vec<(&'static str, Value)>;
 
+/// Points, by name.
+pub type Offsets = Vec<(String, Offset)>;
+
 /// What is told of bodies and joints that move.
 pub struct Told {
-    bodies: Vec<(Option<BodyMotion>, Values)>,
+    bodies: Vec<(Option<BodyMotion>, Values, Offsets)>,
     joints: Vec<Values>,
 }
 
@@ -202,7 +220,7 @@ impl Members {
         let bodies = self.bodies.iter();
         Told {
             bodies: bodies
-                .map(|body| (body.motion, body.values.clone()))
+                .map(|body| (body.motion, body.values.clone(), body.points.clone()))
                 .collect(),
             joints: self
                 .joints
@@ -213,8 +231,8 @@ impl Members {
     }
 
     pub fn restore(&mut self, told: Told) {
-        for (body, (motion, values)) in self.bodies.iter_mut().zip(told.bodies) {
-            (body.motion, body.values) = (motion, values);
+        for (body, told) in self.bodies.iter_mut().zip(told.bodies) {
+            (body.motion, body.values, body.points) = told;
         }
         for (joint, values) in self.joints.iter_mut().zip(told.joints) {
             joint.values = values;

@@ -13,7 +13,7 @@ pub enum Value {
     Condition(Id),
     Point(Point),
     /// A point of a body of a system, by the number of the body: its offset from that one's G.
-    Carried(usize, Components),
+    Carried(usize, Vector),
     /// The attitude of the body.
     Attitude,
 }

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::hint;
 use crate::model::{Attitude, Dimension, Frame, Point, Vector};
-use crate::symbolic::{Function, Id};
+use crate::symbolic::{Components, Function, Id};
 use crate::syntax::Expression;
 
 use super::along_axis::UNTURNED;
@@ -173,20 +173,21 @@ impl Lowering<'_> {
                 self.work.add(self.state.velocity, swept)
             }
             (Point::Moving(offset), _) => {
-                let swept = self.swept(offset);
+                let swept = self.swept(offset, self.state.angular_velocity, self.state.axes);
                 self.work.add(self.state.velocity, swept)
             }
         };
         Some(Value::Vector(vector, dimension))
     }
 
-    /// `w x r`, each part in its own axes: those of w change together, and `w x w` is zero.
-    fn swept(&mut self, offset: Vector) -> Vector {
+    /// `w x r`, of w in these axes, each part of r in its own: those of w change together, and `w x w`
+    /// is zero.
+    pub fn swept(&mut self, offset: Vector, w: Components, axes: Frame) -> Vector {
         let mut swept = Vector::ZERO;
+        let own = self.work.vector(axes, w);
         for (frame, part) in self.work.parts(offset).to_vec() {
-            let mut w = self.state.angular_velocity;
-            if frame != self.state.axes && !self.motion.is_planar {
-                let own = self.work.vector(self.state.axes, w);
+            let mut w = w;
+            if frame != axes && !self.motion.is_planar {
                 w = self.work.components(own, frame);
             }
             let product = self.work.graph.cross(w, part);

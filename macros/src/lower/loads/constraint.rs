@@ -56,30 +56,11 @@ impl Lowering<'_> {
         all
     }
 
-    /// The scalars of one constraint: a vector counts as its components, in world axes unless it
-    /// says otherwise.
+    /// The scalars of one constraint, each with what it speaks of.
     fn constraint(&mut self, written: &Definition) -> Option<Vec<Constraint>> {
-        let expression = written.value.as_ref()?;
         let name = &written.name;
-        let components = match self.value(expression)? {
-            Value::Scalar(id, _) => vec![(name.to_string(), id)],
-            Value::Components(_, components, _) => self.named_components(name, components),
-            Value::Vector(vector, _) => {
-                let components = self.work.components(vector, Frame::WORLD);
-                self.named_components(name, components)
-            }
-            other => {
-                return self.report(
-                    expression.extent,
-                    format!(
-                        "a constraint is a scalar or a vector that is kept at zero, and this is {}",
-                        other.kind()
-                    ),
-                );
-            }
-        };
         let mut constraints = Vec::new();
-        for (scalar, value) in components {
+        for (scalar, value) in self.kept_at_zero(written)? {
             let Some(level) = self.level(value) else {
                 return self.report(
                     name.span(),
@@ -97,6 +78,28 @@ impl Lowering<'_> {
             });
         }
         Some(constraints)
+    }
+
+    /// The scalars of one constraint: a vector counts as its components, in world axes unless it
+    /// says otherwise.
+    pub fn kept_at_zero(&mut self, written: &Definition) -> Option<Vec<(String, Id)>> {
+        let expression = written.value.as_ref()?;
+        let name = &written.name;
+        match self.value(expression)? {
+            Value::Scalar(id, _) => Some(vec![(name.to_string(), id)]),
+            Value::Components(_, components, _) => Some(self.named_components(name, components)),
+            Value::Vector(vector, _) => {
+                let components = self.work.components(vector, Frame::WORLD);
+                Some(self.named_components(name, components))
+            }
+            other => self.report(
+                expression.extent,
+                format!(
+                    "a constraint is a scalar or a vector that is kept at zero, and this is {}",
+                    other.kind()
+                ),
+            ),
+        }
     }
 
     /// A constraint is differentiated, and so are the inputs in it.

@@ -11,7 +11,7 @@ use crate::errors::{Errors, Extent};
 use crate::lower::definitions::{Definition, definition_order};
 use crate::lower::expressions::{Lowering, Value, is_drive, is_unknown};
 use crate::model::{Charges, Dimension, Displaced, Form, Frame, Potential, Potentials, Turns};
-use crate::symbolic::{Components, Id, Node, Stage};
+use crate::symbolic::{Components, Id, Node};
 use crate::syntax::{Description, Expression, Kind, Load};
 
 /// Words of what moves.
@@ -86,16 +86,18 @@ impl Lowering<'_> {
         let (mut energies, charges): (Vec<Id>, Vec<Charges>) = fields.into_iter().unzip();
         energies.extend(scalars);
         let form = Form {
-            energies,
+            values: energies,
             charges,
             turns: turns.list,
             bodies: vec![Displaced {
                 body: self.state.body,
                 displacement,
+                velocity: [zero; 3],
+                angular_velocity: [zero; 3],
                 angle: None,
                 has_own_attitude: true,
             }],
-            coordinates: Vec::new(),
+            along: Vec::new(),
             stands_for: displacement
                 .into_iter()
                 .filter(|_| is_added)
@@ -111,15 +113,7 @@ impl Lowering<'_> {
         if self.motion.translates() {
             return self.work.part(self.state.position, Frame::WORLD);
         }
-        let axes = self.motion.axes();
-        let graph = &mut self.work.graph;
-        let displacement = [0, 1, 2].map(|axis| {
-            if axis < axes {
-                graph.symbol(Stage::State)
-            } else {
-                graph.zero()
-            }
-        });
+        let displacement = self.work.free_symbols(0..self.motion.axes());
         let displaced = self.work.vector(Frame::WORLD, displacement);
         self.state.position = self.work.add(self.state.position, displaced);
         displacement

@@ -11,8 +11,8 @@ use super::outline::name_of_point;
 use super::reading::reader::Reader;
 
 impl Reader<'_> {
-    /// Whether the joints behind `reactions` are joints, and hold something.
-    pub fn check_held(&self, joints: &[Option<Written>], errors: &mut Errors) {
+    /// Whether the joints behind `reactions` are joints, and hold something, or are what may be `kept`.
+    pub fn check_held(&self, joints: &[Option<Written>], kept: &[Ident], errors: &mut Errors) {
         let held = self.system.held.iter().flatten();
         let mut seen: Vec<&Ident> = Vec::new();
         for name in held {
@@ -23,7 +23,10 @@ impl Reader<'_> {
                 format!("`{name}` is named twice")
             } else if joint.is_some_and(|joint| joint.kind.is_free()) {
                 format!("nothing holds what `{name}` carries: it has no reactions")
-            } else if names().any(|known| known == name) || self.system.has_lost_joints {
+            } else if names().any(|known| known == name)
+                || kept.contains(name)
+                || self.system.has_lost_joints
+            {
                 seen.push(name);
                 continue;
             } else {

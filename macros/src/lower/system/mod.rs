@@ -1,9 +1,12 @@
 //! A description of a system, read in order: what it declares, the points of its bodies, the
 //! joints, and then all that depends on how it moves.
 
+mod apart;
 mod asked;
 mod between;
+mod constraints;
 mod drives;
+mod frames;
 mod joints;
 mod outline;
 mod potentials;
@@ -17,8 +20,8 @@ use crate::errors::Errors;
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Members, Scope};
 use crate::model::{
-    Closing, Declared, Defaults, Meaning, Member, Outline, PLANAR, SPATIAL, System, TreeJoint,
-    Workspace,
+    Closing, Constraint, Declared, Defaults, Kept, Meaning, Member, Outline, PLANAR, SPATIAL,
+    System, TreeJoint, Workspace,
 };
 use crate::symbolic::{Components, Stage};
 use crate::syntax;
@@ -55,6 +58,8 @@ pub fn lower_system(
         time,
         defaults: Defaults::new(),
         derivatives: Vec::new(),
+        kept: Some(Kept::default()),
+        first_load: 2 * outline.holding.len(),
     };
     reader.defaults = reader.at_top(errors, |lowering| {
         lowering.declarations(&system.top, outline)
@@ -64,14 +69,17 @@ pub fn lower_system(
     let mut wrong = HashSet::new();
     let mut drafts = reader.drafts(&mut wrong, errors);
     let joints = reader.joints(errors);
-    reader.check_held(&joints, errors);
+    reader.check_held(&joints, &outline.kept, errors);
     let (order, closing) = reader.tree(&joints, errors);
     let (closings, joints) = reader.closings(&closing, joints, errors);
     let joints = reader.motions(order, joints, &mut drafts);
     reader.members.are_moving = true;
+    reader.late_points(&mut drafts, errors);
     reader.locals(errors, true);
-    let bodies = reader.bodies(&mut drafts, &mut wrong, errors);
+    reader.top_constraints(&outline.inputs, errors);
+    let bodies = reader.bodies(&mut drafts, &mut wrong, &outline.inputs, errors);
     let potentials = reader.potentials(&mut drafts, &joints, errors);
+    let constraints = reader.constraints_apart(&mut drafts, &joints, errors);
     let joints = reader.drives(joints, errors);
     let between = reader.loads_between(errors);
     let points = reader.asked_points(errors);
@@ -90,7 +98,13 @@ pub fn lower_system(
     let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let mut closings = closings;
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
+    frames::check_frames(&work, &bodies, &joints, errors);
     let written = tell_frames(outline, &joints);
+    outline.kept = constraints
+        .iter()
+        .flat_map(|kept| &kept.list)
+        .map(load_of)
+        .collect();
     let system = System {
         is_planar: system.is_planar,
         bodies,
@@ -99,6 +113,7 @@ pub fn lower_system(
         written,
         points,
         gravity,
+        constraints: constraints?,
         potentials: potentials?,
         energies: between.energies,
         cables: between.cables,
@@ -110,6 +125,12 @@ pub fn lower_system(
         errors.push(outline.name.span(), message);
     }
     errors.is_empty().then_some((system, work))
+}
+
+/// What the load is called that keeps a constraint.
+fn load_of(constraint: &Constraint) -> Ident {
+    let name = constraint.name.replace('.', "_");
+    Ident::new(&name, constraint.place.span())
 }
 
 /// The frames of what joints carry, by which their states are known; and the joints that move, by

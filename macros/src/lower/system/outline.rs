@@ -18,6 +18,8 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     outline.is_system = true;
     outline.body_keys.clone_from(&system.keys);
     outline.held.clone_from(&system.held);
+    outline.kept = loads_of_constraints(system);
+    outline.is_constrained = !outline.kept.is_empty();
     let mut seen = HashSet::new();
     let bodies = system.bodies.iter().map(|body| body.name.clone());
     outline.bodies = bodies
@@ -58,6 +60,21 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     });
     let open = open.filter(|drive| seen.insert(format!("drive {}", drive.name)));
     outline.open = open.map(|drive| drive.name.clone()).collect();
+}
+
+/// What the loads of all written constraints may be called, of scalars and of vectors.
+fn loads_of_constraints(system: &syntax::System) -> Vec<Ident> {
+    let of_bodies = system.bodies.iter().flat_map(|body| {
+        let written = body.constraints.iter();
+        written.map(|one| format_ident!("{}_{}", body.name, one.name, span = one.name.span()))
+    });
+    let written = system.top.constraints.iter().map(|one| one.name.clone());
+    let names = written.chain(of_bodies).flat_map(|name| {
+        let parts = ["_x", "_y", "_z"].map(|axis| format_ident!("{name}{axis}"));
+        [name].into_iter().chain(parts)
+    });
+    let mut seen = HashSet::new();
+    names.filter(|name| seen.insert(name.clone())).collect()
 }
 
 /// Whether the motion of a joint is prescribed.

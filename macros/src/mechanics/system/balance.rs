@@ -5,6 +5,7 @@ use proc_macro2::Ident;
 
 use crate::mechanics::answers::{LoadExpressions, Resultant};
 use crate::mechanics::tree::{self, Moving};
+use crate::mechanics::variation::derive_unit_loads;
 use crate::model::{Frame, Load, Meaning, Member, System, Vector, Workspace};
 use crate::symbolic::{Components, Id, Stage};
 
@@ -42,6 +43,7 @@ pub fn derive_system_balances(
     let by_link = by_link(equations, &built.tree, &given);
     let motions = tree::motions(&mut work.graph, &built.tree, &by_link);
     let carried = joint_loads(system, work, holding);
+    let kept = loads_of_constraints(system, work, 2 * holding.len());
     let mut all: Vec<BodyBalance> = Vec::new();
     for (number, body) in system.bodies.iter().enumerate() {
         let loads = || body.weights.iter().chain(&body.loads);
@@ -67,17 +69,27 @@ pub fn derive_system_balances(
                 *sum = work.add(*sum, part);
             }
         }
+        let pin = work.vector(body.state.body, system.joints[number].pin);
+        for [force, moment] in kept.iter().filter_map(|on| on.get(number)) {
+            let lever = work.cross(pin, *force);
+            let whole = work.add(*moment, lever);
+            sums = [work.add(sums[0], *force), work.add(sums[1], whole)];
+        }
         let [taken_force, taken_moment] =
             taken(system, work, body, &motions[built.body(number)], number);
+        let given = in_world(work, [force, moment], &body.name);
+        let applied = applied(work, equations, &given);
         let [less_force, less_moment] = [taken_force, taken_moment].map(|part| work.negate(part));
         let residual = [
             work.add(sums[0], less_force),
             work.add(sums[1], less_moment),
         ];
         all.push(BodyBalance {
-            applied: in_world(work, [force, moment], &body.name),
+            applied,
             residual: in_world(work, residual, &body.name),
-            loads: loads().map(|load| listed(work, body, load)).collect(),
+            loads: loads()
+                .map(|load| listed(work, equations, body, load))
+                .collect(),
         });
     }
     all
@@ -129,6 +141,33 @@ fn joint_loads<'a>(
     loads.collect()
 }
 
+/// What each written constraint does to each body, at the point that its joint holds, as its load is
+/// given; the first one has this number among the parts of the reactions.
+fn loads_of_constraints(
+    system: &System,
+    work: &mut Workspace,
+    first: usize,
+) -> Vec<Vec<[Vector; 2]>> {
+    let Some(form) = &system.constraints.form else {
+        return Vec::new();
+    };
+    let levels = system.constraints.list.iter().map(|one| one.level);
+    let units = derive_unit_loads(work, form, levels).into_iter();
+    let units = units.enumerate().map(|(number, unit)| {
+        let load = work.symbol(Stage::State, Meaning::Reaction(first + number, 0));
+        let on = system.bodies.iter().map(|body| {
+            let mut drawn = form.bodies.iter().zip(&unit.on);
+            let found = drawn.find(|(displaced, _)| displaced.body == body.state.body);
+            found.map_or([Vector::ZERO; 2], |(_, draw)| {
+                let moment = work.vector(body.state.body, draw.moment);
+                [draw.force, moment].map(|part| work.scale(load, part))
+            })
+        });
+        on.collect()
+    });
+    units.collect()
+}
+
 /// `m a_G` and `J w' + w x J w`: what its motion takes.
 fn taken(
     system: &System,
@@ -168,10 +207,27 @@ fn in_world(work: &mut Workspace, parts: [Vector; 2], body: &Ident) -> Resultant
     Resultant { force, moment }
 }
 
-fn listed(work: &mut Workspace, body: &Member, load: &Load) -> LoadExpressions {
+/// With what is found where loads follow those of constraints.
+fn applied(work: &mut Workspace, equations: &SystemEquations, given: &Resultant) -> Resultant {
+    let [force, moment] = [given.force, given.moment].map(|part| with_loads(work, equations, part));
+    Resultant { force, moment }
+}
+
+fn with_loads(work: &mut Workspace, equations: &SystemEquations, part: Components) -> Components {
+    let found = equations.with_loads(work, &part);
+    [found[0], found[1], found[2]]
+}
+
+fn listed(
+    work: &mut Workspace,
+    equations: &SystemEquations,
+    body: &Member,
+    load: &Load,
+) -> LoadExpressions {
     let place: Vector = body.state.place(work, load.point);
     let world = |work: &mut Workspace, vector: Vector| -> Components {
-        work.components(vector, Frame::WORLD)
+        let found = work.components(vector, Frame::WORLD);
+        with_loads(work, equations, found)
     };
     LoadExpressions {
         name: load.name.to_string(),

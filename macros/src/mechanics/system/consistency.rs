@@ -1,4 +1,4 @@
-//! How far a state is from closing its loops, and the way back: along the slopes of the constraints,
+//! How far a state is from what is kept, and the way back: along the slopes of the constraints,
 //! in the metric of what each freedom has of the kinetic energy alone.
 
 use crate::mechanics::unknowns::{Consistency, Reach, summed_size};
@@ -40,16 +40,17 @@ pub fn derive_system_consistency(
                 graph.sum(&parts)
             });
             let coupling = coupling.collect();
-            let (size, fast) = (summed_size(graph, row.value), summed_size(graph, row.rate));
+            let position = row.value.map(|value| (value, summed_size(graph, value)));
+            let fast = summed_size(graph, row.rate);
             let consistency = Consistency {
                 name: row.name.clone(),
-                position: Some((row.value, size)),
+                position,
                 velocity: (row.rate, fast),
                 direction: order.iter().map(|freedom| direction[*freedom]).collect(),
                 coupling,
             };
             let reach = Reach {
-                position: Some(size),
+                position: position.map(|(_, size)| size),
                 velocity: fast,
             };
             (consistency, reach)

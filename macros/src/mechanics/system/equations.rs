@@ -2,6 +2,7 @@
 
 use std::mem::take;
 
+use crate::errors::Errors;
 use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
 use crate::mechanics::tree::link::Tree;
@@ -9,7 +10,8 @@ use crate::mechanics::tree::{self, Built, Solved};
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
 
-use super::loops::{self, Closed};
+use super::constraints::{self, Closed, check_kept, replace};
+use super::motion::motion;
 
 /// The equations of motion of a system.
 pub struct SystemEquations {
@@ -21,18 +23,19 @@ pub struct SystemEquations {
     /// With other origins and axes, and without what joints cannot tell.
     pub(super) reduced: Tree,
     pub(super) built: Built,
-    /// What closes loops, if there are any.
+    /// What is kept, if it is no tree that moves freely.
     pub(super) closed: Option<Closed>,
 }
 
 /// Derives the equations of motion of a system.
 pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let built = tree::build(system, work);
-    let (found, closed) = if system.closings.is_empty() {
+    let (found, closed) = if system.is_tree() {
         let found = tree::derive_tree(&mut work.graph, &mut work.labels, &built.tree);
         (found, None)
     } else {
-        let mut closed = loops::close(system, work, &built);
+        let motion = motion(system, work);
+        let mut closed = constraints::close(system, work, &built, &motion);
         let found = Solved {
             accelerations: take(&mut closed.accelerations),
             left_out: Vec::new(),
@@ -61,7 +64,12 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let roots = accelerations.concat();
     let time = system.bodies.first().map(|body| body.state.time);
     let switches = time.map(|time| derive_switches(time, &system.derivatives, work, &roots));
-    let loads = loads(system, work);
+    let mut loads = loads(system, work);
+    if let Some(closed) = &closed {
+        for (_, parts) in &mut loads {
+            *parts = replace(&mut work.graph, parts, &closed.values);
+        }
+    }
     SystemEquations {
         switches: switches.unwrap_or_default(),
         partial: list_partial(loads, work),
@@ -74,16 +82,34 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
 }
 
 impl SystemEquations {
-    /// The tree, with the loads of joints that close loops on its links.
+    /// The tree, with the loads of what is kept on its links.
     pub(super) fn loaded(&self) -> &Tree {
         let closed = self.closed.as_ref();
         closed.map_or(&self.built.tree, |closed| &closed.loaded)
     }
 
-    /// The joints that close loops whose loads are not determined, by number.
-    pub fn undetermined(&self) -> &[usize] {
+    /// An expression without symbols of the loads of constraints.
+    pub fn with_loads(&self, work: &mut Workspace, roots: &[Id]) -> Vec<Id> {
+        match &self.closed {
+            Some(closed) if !closed.values.is_empty() => {
+                replace(&mut work.graph, roots, &closed.values)
+            }
+            _ => roots.to_vec(),
+        }
+    }
+
+    /// The load of each written constraint.
+    pub fn kept_loads(&self) -> &[Id] {
         let closed = self.closed.as_ref();
-        closed.map_or(&[], |closed| &closed.undetermined)
+        closed.map_or(&[], |closed| &closed.loads)
+    }
+
+    /// Reports written constraints that say nothing, or nothing new.
+    pub fn check(&self, system: &System, errors: &mut Errors) -> Option<()> {
+        let closed = self.closed.as_ref();
+        closed.map_or(Some(()), |closed| {
+            check_kept(system, &closed.unsettled, errors)
+        })
     }
 }
 

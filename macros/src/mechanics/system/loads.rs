@@ -2,42 +2,74 @@
 
 use proc_macro2::Ident;
 
+use crate::errors::Errors;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Pair};
 use crate::model::{Rates, System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Components, Id};
 
+use super::constraints::solve_drives;
 use super::equations::SystemEquations;
 
-/// The load along each freedom of each joint that makes it accelerate as is given, less what is known
-/// of its drive.
+/// The open drives, in the order of the joints, that make these accelerate as is given. One that
+/// others can stand in for is an error at its name.
 pub fn derive_system_inverse(
     system: &System,
     work: &mut Workspace,
     equations: &SystemEquations,
-) -> Vec<Vec<Id>> {
-    let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
-    let loads = loads(work, equations, &equations.reduced, &given);
-    let joints = system.joints.iter().zip(&equations.built.links);
-    let drives = joints.map(|(joint, links)| {
-        let mut found = Vec::new();
-        for link in links.clone() {
-            for freedom in equations.reduced.links[link].open() {
-                let needed = freedom.twist.dot(&mut work.graph, loads[link]);
-                let known = joint.drives[found.len()];
-                found.push(work.graph.subtract(needed, known));
+    errors: &mut Errors,
+) -> Vec<Id> {
+    let needed = needed(system, work, equations);
+    let joints = system.joints.iter().filter(|joint| !joint.is_driven());
+    let named: Vec<&Option<Ident>> = joints.flat_map(|joint| &joint.open).collect();
+    let open = named.iter().enumerate().filter(|(_, name)| name.is_some());
+    let open: Vec<usize> = open.map(|(freedom, _)| freedom).collect();
+    let drives: Vec<Id> = match &equations.closed {
+        None => open.iter().map(|freedom| needed[*freedom]).collect(),
+        Some(closed) => {
+            let solved = solve_drives(work, closed, &needed, &open);
+            let name = |column: usize| named[*open.get(column)?].as_ref();
+            for one in &solved.undetermined {
+                let Some(drive) = name(one.column) else {
+                    continue;
+                };
+                let others: Vec<String> = one
+                    .others
+                    .iter()
+                    .filter_map(|other| Some(format!("`{}`", name(*other)?)))
+                    .collect();
+                let others = if others.is_empty() {
+                    "what keeps the constraints".to_owned()
+                } else {
+                    others.join(" and ")
+                };
+                let message = format!(
+                    "`{drive}` is not determined: {others} can do all that it does; give its value"
+                );
+                errors.push(drive.span(), message);
             }
+            solved.values.into_iter().take(open.len()).collect()
         }
-        found
-    });
-    let drives: Vec<Vec<Id>> = drives.collect();
-    let (folded, images) = work.graph.folded(&drives.concat());
+    };
+    let (folded, images) = work.graph.folded(&drives);
     work.labels.follow(&images);
-    let mut folded = folded.into_iter().map(|one| work.graph.result(one));
-    drives
-        .iter()
-        .map(|joint| folded.by_ref().take(joint.len()).collect())
-        .collect()
+    let results = folded.into_iter();
+    results.map(|one| work.graph.result(one)).collect()
+}
+
+/// The load along each freedom that is not prescribed, joint by joint, that makes it accelerate as is
+/// given, less what is known to act there.
+fn needed(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Vec<Id> {
+    let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
+    let tree = &equations.reduced;
+    let loads = loads(work, equations, tree, &given);
+    let links = tree.links.iter().zip(loads);
+    let freedoms = links.flat_map(|(link, load)| link.open().map(move |freedom| (freedom, load)));
+    let needed = freedoms.map(|(freedom, load)| {
+        let needed = freedom.twist.dot(&mut work.graph, load);
+        work.graph.subtract(needed, freedom.drive)
+    });
+    needed.collect()
 }
 
 /// The symbols of the accelerations of a joint, by its freedoms.
@@ -88,45 +120,64 @@ pub fn derive_system_reactions(
 ) -> Vec<(Ident, [Components; 2])> {
     let tree = equations.loaded();
     let loads = loads(work, equations, tree, &equations.accelerations);
-    let joints = system.joints.iter().enumerate().map(|(body, joint)| {
+    let joints = (0..system.joints.len()).map(|body| {
         let link = equations.built.body(body);
         let load = tree::in_world(&mut work.graph, &tree.links, link, loads[link]);
-        (joint.name.clone(), [load.linear, load.angular])
+        [load.linear, load.angular]
     });
-    let mut all: Vec<(Ident, [Components; 2])> = joints.collect();
+    let joints: Vec<[Components; 2]> = joints.collect();
     let closed = equations.closed.iter().flat_map(|closed| &closed.wrenches);
-    for (closing, wrench) in system.closings.iter().zip(closed) {
-        let wrench = wrench.map(|part| part.map(|one| work.graph.result(one)));
-        all.push((closing.name.clone(), wrench));
-    }
-    all
+    let closed = closed.map(|wrench| wrench.map(|part| part.map(|one| work.graph.result(one))));
+    let closed: Vec<[Components; 2]> = closed.collect();
+    named(system, &joints, &closed)
 }
 
-/// The loads along the freedoms whose motion is prescribed, joint by joint: the drives that make it so.
+/// Loads of joints that balance each other, and that the balances leave open: as many as a system is
+/// held more than it needs.
+pub fn derive_system_spare(
+    system: &System,
+    equations: &SystemEquations,
+) -> Vec<Vec<(Ident, [Components; 2])>> {
+    let closed = equations.closed.iter();
+    let spare = closed.flat_map(|closed| &closed.unsettled.spare);
+    spare
+        .map(|spare| named(system, &spare.joints, &spare.closings))
+        .collect()
+}
+
+/// What is known of the joints of the tree, and of those that close loops, by name.
+fn named(
+    system: &System,
+    joints: &[[Components; 2]],
+    closings: &[[Components; 2]],
+) -> Vec<(Ident, [Components; 2])> {
+    let joints = system.joints.iter().map(|joint| &joint.name).zip(joints);
+    let closings = system
+        .closings
+        .iter()
+        .map(|joint| &joint.name)
+        .zip(closings);
+    let all = joints.chain(closings);
+    all.map(|(name, wrench)| (name.clone(), *wrench)).collect()
+}
+
+/// The loads along the freedoms whose motion is prescribed, joint by joint, less what else is known to
+/// act there: the drives that make it so.
 pub fn derive_system_driving(work: &mut Workspace, equations: &SystemEquations) -> Vec<Vec<Id>> {
-    let built = &equations.built;
-    let loads = loads(
-        work,
-        equations,
-        equations.loaded(),
-        &equations.accelerations,
-    );
-    let joints = built.links.iter().map(|links| {
-        let links = links
-            .clone()
-            .map(|link| (&built.tree.links[link], loads[link]));
+    let tree = equations.loaded();
+    let loads = loads(work, equations, tree, &equations.accelerations);
+    let joints = equations.built.links.iter().map(|links| {
+        let links = links.clone().map(|link| (&tree.links[link], loads[link]));
         let freedoms = links.flat_map(|(link, load)| {
             let driven = link.freedoms.iter().filter(|one| one.given.is_some());
-            driven.map(move |freedom| (freedom.twist, load))
+            driven.map(move |freedom| (freedom, load))
         });
-        let freedoms: Vec<_> = freedoms.collect();
-        freedoms
-            .into_iter()
-            .map(|(twist, load)| {
-                let drive = twist.dot(&mut work.graph, load);
-                work.graph.result(drive)
-            })
-            .collect()
+        let drives = freedoms.map(|(freedom, load)| {
+            let needed = freedom.twist.dot(&mut work.graph, load);
+            let drive = work.graph.subtract(needed, freedom.drive);
+            work.graph.result(drive)
+        });
+        drives.collect()
     });
     joints.collect()
 }

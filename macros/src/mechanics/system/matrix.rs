@@ -4,11 +4,12 @@ use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
 
+use super::constraints::moved_in_world;
 use super::equations::SystemEquations;
-use super::loops::moved_in_world;
 use super::rates::order;
 
-/// `M q'' = f`, in the order in which the state has its rates.
+/// `M q'' = f`, in the order in which the state has its rates; of what is kept beside the joints of the
+/// tree, the loads that keep it come on top.
 pub struct Inertias {
     pub rows: Vec<Vec<Id>>,
     /// What drives each freedom, less what its motion takes without acceleration.
@@ -23,6 +24,7 @@ pub fn derive_inertias(
 ) -> Inertias {
     let tree = moved_in_world(work, &equations.built.tree);
     let found = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
+    let driving = equations.with_loads(work, &found.driving);
     let order = order(system, equations);
     let mut result = |id: Id| work.graph.result(id);
     Inertias {
@@ -35,9 +37,6 @@ pub fn derive_inertias(
                     .collect()
             })
             .collect(),
-        driving: order
-            .iter()
-            .map(|row| result(found.driving[*row]))
-            .collect(),
+        driving: order.iter().map(|row| result(driving[*row])).collect(),
     }
 }

@@ -43,9 +43,8 @@ pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
 }
 
 /// Where the gradient of a constraint is not proved to be zero; `None` is everywhere.
-pub fn active(work: &mut Workspace, constraint: &Constrained) -> Option<Id> {
-    let gradient = constraint.rates.factors.entries();
-    let conditions = work.graph.conditions(&gradient);
+pub fn active(work: &mut Workspace, gradient: &[Id]) -> Option<Id> {
+    let conditions = work.graph.conditions(gradient);
     if conditions.is_empty() || conditions.len() > MOST {
         return None;
     }
@@ -55,7 +54,7 @@ pub fn active(work: &mut Workspace, constraint: &Constrained) -> Option<Id> {
             let place = conditions.iter().position(|known| *known == condition);
             place.is_some_and(|place| outcomes >> place & 1 == 1)
         };
-        let there = work.graph.on_side(&gradient, holds);
+        let there = work.graph.on_side(gradient, holds);
         if all_vanish(work, &there) {
             let graph = &mut work.graph;
             let mut all = graph.truth(true);

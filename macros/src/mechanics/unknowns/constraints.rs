@@ -59,7 +59,7 @@ pub fn derive_constrained(
     rows.extend(left.iter().map(|(_, row)| row.clone()));
     let mut system = equations(work, rows);
     for (equation, constraint) in system.iter_mut().zip(&constraints) {
-        equation.active = active(work, constraint);
+        equation.active = active(work, &constraint.rates.factors.entries());
         let sizes = pushes.iter();
         equation.sizes = sizes
             .map(|push| size(model, work, constraint, push))

@@ -15,6 +15,8 @@ mod solvability;
 mod unit;
 
 pub use consistency::{Consistency, Reach, derive_consistency, derive_reach, summed_size};
+pub use constrained::active;
 pub use constraints::derive_constrained;
 pub use inverse::derive_inverse;
+pub use pushes::{is_linear, reactions_in};
 pub use reactions::derive_reactions;

@@ -176,14 +176,15 @@ fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Opt
 }
 
 /// The symbols of unknown reactions that expressions contain.
-fn reactions_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
+pub fn reactions_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
     let is_reaction = |id: &Id| matches!(work.meaning(*id), Some(Meaning::Reaction(..)));
     let mut symbols = work.graph.reachable(roots, |_| true);
     symbols.retain(is_reaction);
     symbols
 }
 
-fn is_linear(work: &mut Workspace, roots: &[Id]) -> bool {
+/// Whether they are linear in the unknown reactions that they contain.
+pub fn is_linear(work: &mut Workspace, roots: &[Id]) -> bool {
     let symbols = reactions_in(work, roots);
     let zero = work.graph.zero();
     let graph = &mut work.graph;

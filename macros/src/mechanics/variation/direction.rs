@@ -9,17 +9,15 @@
 
 use std::collections::BTreeMap;
 
-use crate::model::{Attitude, Frame, Meaning, Model, Vector, Workspace};
+use crate::model::{Attitude, Frame, Model, Vector, Workspace, input_rates};
 use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 /// A direction in the space of states.
 pub struct Direction {
-    /// The body that changes.
-    pub body: Frame,
     /// What each symbol changes by; others stay as they are.
     pub changes: BTreeMap<Id, Id>,
-    /// Its turn.
-    pub phi: Vector,
+    /// By how much each frame turns against the one that carries it; others stay as they are.
+    pub turns: BTreeMap<Frame, Vector>,
 }
 
 impl Direction {
@@ -36,13 +34,7 @@ impl Direction {
         if let Some(axis) = state.axis {
             change(graph, changes, axis.unit, axis.rate);
         }
-        for input in 0..model.derivatives.len() {
-            for part in [None, Some(0), Some(1), Some(2)] {
-                let symbol = work.symbol_of(Meaning::Input(input, part));
-                let rate = model.input_rate(work, input, part);
-                changes.extend(symbol.zip(rate));
-            }
-        }
+        changes.extend(input_rates(work, &model.derivatives));
         motion
     }
 
@@ -101,7 +93,10 @@ impl Direction {
                 change(graph, &mut changes, vector, by);
             }
         }
-        Self { body, changes, phi }
+        Self {
+            changes,
+            turns: BTreeMap::from([(body, phi)]),
+        }
     }
 }
 

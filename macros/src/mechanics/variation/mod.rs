@@ -6,8 +6,11 @@ mod rates;
 mod slopes;
 mod spring_arm;
 mod system;
+mod unit_loads;
 
 pub use direction::Direction;
-pub use potential::with_potentials;
+pub use potential::{Derived, with_potentials};
 pub use rates::{Rates, rates};
+pub use slopes::Slopes;
 pub use system::with_system_potentials;
+pub use unit_loads::derive_unit_loads;

@@ -26,7 +26,7 @@ pub struct Derived {
     pub energy: Id,
     /// By the bodies of the form.
     pub on: Vec<Draw>,
-    /// Along each coordinate of joints, `-dU/dq`.
+    /// Along each freedom of joints, `-dU/dq`.
     pub along: Vec<Id>,
 }
 
@@ -37,7 +37,7 @@ pub struct Draw {
     /// About G, or about the point that is held; body axes.
     pub moment: Components,
     /// At the axis of a rod, `-dU/du`; world axes.
-    pull: Components,
+    pub pull: Components,
 }
 
 /// The potentials become loads, in the form that makes the fewest operations.
@@ -63,7 +63,7 @@ pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
 
 /// What the potentials of a form amount to.
 pub fn derive_form(work: &mut Workspace, form: &Form) -> Vec<Derived> {
-    let energies = form.energies.iter();
+    let energies = form.values.iter();
     let derived: Vec<Derived> = energies.map(|energy| derive(work, form, *energy)).collect();
     expand(work, form, &derived)
 }
@@ -104,7 +104,7 @@ fn cost(model: &Model, work: &mut Workspace, derived: &[Draw]) -> u32 {
 }
 
 /// Forces and moments, made of turned vectors that are still kept apart.
-fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
+pub fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
     let place = symbols_of_place(work, form);
     let mut slopes = Slopes::along_leaves(work, energy, place.clone());
     let mut moments = vec![work.graph.zeros(); form.bodies.len()];
@@ -141,9 +141,9 @@ fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
             pull,
         });
     }
-    let coordinates = form.coordinates.iter();
-    let along = coordinates.map(|coordinate| {
-        let slope = slopes.by_symbol(work, *coordinate);
+    let along = form.along.iter().map(|freedom| {
+        let slope = freedom.place.map(|place| slopes.by_symbol(work, place));
+        let slope = slope.unwrap_or(work.graph.zero());
         work.graph.negate(slope)
     });
     let along = along.collect();
@@ -191,7 +191,8 @@ fn moment_along(work: &mut Workspace, turn: &Turn, slope: Components) -> Compone
 /// The symbols that say where the bodies are: of displacements, attitudes, turned vectors and
 /// joints.
 fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
-    let mut symbols: HashSet<Id> = form.coordinates.iter().copied().collect();
+    let places = form.along.iter().filter_map(|freedom| freedom.place);
+    let mut symbols: HashSet<Id> = places.collect();
     for displaced in &form.bodies {
         symbols.extend(displaced.displacement);
         symbols.extend(displaced.angle);
@@ -239,7 +240,7 @@ fn of_attitude(
 
 /// Puts turned vectors in the place of the symbols that were kept apart, and what other symbols stand
 /// for. Names go with what they name.
-fn expand(work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
+pub fn expand(work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = form.stands_for.iter().copied().collect();
     for turn in &form.turns {
         let vector = replace(work, &turn.vector, &values);

@@ -95,13 +95,13 @@ impl Slopes {
 
     /// The change in one direction.
     pub fn along(&self, work: &mut Workspace, direction: &Direction) -> Id {
-        let body = direction.body;
-        let [own, world] = [body, Frame::WORLD].map(|frame| work.part(direction.phi, frame));
-        let world = work.turn(world, Frame::WORLD, body);
-        let phi = work.graph.add_vectors(own, world);
         let mut terms = Vec::new();
         for (turn, slope) in &self.by_turned {
-            terms.push(along_turned(work, phi, turn, *slope));
+            let body = work.turned_frame(turn);
+            if let Some(phi) = direction.turns.get(&body) {
+                let phi = work.components(*phi, body);
+                terms.push(along_turned(work, phi, turn, *slope));
+            }
         }
         for (symbol, change) in direction.changes.iter().rev() {
             if let Some(slope) = self.by_leaf.get(symbol) {
@@ -114,14 +114,15 @@ impl Slopes {
 
 /// What of the change of a turned vector is due to the turn of the body.
 fn along_turned(work: &mut Workspace, phi: Components, turn: &Turn, slope: Components) -> Id {
-    let (swept, by) = match (turn.to, work.attitude(turn.from)) {
+    let is_outwards = work.turned_frame(turn) == turn.from;
+    let (swept, by) = match (is_outwards, work.attitude(turn.from)) {
         // about an axis, phi has the same components in both axes, and the result is there already
-        (Frame::WORLD, Attitude::Axis { .. }) => (work.graph.cross(phi, turn.turned), slope),
-        (Frame::WORLD, _) => {
+        (true, Attitude::Axis { .. }) => (work.graph.cross(phi, turn.turned), slope),
+        (true, _) => {
             let swept = work.graph.cross(phi, turn.vector);
             (swept, work.turn(slope, turn.to, turn.from))
         }
-        _ => {
+        (false, _) => {
             let swept = work.graph.cross(phi, turn.turned);
             (work.graph.negate_vector(swept), slope)
         }

@@ -1,7 +1,7 @@
 //! Potentials of a system, as loads on its bodies and along its joints.
 
 use crate::families::{Family, LoadKind};
-use crate::model::{Frame, Load, Point, System, Variable, Workspace};
+use crate::model::{Along, Frame, Load, Point, System, Workspace};
 use crate::symbolic::Id;
 
 use super::potential::{Draw, derive_form};
@@ -22,8 +22,8 @@ pub fn with_system_potentials(mut system: System, work: &mut Workspace) -> Syste
                 derived.energy,
             );
         }
-        for (coordinate, load) in form.coordinates.iter().zip(&derived.along) {
-            drive(&mut system, work, number, *coordinate, *load);
+        for (freedom, load) in form.along.iter().zip(&derived.along) {
+            drive(&mut system, work, number, freedom, *load);
         }
         system.energies.push(derived.energy);
     }
@@ -66,23 +66,17 @@ fn draw_at(
     });
 }
 
-/// Adds a load along the coordinate of a joint.
-fn drive(system: &mut System, work: &mut Workspace, number: usize, coordinate: Id, load: Id) {
-    let name = &system.potentials.list[number].name;
-    for joint in &mut system.joints {
-        let freedoms = joint.kind.freedoms(system.is_planar);
-        for ((rate, part), drive) in freedoms.into_iter().zip(&mut joint.drives) {
-            let variable = match rate {
-                Variable::Velocity => Variable::Position,
-                _ => Variable::Angle,
-            };
-            if joint.coordinates.get(variable, part) == Some(coordinate) {
-                let (is_negative, magnitude) = work.graph.split_sign(load);
-                let minus = if is_negative { "minus_" } else { "" };
-                let label = format!("{minus}{name}_on_{}", joint.name);
-                work.labels.name(magnitude, label);
-                *drive = work.graph.add(*drive, load);
-            }
-        }
+/// Adds a load along a freedom of a joint.
+fn drive(system: &mut System, work: &mut Workspace, number: usize, along: &Along, load: Id) {
+    if work.graph.is_zero(load) {
+        return;
     }
+    let name = &system.potentials.list[number].name;
+    let joint = &mut system.joints[along.joint];
+    let (is_negative, magnitude) = work.graph.split_sign(load);
+    let minus = if is_negative { "minus_" } else { "" };
+    let label = format!("{minus}{name}_on_{}", joint.name);
+    work.labels.name(magnitude, label);
+    let drive = &mut joint.drives[along.freedom];
+    *drive = work.graph.add(*drive, load);
 }

@@ -21,7 +21,7 @@ pub use load::Load;
 pub use mass::Mass;
 pub use outline::{Asked, Declared, Jointed, Outline};
 pub use possible::{Matrix, Violation, is_flat, is_possible, least_moment, matrix, thinnest};
-pub use potential::{Charges, Displaced, Form, Potential, Potentials};
+pub use potential::{Along, Charges, Displaced, Form, Potential, Potentials};
 pub use reaction::Reaction;
 pub use solids::{SOLIDS, Solid, is_solid, words};
 pub use substance::Substance;

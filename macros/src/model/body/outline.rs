@@ -35,6 +35,9 @@ pub struct Outline {
     pub holding: Vec<Ident>,
     /// Of a system: the joints whose reactions are asked for, if not all.
     pub held: Option<Vec<Ident>>,
+    /// Of a system: the loads of written constraints, `pin_x` of the first component of `pin`; where
+    /// something is wrong, all that there may be.
+    pub kept: Vec<Ident>,
     /// Of a system: the points whose Jacobians are asked for, each `body_point`.
     pub points: Vec<Ident>,
     /// Of a system: the drives of joints whose motion is prescribed, by joint and as reactions.
@@ -74,6 +77,12 @@ impl Outline {
     pub fn is_held(&self, joint: &Ident) -> bool {
         let held = self.held.as_ref();
         held.is_none_or(|held| held.contains(joint))
+    }
+
+    /// Whether there are reactions at all, asked for or not.
+    pub fn has_reactions(&self) -> bool {
+        let of_system = !self.holding.is_empty() || !self.kept.is_empty();
+        of_system || !self.reactions.is_empty()
     }
 
     /// Of a system: how many accelerations it has.

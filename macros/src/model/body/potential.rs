@@ -22,30 +22,52 @@ pub struct Potential {
     pub charges: Option<Charges>,
 }
 
-/// The energies of all potentials as functions of where bodies are, of turned vectors, and of
-/// coordinates of joints.
+/// Scalars as functions of where bodies are and how they move, of turned vectors, and of coordinates
+/// of joints.
 pub struct Form {
-    pub energies: Vec<Id>,
-    /// Those of the first energies.
+    /// The energies of potentials, or what constraints keep at zero.
+    pub values: Vec<Id>,
+    /// Those of the first values.
     pub charges: Vec<Charges>,
     pub turns: Vec<Turn>,
     pub bodies: Vec<Displaced>,
-    /// The coordinates of joints, of a system.
-    pub coordinates: Vec<Id>,
+    /// The freedoms of joints, of a system.
+    pub along: Vec<Along>,
     /// What symbols stand for that were kept apart, besides turned vectors.
     pub stands_for: Vec<(Id, Id)>,
 }
 
-/// A body that potentials act on, moved by itself.
+/// A body, moved by itself.
 pub struct Displaced {
     pub body: Frame,
     /// The symbols of a displacement: the position of G, or what is added to it where it is no
     /// coordinate. Under a joint it is that of the point that the joint holds.
     pub displacement: Components,
+    /// Those of the velocity of the same point, world axes, and of the angular velocity, body axes; zero
+    /// where nothing depends on them.
+    pub velocity: Components,
+    pub angular_velocity: Components,
     /// In the plane of a system, what its angle is told by.
     pub angle: Option<Id>,
     /// Whether the symbols of its attitude turn it alone.
     pub has_own_attitude: bool,
+}
+
+impl Displaced {
+    /// The symbols, and zeros, of how it moves.
+    pub fn rates(&self) -> impl Iterator<Item = Id> {
+        self.velocity.into_iter().chain(self.angular_velocity)
+    }
+}
+
+/// A freedom of a joint, by the symbols of its coordinate and of its rate.
+pub struct Along {
+    /// The number of the joint, and of the freedom in it.
+    pub joint: usize,
+    pub freedom: usize,
+    /// None: it has only a rate, as a ball joint has.
+    pub place: Option<Id>,
+    pub rate: Id,
 }
 
 /// What a uniform field sees of charges: `sum e` and `p = sum e r` in body axes, about G.

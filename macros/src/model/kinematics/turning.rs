@@ -83,7 +83,10 @@ impl Workspace {
             return turns.turn(&mut self.graph, v, from, to);
         }
         let turned = match self.attitude(body) {
-            Attitude::Fixed | Attitude::Line { .. } => return v,
+            Attitude::Fixed | Attitude::Line { .. } => {
+                self.met_still = true;
+                return v;
+            }
             Attitude::Axis { angle, direction } => self.turn_by_angle(angle, direction, v, is_back),
             Attitude::Quaternion { scalar, vector } => {
                 let axis = if is_back {

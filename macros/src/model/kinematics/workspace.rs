@@ -27,6 +27,8 @@ pub struct Workspace {
     pub turned: Vec<Turn>,
     /// Of a rod, products `u x b`, and b; world axes.
     pub swept: Vec<(Components, Components)>,
+    /// A vector was turned between frames that do not turn, or of which that is not known yet.
+    pub met_still: bool,
     /// What was written that parameters may leave without a value.
     pub doubtful: Vec<Doubtful>,
 }
@@ -54,6 +56,15 @@ impl Workspace {
 
     pub fn set_carrier(&mut self, frame: Frame, carrier: Frame) {
         self.carriers[frame.index()] = carrier;
+    }
+
+    /// Of two frames, between which a vector was turned, the one that is carried by the other.
+    pub fn turned_frame(&self, turn: &Turn) -> Frame {
+        if self.carrier(turn.from) == turn.to {
+            turn.from
+        } else {
+            turn.to
+        }
     }
 
     /// Frames that are turned like all that there are, each against the copy of its carrier.
@@ -99,6 +110,17 @@ impl Workspace {
         [0, 1, 2].map(|axis| {
             if axes.contains(&axis) {
                 self.symbol(stage, meaning(axis))
+            } else {
+                self.graph.zero()
+            }
+        })
+    }
+
+    /// The same, of what is changed by itself and has no name.
+    pub fn free_symbols(&mut self, axes: Range<usize>) -> Components {
+        [0, 1, 2].map(|axis| {
+            if axes.contains(&axis) {
+                self.graph.symbol(Stage::State)
             } else {
                 self.graph.zero()
             }

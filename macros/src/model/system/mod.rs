@@ -8,7 +8,7 @@ use proc_macro2::Ident;
 
 use crate::symbolic::{Components, Id};
 
-use super::body::{Defaults, Inertia, Load, Potentials, Substance};
+use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials, Substance};
 use super::joints::Rates;
 use super::kinematics::State;
 use super::words::Frame;
@@ -28,6 +28,7 @@ pub struct System {
     /// The acceleration of free fall in the field that acts on all mass alike, world axes.
     pub gravity: Components,
     pub cables: Vec<Cable>,
+    pub constraints: Kept,
     pub potentials: Potentials,
     /// Energies besides those of uniform fields: of cables, and of potentials once these are loads.
     pub energies: Vec<Id>,
@@ -65,6 +66,16 @@ pub struct Closing {
     /// How the carried body is turned where the coordinates are zero: axes and angles, the first one
     /// from the carrier's axes.
     pub turned: Vec<(Components, Id)>,
+}
+
+/// What the motion of a system keeps at zero.
+#[derive(Default)]
+pub struct Kept {
+    pub list: Vec<Constraint>,
+    /// The symbols of the loads that keep them: given loads may follow these.
+    pub loads: Vec<Id>,
+    /// The same scalars as functions of each body by itself, if there are any.
+    pub form: Option<Form>,
 }
 
 /// What only pulls.
@@ -116,6 +127,11 @@ impl TreeJoint {
 }
 
 impl System {
+    /// Nothing but the joints of its tree holds it.
+    pub fn is_tree(&self) -> bool {
+        self.closings.is_empty() && self.constraints.list.is_empty()
+    }
+
     /// What the bodies are made of.
     pub fn substances(&self) -> Vec<Substance> {
         let bodies = self.bodies.iter().map(|body| Substance {

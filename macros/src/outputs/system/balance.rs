@@ -136,7 +136,7 @@ impl Output<System> for Balance {
         let addition = Addition::implement(site, "Balance", [types, quote!()], &methods);
         let addition = lists.beside(site, wrenches.beside(site, addition));
         // the reactions that are handed in, if they are not there yet
-        let is_there = outline.rank("reactions").is_some() || outline.holding.is_empty();
+        let is_there = outline.rank("reactions").is_some() || !outline.has_reactions();
         if is_there {
             addition
         } else {

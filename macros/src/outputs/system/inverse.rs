@@ -28,18 +28,20 @@ impl Output<System> for Inverse {
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
-        let (system, place) = (basis.model, basis.outline.place(INVERSE)?);
-        if !system.closings.is_empty() {
-            let message = "inverse dynamics of loops is not there yet: prescribe a joint by `.driven(..)`, and \
-                           its drive is a field of the reactions";
-            basis.errors.push(place, message);
+        let system = basis.model;
+        let open = || system.joints.iter().flat_map(|joint| &joint.open);
+        let mut joints = system.joints.iter().filter(|joint| !joint.is_driven());
+        if !system.is_tree() && open().all(Option::is_none) {
+            let message =
+                "no drive is open: write `motor = _.on(elbow)` for each that is to be found";
+            basis.errors.push(basis.outline.place(INVERSE)?, message);
             return None;
         }
-        let undriven = system
-            .joints
-            .iter()
-            .filter(|joint| !joint.is_driven() && joint.open.iter().any(Option::is_none));
+        // what is kept moves some joints with the others
         let mut is_sound = true;
+        let undriven = joints
+            .by_ref()
+            .filter(|joint| system.is_tree() && joint.open.iter().any(Option::is_none));
         for joint in undriven {
             let name = &joint.name;
             let message = format!(
@@ -52,9 +54,8 @@ impl Output<System> for Inverse {
         if !is_sound {
             return None;
         }
-        let loads = derive_system_inverse(system, basis.work, basis.equations);
-        let open = system.joints.iter().flat_map(|joint| &joint.open).flatten();
-        let drives = open.cloned().zip(loads.into_iter().flatten());
+        let found = derive_system_inverse(system, basis.work, basis.equations, basis.errors);
+        let drives = open().flatten().cloned().zip(found);
         self.0 = Some(drives.collect());
         Some(())
     }

@@ -24,12 +24,6 @@ impl Output<System> for MassMatrix {
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
-        if !basis.model.closings.is_empty() {
-            let message = "the joints of a loop have no mass matrix of their own: the accelerations are solved \
-                           together with the loads that close it";
-            basis.errors.push(basis.outline.place(OFFER.word)?, message);
-            return None;
-        }
         let inertias = derive_inertias(basis.model, basis.work, basis.equations);
         self.0 = Some(inertias);
         Some(())

@@ -1,13 +1,15 @@
 //! `reactions`, of some joints `reactions(elbow)`: force and moment of joints on what they carry.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::Ident;
 use quote::quote;
 
 use crate::emit::code::{COMMON, Method, Site};
 use crate::emit::items::Addition;
 use crate::lower::Offer;
-use crate::mechanics::{derive_system_driving, derive_system_reactions};
-use crate::model::{Outline, System};
+use crate::mechanics::{derive_system_driving, derive_system_reactions, derive_system_spare};
+use crate::model::{AXES, Outline, System};
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::{Components, Id};
 
@@ -22,8 +24,8 @@ const OFFER: Offer = Offer {
 struct Carried {
     /// Force and moment of each joint, by name.
     wrenches: Vec<(Ident, [Components; 2])>,
-    /// Along coordinates whose motion is prescribed, by name.
-    drives: Vec<(Ident, Id)>,
+    /// Along coordinates whose motion is prescribed, and of written constraints, by name.
+    scalars: Vec<(Ident, Id)>,
 }
 
 #[derive(Default)]
@@ -35,17 +37,7 @@ impl Output<System> for Reactions {
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
-        let closings = &basis.model.closings;
-        let open = basis.equations.undetermined();
-        if let Some(closing) = open.first().and_then(|number| closings.get(*number)) {
-            let place = basis.outline.place(OFFER.word)?;
-            let name = &closing.name;
-            basis.errors.push(
-                place,
-                format!("the loop that `{name}` closes is held more than it needs: the balances do not determine its reactions; write it as a joint that holds less, such as `spherical`"),
-            );
-            return None;
-        }
+        check_determined(basis)?;
         let loads = derive_system_reactions(basis.model, basis.work, basis.equations);
         let held = held(basis.outline).filter_map(|name| {
             let mut all = loads.iter();
@@ -66,22 +58,25 @@ impl Output<System> for Reactions {
             let number = same.position(|(_, other)| other == name)?;
             Some((name.clone(), *loads.get(number)?))
         });
-        let drives: Vec<(Ident, Id)> = drives.collect();
-        for (name, drive) in &drives {
-            basis.work.labels.name(*drive, name.to_string());
+        let loads = basis.equations.kept_loads().iter().copied();
+        let kept = basis.outline.kept.iter().cloned().zip(loads);
+        let kept = kept.filter(|(name, _)| basis.outline.is_held(name));
+        let scalars: Vec<(Ident, Id)> = drives.chain(kept).collect();
+        for (name, load) in &scalars {
+            basis.work.labels.name(*load, name.to_string());
         }
         self.0 = Some(Carried {
             wrenches: held,
-            drives,
+            scalars,
         });
         Some(())
     }
 
     fn roots(&self) -> Vec<Id> {
         let wrenches = self.0.iter().flat_map(|carried| &carried.wrenches);
-        let drives = self.0.iter().flat_map(|carried| &carried.drives);
+        let scalars = self.0.iter().flat_map(|carried| &carried.scalars);
         let wrenches = wrenches.flat_map(|(_, pair)| pair.concat());
-        wrenches.chain(drives.map(|(_, drive)| *drive)).collect()
+        wrenches.chain(scalars.map(|(_, load)| *load)).collect()
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
@@ -91,8 +86,8 @@ impl Output<System> for Reactions {
         let method = site.method(self.0.as_ref(), |writer, carried| {
             let wrenches = carried.wrenches.iter();
             let parts = wrenches.flat_map(|(_, [force, moment])| shapes.wrench_part(force, moment));
-            let drives = carried.drives.iter().map(|(_, drive)| *drive);
-            let parts: Vec<Id> = parts.chain(drives).collect();
+            let scalars = carried.scalars.iter().map(|(_, load)| *load);
+            let parts: Vec<Id> = parts.chain(scalars).collect();
             Method::write(writer, &parts, |values| {
                 by_name.filled(site, values, |field, values| {
                     if field < count {
@@ -112,19 +107,55 @@ impl Output<System> for Reactions {
     }
 }
 
+/// Reports components that are asked for and not determined.
+fn check_determined(basis: &mut Basis<'_, System>) -> Option<()> {
+    let mut open: BTreeSet<String> = BTreeSet::new();
+    let spare = derive_system_spare(basis.model, basis.equations);
+    let asked = spare.into_iter().flatten();
+    for (name, wrench) in asked.filter(|(name, _)| basis.outline.is_held(name)) {
+        for (part, components) in ["force", "moment"].into_iter().zip(wrench) {
+            let axes = components.into_iter().zip(AXES);
+            let there = axes.filter(|(component, _)| !basis.work.graph.vanishes(*component));
+            let is_one = part == "moment" && basis.model.is_planar;
+            open.extend(there.map(|(_, axis)| {
+                let axis = if is_one {
+                    String::new()
+                } else {
+                    format!(".{axis}")
+                };
+                format!("`{name}.{part}{axis}`")
+            }));
+        }
+    }
+    if open.is_empty() {
+        return Some(());
+    }
+    let all: Vec<String> = open.into_iter().collect();
+    let message = format!(
+        "the joints hold more than the motion needs, and the balances do not determine {}: let joints of the loop \
+         hold less, one as `spherical` and one as `cylindrical` for instance, or ask for others alone, \
+         `reactions(..)`",
+        all.join(", ")
+    );
+    basis.errors.push(basis.outline.place(OFFER.word)?, message);
+    None
+}
+
 /// The struct that holds them.
 pub fn reactions_by_name(site: &Site<'_>) -> ByName {
     let (shapes, outline) = (&site.shapes, site.outline);
     let (wrench, scalar) = (shapes.wrench_type(), shapes.scalar.kind());
     let wrenches = held(outline).map(|name| (name.clone(), wrench.clone()));
-    let drives = driving_of(outline).map(|(_, name)| (name.clone(), scalar.clone()));
+    let kept = outline.kept.iter().filter(|name| outline.is_held(name));
+    let scalars = driving_of(outline).map(|(_, name)| name).chain(kept);
+    let scalars = scalars.map(|name| (name.clone(), scalar.clone()));
     ByName {
         suffix: "Reactions",
         doc: format!(
             " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
             outline.name
         ),
-        fields: wrenches.chain(drives).collect(),
+        fields: wrenches.chain(scalars).collect(),
         has_default: true,
     }
 }

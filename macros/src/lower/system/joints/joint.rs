@@ -275,7 +275,14 @@ impl Reader<'_> {
         }
         self.at_top(errors, |lowering| {
             let found = match lowering.value(written)? {
-                Value::Carried(body, offset) => return Some((Some(body), offset)),
+                Value::Carried(body, offset) => {
+                    let frame = lowering.members.bodies[body].frame;
+                    if !lowering.work.is_in(offset, frame) {
+                        let message = "a joint holds a point that is fixed in its body, and this one moves in it";
+                        return lowering.report(written.extent, message);
+                    }
+                    return Some((Some(body), lowering.work.part(offset, frame)));
+                }
                 Value::Vector(vector, dimension) if lowering.work.is_in(vector, Frame::WORLD) => {
                     Some((lowering.work.part(vector, Frame::WORLD), dimension))
                 }

@@ -1,7 +1,7 @@
 //! What others see of a body that moves, and of its joint.
 
 use crate::lower::expressions::{BodyMotion, Value};
-use crate::model::{Attitude, Dimension, Frame, Part, State, TreeJoint, Variable, Vector};
+use crate::model::{Attitude, Dimension, Frame, Part, Rates, State, TreeJoint, Variable, Vector};
 use crate::symbolic::{Components, Id};
 
 use crate::lower::system::reading::body::Draft;
@@ -10,26 +10,32 @@ use crate::lower::system::reading::reader::Reader;
 impl Reader<'_> {
     /// Others may ask how the body moves.
     pub fn tell_of(&mut self, body: usize, state: &State) {
-        let turning = if self.system.is_planar {
-            Value::Scalar(state.angular_velocity[2], Dimension::FREQUENCY)
-        } else {
-            let vector = self.work.vector(state.body, state.angular_velocity);
-            Value::Vector(vector, Dimension::FREQUENCY)
-        };
+        let values = self.values_of_motion(state);
         let known = &mut self.members.bodies[body];
         known.motion = Some(BodyMotion {
             position: state.position,
             velocity: state.velocity,
             angular_velocity: state.angular_velocity,
         });
-        known.values.extend([
+        known.values.extend(values);
+    }
+
+    /// What of a motion has a name behind that of the body.
+    pub fn values_of_motion(&mut self, state: &State) -> Vec<(&'static str, Value)> {
+        let turning = if self.system.is_planar {
+            Value::Scalar(state.angular_velocity[2], Dimension::FREQUENCY)
+        } else {
+            let vector = self.work.vector(state.body, state.angular_velocity);
+            Value::Vector(vector, Dimension::FREQUENCY)
+        };
+        vec![
             ("position", Value::Vector(state.position, Dimension::LENGTH)),
             (
                 "velocity",
                 Value::Vector(state.velocity, Dimension::VELOCITY),
             ),
             ("angular_velocity", turning),
-        ]);
+        ]
     }
 
     /// `attitude`, of a body in the plane the sum of the angles that carry it.
@@ -60,6 +66,15 @@ impl Reader<'_> {
 
     /// The coordinates of a joint and their rates, by the names that its state has for them.
     pub fn joint_values(&mut self, joint: &TreeJoint) -> Vec<(&'static str, Value)> {
+        self.values_of_joint(joint, &joint.coordinates)
+    }
+
+    /// The same, of these coordinates.
+    pub fn values_of_joint(
+        &mut self,
+        joint: &TreeJoint,
+        coordinates: &Rates,
+    ) -> Vec<(&'static str, Value)> {
         let Some(shape) = joint.kind.shape else {
             return Vec::new();
         };
@@ -75,7 +90,7 @@ impl Reader<'_> {
                 continue;
             }
             let parts = (0..field.names.len())
-                .map(|part| joint.coordinates.get(field.variable, field.first + part));
+                .map(|part| coordinates.get(field.variable, field.first + part));
             let parts: Vec<Id> = parts.flatten().collect();
             let value = match *parts.as_slice() {
                 [scalar] => Value::Scalar(scalar, dimension),

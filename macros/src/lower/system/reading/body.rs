@@ -3,16 +3,17 @@
 use std::collections::HashSet;
 
 use crate::errors::{Errors, Extent};
-use crate::lower::definitions::{check_names, definition_order, split_at_points};
+use crate::lower::definitions::{Definition, check_names, definition_order, split_at_points};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
 use crate::model::{
-    Composed, Dimension, Drawn, Frame, Inertia, Load, Mass, Meaning, Member, State, Workspace,
+    Composed, Declared, Dimension, Drawn, Frame, Inertia, Load, Mass, Meaning, Member, State,
+    Workspace,
 };
 use crate::symbolic::{Components, Stage};
 use crate::syntax::{self, Description, Kind};
 
 use super::names::{check_own_names, for_copy};
-use super::reader::{Reader, points, still};
+use super::reader::{Reader, names_of_constraints, points, still};
 
 /// A body of which the points are read.
 pub struct Draft<'a> {
@@ -22,6 +23,8 @@ pub struct Draft<'a> {
     pub mass: Mass,
     pub composed: Option<Composed>,
     pub drawn: Drawn,
+    /// Points, and what they refer to, that follow from how the body moves.
+    pub late: Vec<Definition>,
     /// Once the joints are known.
     pub state: Option<State>,
 }
@@ -49,25 +52,27 @@ impl<'a> Reader<'a> {
             },
             composed: None,
             drawn: self.drawn(number, body, errors),
+            late: Vec::new(),
             state: Some(self.unknown_state(frame)),
         };
         let (order, circular) = definition_order(body, errors);
         let (first, _) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
-        self.in_body(&mut draft, errors, |lowering, mass| {
+        let late = self.in_body(&mut draft, errors, |lowering, mass| {
             if let Some(zero) = mass.known().filter(|_| is_frame) {
                 let zero = Value::Scalar(zero, Dimension::MASS);
                 lowering.scope.define("mass", Some(zero));
             } else {
                 lowering.check_mass_key(body, true);
             }
-            for definition in &first {
-                lowering.definition(*definition, body, &defaults, mass);
-            }
+            let late = lowering.fixed_definitions(&first, body, &defaults, mass);
             for definition in circular {
                 lowering.scope.define(&definition.of(body).0, None);
             }
+            late
         });
+        let names = late.iter().map(|one| one.of(body).0).collect();
+        draft.late = late;
         draft.state = None;
         let mass = draft.mass.known();
         let composed = draft.composed.map(|composed| composed.origin);
@@ -76,11 +81,34 @@ impl<'a> Reader<'a> {
             name: body.name.to_string(),
             frame,
             origin: composed.or(draft.drawn.origin()),
-            points: points(&draft.scope, body, frame),
+            points: points(&mut self.work, &draft.scope, body, (frame, &names)),
             motion: None,
             values: values.into_iter().collect(),
         });
         draft
+    }
+
+    /// Reads the points that follow from how bodies move, now that this is known, or known otherwise.
+    pub fn late_points(&mut self, drafts: &mut [Draft<'_>], errors: &mut Errors) {
+        let defaults = self.defaults.clone();
+        let mut wrong = HashSet::new();
+        for (number, draft) in drafts.iter_mut().enumerate() {
+            let late = draft.late.clone();
+            if late.is_empty() || draft.state.is_none() {
+                continue;
+            }
+            let (body, first) = (draft.description, self.system.firsts[number]);
+            for_copy(first, number, &mut wrong, errors, |errors| {
+                self.in_body(draft, errors, |lowering, mass| {
+                    for definition in late {
+                        lowering.scope.forget(&definition.of(body).0);
+                        lowering.definition(definition, body, &defaults, mass);
+                    }
+                });
+            });
+            let told = (draft.frame, &HashSet::new());
+            self.members.bodies[number].points = points(&mut self.work, &draft.scope, body, told);
+        }
     }
 
     /// Where G of a body is in a drawing; of parts that follows.
@@ -130,8 +158,10 @@ impl<'a> Reader<'a> {
             errors,
             motion: self.motion,
             state: &mut state,
-            reactions: Vec::new(),
-            is_constrained: false,
+            reactions: [&self.system.top, draft.description]
+                .map(names_of_constraints)
+                .concat(),
+            is_constrained: true,
             composed: draft.composed,
             has_parts: draft.description.composition.is_some(),
             drawn: draft.drawn,
@@ -154,6 +184,7 @@ impl<'a> Reader<'a> {
         &mut self,
         drafts: &mut [Draft<'_>],
         wrong: &mut HashSet<usize>,
+        inputs: &[Declared],
         errors: &mut Errors,
     ) -> Option<Vec<Member>> {
         let mut bodies = Some(Vec::new());
@@ -167,7 +198,7 @@ impl<'a> Reader<'a> {
                 &mut reported
             };
             let read = for_copy(first, number, silent, errors, |errors| {
-                self.body(number, draft, errors)
+                self.body(number, draft, inputs, errors)
             });
             match (read, &mut bodies) {
                 (Some(body), Some(all)) => all.push(body),
@@ -181,6 +212,7 @@ impl<'a> Reader<'a> {
         &mut self,
         number: usize,
         draft: &mut Draft<'_>,
+        inputs: &[Declared],
         errors: &mut Errors,
     ) -> Option<Member> {
         let body = draft.description;
@@ -193,7 +225,9 @@ impl<'a> Reader<'a> {
         let fields = &self.system.top.loads;
         let turns = self.turning[number];
         let known = draft.state.is_some();
-        let (inertia, loads, mass) = self.in_body(draft, errors, |lowering, mass| {
+        let kept = self.kept.as_ref().map_or(0, |kept| kept.list.len());
+        let first = self.first_load + kept;
+        let (inertia, loads, mass, kept) = self.in_body(draft, errors, |lowering, mass| {
             for definition in rest {
                 lowering.definition(definition, body, &defaults, mass);
             }
@@ -207,6 +241,7 @@ impl<'a> Reader<'a> {
             // there is nothing that fields could act on in a frame
             let fields = fields.iter().filter(|_| !body.is_frame);
             let written = fields.chain(&body.loads);
+            let kept = known.then(|| lowering.kept(body, inputs, first)).flatten();
             let loads: Vec<Option<Load>> = written
                 .filter(|_| known)
                 .map(|load| {
@@ -222,8 +257,9 @@ impl<'a> Reader<'a> {
                     lowering.load(load)
                 })
                 .collect();
-            (inertia, loads, *mass)
+            (inertia, loads, *mass, kept)
         });
+        self.keep(kept, Some(&body.name));
         Some(Member {
             name: body.name.clone(),
             state: draft.state.filter(|_| known)?,

@@ -51,7 +51,9 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
     let joints = system.joints.iter().map(|joint| (&joint.name, "joint"));
     let cables = system.cables.iter().map(|cable| (&cable.name, "cable"));
-    for (name, what) in bodies.chain(joints).chain(cables) {
+    // their loads are fields beside joints
+    let constraints = top.constraints.iter().map(|one| (&one.name, "constraint"));
+    for (name, what) in bodies.chain(joints).chain(cables).chain(constraints) {
         if BUILT_IN.contains(&name.to_string().as_str()) {
             let message = format!("`{name}` is built in: choose another name for this {what}");
             errors.push(name.span(), message);

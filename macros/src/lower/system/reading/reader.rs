@@ -2,9 +2,11 @@
 
 use crate::errors::Errors;
 use crate::lower::definitions::{Definition, definition_order};
-use crate::lower::expressions::{Lowering, Members, Scope, Value};
-use crate::model::{Defaults, Drawn, Frame, Motion, State, Vector, Workspace};
-use crate::symbolic::{Components, Id};
+use std::collections::HashSet;
+
+use crate::lower::expressions::{Lowering, Members, Offset, Scope, Value};
+use crate::model::{Defaults, Drawn, Frame, Kept, Motion, Point, State, Vector, Workspace};
+use crate::symbolic::Id;
 use crate::syntax;
 
 use super::names::moving_locals;
@@ -24,6 +26,10 @@ pub struct Reader<'a> {
     pub defaults: Defaults,
     /// How many derivatives of each input are given.
     pub derivatives: Vec<usize>,
+    /// The constraints that are read; `None` if one of them was reported.
+    pub kept: Option<Kept>,
+    /// The number that the load of the first constraint has among the parts of reactions.
+    pub first_load: usize,
 }
 
 impl Reader<'_> {
@@ -40,8 +46,8 @@ impl Reader<'_> {
             errors,
             motion: self.motion,
             state: &mut state,
-            reactions: Vec::new(),
-            is_constrained: false,
+            reactions: names_of_constraints(&self.system.top),
+            is_constrained: true,
             composed: None,
             has_parts: false,
             drawn: Drawn::Alone,
@@ -81,6 +87,12 @@ impl Reader<'_> {
     }
 }
 
+/// The names of constraints, which those of their loads are.
+pub fn names_of_constraints(description: &syntax::Description) -> Vec<String> {
+    let written = description.constraints.iter();
+    written.map(|one| one.name.to_string()).collect()
+}
+
 /// A body of which no motion is known.
 pub fn still(body: Frame, time: Id) -> State {
     let zeros = Workspace::default().graph.zeros();
@@ -99,17 +111,26 @@ pub fn still(body: Frame, time: Id) -> State {
     }
 }
 
-/// The points that names stand for, as others see them.
+/// The points that names stand for, as others see them; `late` are names that have no value yet.
 pub fn points(
+    work: &mut Workspace,
     scope: &Scope,
     body: &syntax::Description,
-    frame: Frame,
-) -> Vec<(String, Option<Components>)> {
+    (frame, late): (Frame, &HashSet<String>),
+) -> Vec<(String, Offset)> {
     let names = body.points.iter().map(|point| point.name.to_string());
     names
-        .filter_map(|name| match scope.peek(&name) {
-            Some(Value::Point(point)) => point.offset(frame).map(|offset| (name, Some(offset))),
-            _ => Some((name, None)),
+        .filter_map(|name| {
+            let offset = match scope.peek(&name) {
+                Some(Value::Point(Point::Fixed(of, offset))) if of == frame => {
+                    Offset::Known(work.vector(frame, offset))
+                }
+                Some(Value::Point(Point::Moving(offset))) => Offset::Known(offset),
+                Some(Value::Point(Point::Fixed(..))) => return None,
+                _ if late.contains(&name) => Offset::Late,
+                _ => Offset::Reported,
+            };
+            Some((name, offset))
         })
         .collect()
 }

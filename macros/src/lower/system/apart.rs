@@ -1,0 +1,265 @@
+//! What follows from how bodies move, read with each of them moved by itself.
+//!
+//! What is written in the places and axes of bodies, and in how these change, acts on these bodies;
+//! what is written in the coordinates of joints, along them. So a position is read as where its joint
+//! is, which is held, and a displacement; the axes of a body as turned against the world at once,
+//! whatever carries it; its velocity, and the coordinates of joints that are driven, as symbols of
+//! their own.
+
+use std::collections::HashMap;
+
+use crate::errors::Errors;
+use crate::lower::expressions::{BodyMotion, Value};
+use crate::model::{Along, Displaced, Form, Frame, State, TreeJoint, Turns, Variable, Vector};
+use crate::symbolic::{Components, Id, Stage};
+
+use super::reading::body::Draft;
+use super::reading::reader::Reader;
+
+/// What is put in the place of bodies and joints that move.
+#[derive(Default)]
+struct Apart {
+    bodies: Vec<Displaced>,
+    along: Vec<Along>,
+    stands_for: Vec<(Id, Id)>,
+}
+
+impl Reader<'_> {
+    /// Reads scalars with each body apart. `read` is told of the symbols of all that is a rate.
+    pub fn apart(
+        &mut self,
+        drafts: &mut [Draft<'_>],
+        joints: &[TreeJoint],
+        read: impl FnOnce(&mut Self, &mut [Draft<'_>], &[Id]) -> Option<Vec<Id>>,
+    ) -> Option<Form> {
+        let states: Vec<_> = drafts.iter().map(|draft| draft.state).collect();
+        let scopes: Vec<_> = drafts.iter().map(|draft| draft.scope.values()).collect();
+        let (scope, known) = (self.scope.values(), self.members.moving());
+        let carriers: Vec<Frame> = drafts
+            .iter()
+            .map(|draft| self.work.carrier(draft.frame))
+            .collect();
+        let apart = self.displace(drafts, joints);
+        let of_bodies = apart.bodies.iter().flat_map(Displaced::rates);
+        let rates: Vec<Id> = of_bodies
+            .chain(apart.along.iter().map(|one| one.rate))
+            .collect();
+        let bodies = apart.bodies.iter().map(|displaced| displaced.body);
+        self.work.turns = Some(Turns::of_bodies(self.motion.axes(), bodies));
+        // what is wrong with these is reported already
+        let mut reported = Errors::default();
+        self.late_points(drafts, &mut reported);
+        let _ = reported.finish();
+        let values = read(self, drafts, &rates);
+        let turns = self.work.turns.take()?;
+        for (draft, ((state, scope), carrier)) in drafts
+            .iter_mut()
+            .zip(states.into_iter().zip(scopes).zip(carriers))
+        {
+            draft.state = state;
+            draft.scope.restore(scope);
+            self.work.set_carrier(draft.frame, carrier);
+        }
+        self.scope.restore(scope);
+        self.members.restore(known);
+        let mut form = Form {
+            values: values?,
+            charges: Vec::new(),
+            turns: turns.list,
+            bodies: apart.bodies,
+            along: apart.along,
+            stands_for: apart.stands_for,
+        };
+        self.tell_rates(&mut form, drafts, joints);
+        Some(form)
+    }
+
+    /// What the symbols of velocities stand for, if there are any in what was read.
+    fn tell_rates(&mut self, form: &mut Form, drafts: &[Draft<'_>], joints: &[TreeJoint]) {
+        let turned = form.turns.iter().flat_map(|turn| turn.vector);
+        let roots: Vec<Id> = form.values.iter().copied().chain(turned).collect();
+        for (joint, body) in joints.iter().zip(&form.bodies) {
+            let graph = &self.work.graph;
+            let symbols: Vec<Id> = body.rates().filter(|id| !graph.is_zero(*id)).collect();
+            let Some(state) = drafts[joint.carried].state else {
+                continue;
+            };
+            if graph.depends_on(&roots, |id| symbols.contains(&id)) {
+                let velocity = self.velocity_at(&state, joint.pin);
+                let velocity = self.work.components(velocity, Frame::WORLD);
+                let rates = body
+                    .velocity
+                    .into_iter()
+                    .chain(body.angular_velocity)
+                    .zip(velocity.into_iter().chain(state.angular_velocity));
+                let rates = rates.filter(|(symbol, _)| symbols.contains(symbol));
+                form.stands_for.extend(rates);
+            }
+        }
+    }
+
+    /// The velocity of a point of a body at this offset from its G.
+    fn velocity_at(&mut self, state: &State, offset: Components) -> Vector {
+        let swept = self.work.graph.cross(state.angular_velocity, offset);
+        let swept = self.work.vector(state.body, swept);
+        self.work.add(state.velocity, swept)
+    }
+
+    /// Gives each body a place and a velocity of its own, and axes that are turned against those of
+    /// the world.
+    fn displace(&mut self, drafts: &mut [Draft<'_>], joints: &[TreeJoint]) -> Apart {
+        let copies = self.work.copied_frames();
+        let mut apart = Apart::default();
+        let places = |joint: &TreeJoint| {
+            let all = joint.coordinates.0.clone().into_iter();
+            all.filter(|one| matches!(one.variable, Variable::Position | Variable::Angle))
+        };
+        let graph = &mut self.work.graph;
+        // what is prescribed is a function of time, or a number that stands elsewhere too
+        let open = joints.iter().filter(|joint| !joint.is_driven());
+        let held: HashMap<Id, Id> = open
+            .flat_map(places)
+            .map(|place| (place.id, graph.symbol(Stage::State)))
+            .collect();
+        apart
+            .stands_for
+            .extend(held.iter().map(|(place, held)| (*held, *place)));
+        for joint in joints {
+            let draft = &mut drafts[joint.carried];
+            let Some(state) = &mut draft.state else {
+                continue;
+            };
+            let displacement = self.work.free_symbols(0..self.motion.axes());
+            let velocity = self.work.free_symbols(0..self.motion.axes());
+            let turning = if self.system.is_planar { 2..3 } else { 0..3 };
+            let angular_velocity = self.work.free_symbols(turning);
+            let zero = self.work.graph.zero();
+            apart
+                .stands_for
+                .extend(displacement.map(|symbol| (symbol, zero)));
+            // from G to the point that the joint holds
+            let pin = self.work.vector(draft.frame, joint.pin);
+            let at_joint = self.work.add(state.position, pin);
+            let mut position = self.work.vector(Frame::WORLD, displacement);
+            for (frame, part) in self.work.parts(at_joint).to_vec() {
+                let part = self
+                    .work
+                    .graph
+                    .substitute(&part, |id| held.get(&id).copied());
+                let part = [part[0], part[1], part[2]];
+                let part = self.work.vector(copies[frame.index()], part);
+                position = self.work.add(position, part);
+            }
+            let back = self.work.negate(pin);
+            state.position = self.work.add(position, back);
+            state.angular_velocity = angular_velocity;
+            state.velocity = self.work.vector(Frame::WORLD, velocity);
+            let moved = *state;
+            let back = self.work.graph.negate_vector(joint.pin);
+            let velocity_of_center = self.velocity_at(&moved, back);
+            let state = State {
+                velocity: velocity_of_center,
+                ..moved
+            };
+            draft.state = Some(state);
+            let angle = self.told_apart(joint, draft, &state, &mut apart);
+            apart.bodies.push(Displaced {
+                body: draft.frame,
+                displacement,
+                velocity,
+                angular_velocity,
+                angle,
+                has_own_attitude: joint.kind.has_attitude(),
+            });
+        }
+        for (number, joint) in joints.iter().enumerate() {
+            self.coordinates_apart(number, joint, &mut apart);
+        }
+        for draft in drafts {
+            self.work.set_carrier(draft.frame, Frame::WORLD);
+        }
+        apart
+    }
+
+    /// Tells all of how a body moves now; returns what its angle is told by, in the plane.
+    fn told_apart(
+        &mut self,
+        joint: &TreeJoint,
+        draft: &mut Draft<'_>,
+        state: &State,
+        apart: &mut Apart,
+    ) -> Option<Id> {
+        let body = &mut self.members.bodies[joint.carried];
+        body.motion = Some(BodyMotion {
+            position: state.position,
+            velocity: state.velocity,
+            angular_velocity: state.angular_velocity,
+        });
+        let mut told = self.values_of_motion(state);
+        let angle = match draft.scope.peek("attitude") {
+            Some(Value::Scalar(real, dimension)) if self.system.is_planar => {
+                let angle = self.work.graph.symbol(Stage::State);
+                apart.stands_for.push((angle, real));
+                let value = Value::Scalar(angle, dimension);
+                told.push(("attitude", value));
+                draft.scope.redefine("attitude", Some(value));
+                Some(angle)
+            }
+            _ => None,
+        };
+        let body = &mut self.members.bodies[joint.carried];
+        for (name, value) in &mut body.values {
+            if let Some((_, new)) = told.iter().find(|(word, _)| word == name) {
+                *value = *new;
+            }
+        }
+        if joint.kind.is_free() {
+            let of_joint = self.members.joints.iter_mut();
+            for known in of_joint.filter(|known| joint.name == known.name.as_str()) {
+                for (name, value) in &mut known.values {
+                    let word = if *name == "angle" { "attitude" } else { name };
+                    if let Some((_, new)) = told.iter().find(|(told, _)| *told == word) {
+                        *value = *new;
+                    }
+                }
+            }
+        }
+        angle
+    }
+
+    /// The coordinates of a joint between bodies, those of a driven one by symbols of their own.
+    fn coordinates_apart(&mut self, number: usize, joint: &TreeJoint, apart: &mut Apart) {
+        if joint.kind.is_free() {
+            return;
+        }
+        let mut coordinates = joint.coordinates.clone();
+        if joint.is_driven() {
+            for one in &mut coordinates.0 {
+                let symbol = self.work.graph.symbol(Stage::State);
+                apart.stands_for.push((symbol, one.id));
+                one.id = symbol;
+            }
+            let values = self.values_of_joint(joint, &coordinates);
+            let known = self.members.joints.iter_mut();
+            for known in known.filter(|known| joint.name == known.name.as_str()) {
+                known.values.clone_from(&values);
+            }
+        }
+        let freedoms = joint.kind.freedoms(self.system.is_planar);
+        for (freedom, (variable, part)) in freedoms.into_iter().enumerate() {
+            let place = match variable {
+                Variable::Velocity => Variable::Position,
+                _ => Variable::Angle,
+            };
+            let Some(rate) = coordinates.get(variable, part) else {
+                continue;
+            };
+            apart.along.push(Along {
+                joint: number,
+                freedom,
+                place: coordinates.get(place, part),
+                rate,
+            });
+        }
+    }
+}

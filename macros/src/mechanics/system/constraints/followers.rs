@@ -1,0 +1,97 @@
+//! Given loads that follow the load of a constraint, as friction does: they are linear in it.
+
+use crate::errors::{Errors, Extent};
+use crate::mechanics::tree::link::Tree;
+use crate::mechanics::unknowns::{is_linear, reactions_in};
+use crate::model::{Point, System, Workspace};
+use crate::symbolic::{Graph, Id};
+
+/// Reports what follows the load of a constraint otherwise than linearly.
+pub fn check_followers(system: &System, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
+    let before = errors.count();
+    for load in system.bodies.iter().flat_map(|body| &body.loads) {
+        let place = load.mention.unwrap_or(load.extent);
+        let at = match load.point {
+            Point::Fixed(_, offset) => offset.to_vec(),
+            Point::Moving(offset) => work.entries(&[offset]),
+        };
+        let name = load.name.to_string();
+        if !reactions_in(work, &at).is_empty() {
+            let message = format!("where `{name}` acts cannot depend on the load of a constraint");
+            errors.push(place, message);
+        }
+        let roots = work.entries(&[load.force, load.moment]);
+        check_linear(work, (&name, place), &roots, errors);
+    }
+    for (name, parts) in system.joints.iter().flat_map(|joint| &joint.driven_by) {
+        check_linear(work, (&name.to_string(), name.span().into()), parts, errors);
+    }
+    let forms = system.potentials.forms.iter();
+    let energies = system
+        .potentials
+        .list
+        .iter()
+        .zip(forms.flat_map(|form| &form.values));
+    let energies = energies.map(|(potential, value)| (&potential.name, *value));
+    let constraints = system
+        .constraints
+        .list
+        .iter()
+        .map(|one| (&one.place, one.value));
+    for (name, value) in energies.chain(constraints) {
+        if !reactions_in(work, &[value]).is_empty() {
+            let message = format!(
+                "`{name}` cannot depend on the load of a constraint: forces, moments and drives can"
+            );
+            errors.push(name.span(), message);
+        }
+    }
+    (errors.count() == before).then_some(())
+}
+
+fn check_linear(
+    work: &mut Workspace,
+    (name, place): (&str, Extent),
+    roots: &[Id],
+    errors: &mut Errors,
+) {
+    if !is_linear(work, roots) {
+        let message = format!(
+            "`{name}` is not linear in the load of this constraint: write a multiple of it, such as `-mu * floor`"
+        );
+        errors.push(place, message);
+    }
+}
+
+/// What is there without these symbols, and the slopes by each.
+pub fn split(graph: &mut Graph, roots: &[Id], symbols: &[Id]) -> (Vec<Id>, Vec<Vec<Id>>) {
+    let zero = graph.zero();
+    let slopes = symbols
+        .iter()
+        .map(|symbol| graph.derivative(roots, *symbol));
+    let slopes = slopes.collect();
+    let without = graph.substitute(roots, |id| symbols.contains(&id).then_some(zero));
+    (without, slopes)
+}
+
+/// Puts the loads of constraints in the place of their symbols.
+pub fn replace_in_tree(graph: &mut Graph, tree: &mut Tree, values: &[(Id, Id)]) {
+    if values.is_empty() {
+        return;
+    }
+    for link in &mut tree.links {
+        link.force = graph.replaced(link.force, values);
+        link.moment = graph.replaced(link.moment, values);
+        for freedom in &mut link.freedoms {
+            freedom.drive = replace(graph, &[freedom.drive], values)[0];
+        }
+    }
+}
+
+/// The same, in expressions.
+pub fn replace(graph: &mut Graph, roots: &[Id], values: &[(Id, Id)]) -> Vec<Id> {
+    graph.substitute(roots, |id| {
+        let known = values.iter().find(|(symbol, _)| *symbol == id);
+        known.map(|(_, value)| *value)
+    })
+}

@@ -1,0 +1,274 @@
+//! What a joint that closes a loop holds: constraints between two links, each with its value, its
+//! rate, what it lacks of an acceleration, and its slopes by the rates of the joints.
+
+use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::turning::Turning;
+use crate::model::{Closing, Part};
+use crate::symbolic::{Components, Function, Graph, Id};
+
+use super::row::Row;
+use super::world::{Placed, Spot};
+
+/// One constraint of a joint.
+pub struct JointRow {
+    pub row: Row,
+    /// What a unit of its load is on the carried body, at its point of the joint, world axes; on the
+    /// carrier the opposite, at the same place.
+    pub force: Components,
+    pub moment: Components,
+}
+
+/// What a constraint holds.
+#[derive(Clone, Copy)]
+enum Held {
+    /// The point of the carried body, along a direction of the world.
+    Place(Components),
+    /// The same along a direction that is fixed in the carrier.
+    Across(Components),
+    /// The angle between a direction of the carrier and one of the carried body.
+    Between(Components, Components),
+}
+
+/// Both sides of a joint that closes a loop.
+pub struct Ends<'a> {
+    pub closing: &'a Closing,
+    /// The links, the ground without; offsets of the joint from their origins.
+    pub links: [Option<usize>; 2],
+    pub offsets: [Components; 2],
+    pub is_planar: bool,
+}
+
+/// The constraints of a joint that closes a loop.
+pub fn rows(graph: &mut Graph, tree: &Tree, placed: &[Placed], ends: &Ends<'_>) -> Vec<JointRow> {
+    let ground = Placed::ground(graph);
+    let sides = ends
+        .links
+        .map(|link| link.map_or(&ground, |link| &placed[link]));
+    let spots = [0, 1].map(|end| sides[end].spot(graph, ends.offsets[end]));
+    let held = held(graph, ends);
+    let count = held.len();
+    let rows = held.into_iter().enumerate().map(|(number, held)| {
+        let name = if count == 1 {
+            ends.closing.name.to_string()
+        } else {
+            format!("{}_{}", ends.closing.name, number + 1)
+        };
+        row(graph, tree, placed, (ends, sides, spots), held, name)
+    });
+    rows.collect()
+}
+
+/// What a joint holds, direction by direction.
+fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
+    let closing = ends.closing;
+    let units = graph.unit_vectors();
+    let turned = |graph: &mut Graph, vector: Components| at_zero(graph, closing, vector);
+    let axes = if ends.is_planar { 2 } else { 3 };
+    let places = || units[..axes].iter().map(|unit| Held::Place(*unit));
+    // all directions of both bodies stay as they are to each other
+    let still = |graph: &mut Graph| -> Vec<Held> {
+        if ends.is_planar {
+            return vec![Held::Between(turned(graph, units[0]), units[1])];
+        }
+        let pairs = [(0, 1), (1, 2), (2, 0)];
+        pairs
+            .into_iter()
+            .map(|(i, j)| Held::Between(turned(graph, units[i]), units[j]))
+            .collect()
+    };
+    let mut all = Vec::new();
+    match (closing.kind.parts, closing.directions.as_slice()) {
+        // hinges in the plane, and ball joints
+        ([Part::Turn(_)], _) if ends.is_planar => all.extend(places()),
+        ([Part::Ball], _) => all.extend(places()),
+        ([Part::Turn(_)], [axis, across @ ..]) => {
+            all.extend(places());
+            for across in across {
+                all.push(Held::Between(turned(graph, *across), *axis));
+            }
+        }
+        ([Part::Slide(_), Part::Turn(_)], [axis, across @ ..]) => {
+            for across in across {
+                let across = turned(graph, *across);
+                all.extend([Held::Across(across), Held::Between(across, *axis)]);
+            }
+        }
+        ([Part::Slide(_)], [axis, across @ ..]) => {
+            let in_plane = ends.is_planar.then(|| graph.cross(units[2], *axis));
+            for across in across.iter().copied().chain(in_plane) {
+                all.push(Held::Across(turned(graph, across)));
+            }
+            all.extend(still(graph));
+        }
+        ([Part::Slide(_), Part::Slide(_), Part::Turn(_)], [normal, along @ ..]) => {
+            all.push(Held::Across(turned(graph, *normal)));
+            for along in along {
+                all.push(Held::Between(turned(graph, *along), *normal));
+            }
+        }
+        ([Part::Turn(0), Part::Turn(1)], [first, second, ..]) => {
+            all.extend(places());
+            all.push(Held::Between(turned(graph, *first), *second));
+        }
+        ([], _) => {
+            all.extend(places());
+            all.extend(still(graph));
+        }
+        _ => {}
+    }
+    all
+}
+
+/// A vector of the carried body, in the axes of the carrier, where the coordinates are zero.
+fn at_zero(graph: &mut Graph, closing: &Closing, vector: Components) -> Components {
+    // the last turn is that of the carried body
+    closing
+        .turned
+        .iter()
+        .rev()
+        .fold(vector, |vector, (axis, angle)| {
+            let cosine = graph.apply(Function::Cos, &[*angle]);
+            let sine = graph.apply(Function::Sin, &[*angle]);
+            let turning = Turning::about(graph, *axis, cosine, sine);
+            let turned = turning.to_carrier(graph, vector);
+            graph.quantities(turned)
+        })
+}
+
+type Sides<'a> = (&'a Ends<'a>, [&'a Placed; 2], [Spot; 2]);
+
+fn row(
+    graph: &mut Graph,
+    tree: &Tree,
+    placed: &[Placed],
+    (ends, sides, spots): Sides<'_>,
+    held: Held,
+    name: String,
+) -> JointRow {
+    let [carrier, carried] = sides;
+    let difference = |graph: &mut Graph, part: fn(&Spot) -> Components| {
+        let both = graph.subtract_vectors(part(&spots[1]), part(&spots[0]));
+        graph.quantities(both)
+    };
+    let turning = |graph: &mut Graph, part: fn(&Placed) -> Components| {
+        graph.subtract_vectors(part(carried), part(carrier))
+    };
+    let zeros = graph.zeros();
+    let mut places = [spots[1].place; 2];
+    let (value, rate, bias, force, moment) = match held {
+        Held::Place(e) => {
+            let [r, v, a] = [
+                difference(graph, |spot| spot.place),
+                difference(graph, |spot| spot.velocity),
+                difference(graph, |spot| spot.acceleration),
+            ];
+            places = spots.map(|spot| spot.place);
+            (graph.dot(e, r), graph.dot(e, v), graph.dot(e, a), e, zeros)
+        }
+        Held::Across(own) => {
+            let e = carrier.to_world(graph, own);
+            let [r, v, a] = [
+                difference(graph, |spot| spot.place),
+                difference(graph, |spot| spot.velocity),
+                difference(graph, |spot| spot.acceleration),
+            ];
+            let swept = graph.cross(carrier.w, e);
+            let swept = graph.quantities(swept);
+            let inwards = graph.cross(carrier.w, swept);
+            let turned = graph.cross(carrier.alpha, e);
+            let bent = graph.add_vectors(inwards, turned);
+            let along = graph.dot(e, v);
+            let across = graph.dot(swept, r);
+            let rate = graph.add(along, across);
+            let (first, second, third) = (graph.dot(e, a), graph.dot(swept, v), graph.dot(bent, r));
+            let bias = graph.sum(&[first, second, second, third]);
+            (graph.dot(e, r), rate, bias, e, zeros)
+        }
+        Held::Between(own, other) => {
+            let e = carrier.to_world(graph, own);
+            let d = carried.to_world(graph, other);
+            let n = graph.cross(d, e);
+            let n = graph.quantities(n);
+            let [w, alpha] = [
+                turning(graph, |side| side.w),
+                turning(graph, |side| side.alpha),
+            ];
+            let rate = graph.dot(w, n);
+            let d_rate = graph.cross(carried.w, d);
+            let e_rate = graph.cross(carrier.w, e);
+            let first = graph.cross(d_rate, e);
+            let second = graph.cross(d, e_rate);
+            let n_rate = graph.add_vectors(first, second);
+            let (turned, moved) = (graph.dot(alpha, n), graph.dot(w, n_rate));
+            let bias = graph.add(turned, moved);
+            // the angle at zero is that of the directions as they are written
+            let other = at_zero(graph, ends.closing, other);
+            let start = graph.dot(own, other);
+            let now = graph.dot(e, d);
+            (graph.subtract(now, start), rate, bias, zeros, n)
+        }
+    };
+    let [force, moment] = [force, moment].map(|vector| graph.quantities(vector));
+    let slopes = slopes(graph, tree, placed, (ends, places), [force, moment]);
+    let [value, rate, bias] = [value, rate, bias].map(|id| graph.quantity(id));
+    JointRow {
+        row: Row {
+            name,
+            value: Some(value),
+            rate,
+            bias,
+            slopes,
+            active: None,
+        },
+        force,
+        moment,
+    }
+}
+
+/// The power of a force and a moment by the rate of each open freedom: on the carried body, and with
+/// the opposite sign on the carrier, each force at its place.
+fn slopes(
+    graph: &mut Graph,
+    tree: &Tree,
+    placed: &[Placed],
+    (ends, places): (&Ends<'_>, [Components; 2]),
+    [force, moment]: [Components; 2],
+) -> Vec<Id> {
+    let path = |end: usize| {
+        let mut path = Vec::new();
+        let mut at = ends.links[end];
+        while let Some(link) = at {
+            path.push(link);
+            at = tree.links[link].carrier;
+        }
+        path
+    };
+    let [carrier, carried] = [path(0), path(1)];
+    let mut all = Vec::new();
+    for (index, link) in tree.links.iter().enumerate() {
+        let (on, off) = (carried.contains(&index), carrier.contains(&index));
+        for freedom in link.open() {
+            // what carries both moves them alike
+            if on == off {
+                all.push(graph.zero());
+                continue;
+            }
+            let own = &placed[index];
+            let about = own.to_world(graph, freedom.twist.angular);
+            let along = if link.is_free {
+                freedom.twist.linear
+            } else {
+                own.to_world(graph, freedom.twist.linear)
+            };
+            let arm = graph.subtract_vectors(places[usize::from(on)], own.origin);
+            let arm = graph.quantities(arm);
+            let lever = graph.cross(arm, force);
+            let whole = graph.add_vectors(lever, moment);
+            let (turning, sliding) = (graph.dot(about, whole), graph.dot(along, force));
+            let power = graph.add(turning, sliding);
+            let power = if on { power } else { graph.negate(power) };
+            all.push(graph.quantity(power));
+        }
+    }
+    all
+}

@@ -1,0 +1,88 @@
+//! How the state of a system changes as it moves.
+
+use std::collections::BTreeMap;
+
+use crate::mechanics::answers::quaternion_rate;
+use crate::mechanics::variation::Direction;
+use crate::model::{
+    Frame, Part, Rates, System, TreeJoint, Variable, Vector, Workspace, input_rates,
+};
+use crate::symbolic::Coordinate;
+
+/// The rates of joints are held, and so are inputs, unless they move.
+pub fn motion(system: &System, work: &mut Workspace) -> Direction {
+    let mut changes = BTreeMap::new();
+    let time = system.bodies.first().map(|body| body.state.time);
+    changes.extend(time.map(|time| (time, work.graph.one())));
+    changes.extend(input_rates(work, &system.derivatives));
+    let mut turns = BTreeMap::new();
+    for joint in &system.joints {
+        // what is prescribed follows the time
+        if !joint.is_driven() {
+            let moved = positions(work, joint).into_iter();
+            changes.extend(moved.map(|one| (one.symbol, one.rate)));
+        }
+        turns.extend(turns_of(joint, work, system.is_planar));
+    }
+    Direction { changes, turns }
+}
+
+/// How fast the frames of a joint turn, each against the one before.
+fn turns_of(joint: &TreeJoint, work: &mut Workspace, is_planar: bool) -> Vec<(Frame, Vector)> {
+    let frames = &joint.frames[joint.turned.len()..];
+    let zero = work.graph.zero();
+    let get = |part: usize| {
+        let rate = joint.coordinates.get(Variable::AngularVelocity, part);
+        rate.unwrap_or(zero)
+    };
+    let mut turns = Vec::new();
+    for ((part, coordinate), frame) in joint.kind.numbered().zip(frames) {
+        let graph = &mut work.graph;
+        let rate = match part {
+            Part::Slide(_) => continue,
+            Part::Turn(number) => graph.scale_vector(get(coordinate), joint.directions[number]),
+            Part::Screw => graph.scale_vector(get(0), joint.directions[0]),
+            Part::Free if is_planar => [zero, zero, get(0)],
+            Part::Ball | Part::Free => [get(0), get(1), get(2)],
+        };
+        turns.push((*frame, work.vector(*frame, rate)));
+    }
+    turns
+}
+
+/// What is before the rates in the state of a joint, with its rates.
+pub fn positions(work: &mut Workspace, joint: &TreeJoint) -> Vec<Coordinate> {
+    let rates: &Rates = &joint.coordinates;
+    let mut list = Vec::new();
+    for field in joint.kind.shape.into_iter().flat_map(|shape| shape.fields) {
+        let of = |variable: Variable, part: usize| rates.get(variable, part);
+        let rate_of = match field.variable {
+            Variable::Position => Variable::Velocity,
+            Variable::Angle => Variable::AngularVelocity,
+            Variable::Quaternion => {
+                let symbols = [0, 1, 2, 3].map(|part| of(Variable::Quaternion, part));
+                let w = [0, 1, 2].map(|part| of(Variable::AngularVelocity, part));
+                let ([Some(scalar), Some(x), Some(y), Some(z)], [Some(a), Some(b), Some(c)]) =
+                    (symbols, w)
+                else {
+                    continue;
+                };
+                let rates = quaternion_rate(work, scalar, [x, y, z], [a, b, c]);
+                let symbols = [x, y, z, scalar].into_iter();
+                list.extend(
+                    symbols
+                        .zip(rates)
+                        .map(|(symbol, rate)| Coordinate { symbol, rate }),
+                );
+                continue;
+            }
+            _ => continue,
+        };
+        let parts = field.first..field.first + field.names.len();
+        list.extend(parts.filter_map(|part| {
+            let (symbol, rate) = (of(field.variable, part)?, of(rate_of, part)?);
+            Some(Coordinate { symbol, rate })
+        }));
+    }
+    list
+}

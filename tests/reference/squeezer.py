@@ -172,7 +172,7 @@ def end(steps):
 
 
 if __name__ == "__main__":
-    one, other = end(90), end(120)
+    one, other = end(200), end(260)
     apart = max(abs(a - b) / abs(b) for a, b in zip(one, other))
     assert apart < mpf(10) ** -29, apart
     for own, published in zip(one, PUBLISHED.split()):

@@ -196,7 +196,8 @@ fn equations(
     let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();
     let mut values = samples(work, &all).into_iter();
     let equations = sides.into_iter().map(|(coefficients, right, positive)| {
-        let mut sizes = vec![Size::Terms; coefficients.len()];
+        // the matrix is not definite: the loads are eliminated last
+        let mut sizes = vec![Size::Beside; coefficients.len()];
         if let Some(freedom) = positive {
             sizes[freedom] = Size::Squares;
         }

@@ -5,10 +5,11 @@ use std::collections::HashMap;
 use fuzz::errors::Errors;
 use fuzz::lower::{lower_system, outline, outline_system};
 use fuzz::mechanics::{
-    BodyBalance, Consistency, Energy, Inertias, Jacobian, Momentum, derive_inertias,
-    derive_jacobians, derive_system, derive_system_balances, derive_system_consistency,
-    derive_system_driving, derive_system_energy, derive_system_inverse, derive_system_momentum,
-    derive_system_reactions, describe_system, with_system_potentials,
+    BodyBalance, Consistency, Energy, Inertias, Jacobian, Momentum, SystemEquations,
+    derive_inertias, derive_jacobians, derive_system, derive_system_balances,
+    derive_system_consistency, derive_system_driving, derive_system_energy, derive_system_inverse,
+    derive_system_momentum, derive_system_reactions, derive_system_spare, describe_system,
+    with_system_potentials,
 };
 use fuzz::model::{Meaning, Outline, System, Variable, Workspace};
 use fuzz::outputs::offers;
@@ -63,6 +64,32 @@ fn number_of(name: &impl ToString) -> usize {
     name[letters.len()..].parse().expect("names are numbered")
 }
 
+/// The load along each freedom of each joint that makes it accelerate as is given: that of a drive, were
+/// one open there.
+fn needed(
+    system: &mut System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+    errors: &mut Errors,
+) -> Vec<Vec<Id>> {
+    let written: Vec<_> = system
+        .joints
+        .iter()
+        .map(|joint| joint.open.clone())
+        .collect();
+    for joint in system.joints.iter_mut().filter(|joint| !joint.is_driven()) {
+        joint.open.fill(Some(joint.name.clone()));
+    }
+    let mut found = derive_system_inverse(system, work, equations, errors).into_iter();
+    let joints = system.joints.iter_mut().zip(written);
+    let needed = joints.map(|(joint, written)| {
+        let count = if joint.is_driven() { 0 } else { written.len() };
+        joint.open = written;
+        found.by_ref().take(count).collect()
+    });
+    needed.collect()
+}
+
 impl Compiled {
     /// Its equations, or what is wrong with it.
     pub fn new(text: &str) -> Result<Self, String> {
@@ -81,10 +108,11 @@ impl Compiled {
         let mut outline = outline(&description.top, &offers::<System>(), errors);
         outline_system(&description, &mut outline);
         let (system, mut work) = lower_system(&description, &mut outline, errors)?;
-        let system = with_system_potentials(system, &mut work);
+        let mut system = with_system_potentials(system, &mut work);
         let equations = derive_system(&system, &mut work);
         let is_tree = system.closings.is_empty();
-        let reactions = equations.undetermined().is_empty().then(|| {
+        let is_determined = derive_system_spare(&system, &equations).is_empty();
+        let reactions = is_determined.then(|| {
             let named = derive_system_reactions(&system, &mut work, &equations);
             let zeros = work.graph.zeros();
             let joints = system.joints.iter().map(|joint| &joint.name);
@@ -113,7 +141,7 @@ impl Compiled {
             reactions,
             driving: derive_system_driving(&mut work, &equations),
             inverse: if is_tree {
-                derive_system_inverse(&system, &mut work, &equations)
+                needed(&mut system, &mut work, &equations, errors)
             } else {
                 Vec::new()
             },

@@ -696,3 +696,41 @@ fn constraints_that_say_nothing_on_a_branch() {
         1e-13,
     );
 }
+
+/// One coordinate alone, whose rate is kept at zero while others move.
+mod alone {
+    use newton_euler::prelude::*;
+
+    rigid_system!(Alone {
+        bodies: [
+            hub {
+                mass: 3[kg],
+                inertia: principal(0.5, 0.4, 0.6)[kg * m ^ 2],
+                points: [p = (0.1, 0.2, 0.3)[m]],
+            },
+            arm {
+                mass: 0.8[kg],
+                inertia: principal(0.02, 0.03, 0.04)[kg * m ^ 2],
+                points: [p = (0, 0.1, 0.2)[m]],
+            },
+        ],
+        joints: [
+            base = free(hub),
+            joint = universal(hub.p, arm.p, body(1, 0, 0), body(0, 1, 0)),
+        ],
+        constraints: [still = joint.angular_velocity_2],
+    });
+}
+
+#[test]
+fn rounding_of_a_single_rate_is_a_start() {
+    let system = alone::Alone::default();
+    let mut state = alone::AloneState::default();
+    state.base.angular_velocity = [0.3, -0.7, 0.4].into();
+    state.joint.angular_velocity_1 = 0.9;
+    state.joint.angular_velocity_2 = 1e-17;
+    system.check(0.0, &state, &()).unwrap();
+    // what is no rounding is none
+    state.joint.angular_velocity_2 = 1e-9;
+    assert!(system.check(0.0, &state, &()).is_err());
+}

@@ -1,4 +1,4 @@
-//! A quadrotor, the body of the README: hover, and a turn about the vertical.
+//! A quadrotor, the body of the documentation of `rigid_body!`: hover, and a turn about the vertical.
 //!
 //! Body axes: x forward, y left, z up, from the center of mass G; world z is up. Thrusts act along body z. Rotors 1
 //! and 3 spin about -z, so the air turns the body about +z with them; their own angular momentum is neglected.

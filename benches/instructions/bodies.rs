@@ -27,6 +27,7 @@ examples! {
     engine "../../examples/engine.rs";
     furuta "../../examples/furuta.rs";
     lagrange_top "../../examples/lagrange_top.rs";
+    planetary_gear "../../examples/planetary_gear.rs";
     plank "../../examples/plank.rs";
     quadrotor "../../examples/quadrotor.rs";
     reaction_wheels "../../examples/reaction_wheels.rs";
@@ -69,6 +70,7 @@ pub const BODIES: &[Body] = bodies![
     engine::Engine,
     furuta::Furuta,
     lagrange_top::Top,
+    planetary_gear::Planetary,
     plank::Plank,
     quadrotor::Quadrotor,
     reaction_wheels::Satellite,
@@ -188,6 +190,7 @@ systems! {
     double_pendulum::DoublePendulumState { shoulder, elbow }
     engine::EngineState { big_end, small_end }
     furuta::FurutaState { yaw, swing }
+    planetary_gear::PlanetaryState { input, output, pin, outer }
     reaction_wheels::SatelliteState { orbit, spin_x, spin_y, spin_z }
     robot_arm::ArmState { pan, lift, elbow, roll_1, roll_2, roll_3 }
     suspension::CarState { heave, pitch, strut_front, strut_rear }

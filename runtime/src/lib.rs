@@ -67,6 +67,8 @@
 //!   time; it allocates.
 //! - `rayon`: ensembles on all processor cores.
 //! - `progress`: long runs show a bar.
+//! - `stl`: mass, center of mass and inertia of closed meshes, from STL files
+//!   ([`inertia::MassProperties`]); it needs `std`.
 //! - `differential-equations`: the equations of a body for the methods of the crate of that name
 //!   ([`integrate::Equations`])
 
@@ -74,7 +76,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-#[cfg(feature = "ensemble")]
+#[cfg(any(feature = "ensemble", feature = "stl"))]
 extern crate alloc;
 
 mod bodies;
@@ -103,6 +105,11 @@ pub use tops::{precession, top};
 pub use nalgebra;
 #[doc(no_inline)]
 pub use scalar::{Dual, Scalar};
+
+/// The first page of the repository: its code is tried as that of this documentation is.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+mod first_page {}
 
 #[doc = include_str!("rigid_system.md")]
 #[macro_export]

@@ -87,6 +87,9 @@ pub struct System {
     /// A file in the Unified Robot Description Format, whose links are bodies and whose joints are
     /// joints: `"robot.urdf"`, its path from the folder of `Cargo.toml`.
     pub urdf: (),
+    /// A file in the format of `MuJoCo`: bodies, joints, motors and gravity: `"model.xml"`, its path from
+    /// the folder of `Cargo.toml`.
+    pub mjcf: (),
     /// Joints of the file that are held at a coordinate: `[finger = 0.02[m]]`.
     pub locked: (),
     /// The bodies: `[arm { mass: 1[kg], inertia: principal(1, 2, 3), points: [tip = (1, 0, 0)] }]`,

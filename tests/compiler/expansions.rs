@@ -138,6 +138,25 @@ fn the_same_description_gives_the_same_expansion() {
     }
 }
 
+/// The first page shows a description, and behind it the lines that come out of it.
+#[test]
+fn the_first_page_shows_what_comes_out() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let page = fs::read_to_string(page).expect("the first page");
+    let blocks: Vec<&str> = page.split("```").skip(1).step_by(2).collect();
+    let described = blocks.iter().find(|block| block.contains("rigid_body!("));
+    let (_, rest) = described.unwrap().split_once("rigid_body!(").unwrap();
+    let (description, _) = rest.split_once("\n});").expect("its end");
+    let expansion = pretty(format!("{description}\n}}").parse().expect("tokens"));
+    let shown = blocks.iter().find(|block| block.starts_with("rust,ignore"));
+    let shown: Vec<&str> = shown.unwrap().lines().skip(1).map(str::trim).collect();
+    let lines: Vec<&str> = expansion.lines().map(str::trim).collect();
+    assert!(
+        shown.len() > 5 && lines.windows(shown.len()).any(|lines| lines == shown),
+        "{shown:#?} are not lines of {expansion}"
+    );
+}
+
 fn lines_of(expansion: &str, from: &str) -> usize {
     let body = expansion.split_once(from).expect("the function is there").1;
     let indent = "\n        }";

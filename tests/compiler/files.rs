@@ -6,10 +6,12 @@ use std::path::{Path, PathBuf};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::errors::Errors;
 use crate::expand::expand_system;
+use crate::{syntax, text};
 
 /// Numbers that look random, the same in each run.
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
     fn below(&mut self, bound: usize) -> usize {
@@ -24,18 +26,28 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/urdf")
 }
 
-/// What is made of a file with this text.
+/// What is made of a file with this text; without mistakes, what is printed of it has none.
 fn expanded(name: &str, text: &[u8]) -> TokenStream {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::write(&path, text).expect("a folder for tests");
     let path = path.to_str().expect("a path in UTF-8");
-    expand_system(quote!((::newton_euler) Robot {
+    let description = quote!((::newton_euler) Robot {
         urdf: #path,
         fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
-    }))
+    });
+    let tokens = expand_system(description.clone());
+    if errors(&tokens) == 0 {
+        let mut none = Errors::default();
+        let system = syntax::parse_system(description, &mut none).expect("it was read");
+        assert!(none.finish().is_none());
+        let printed = text::system(&system);
+        let again = expand_system(quote!((::newton_euler) #printed));
+        assert_eq!(errors(&again), 0, "{printed}");
+    }
+    tokens
 }
 
-fn errors(tokens: &TokenStream) -> usize {
+pub fn errors(tokens: &TokenStream) -> usize {
     tokens.to_string().matches("compile_error").count()
 }
 
@@ -67,7 +79,7 @@ const WORDS: [&str; 24] = [
     "1e99999999999999999999",
 ];
 
-fn mutant(text: &str, random: &mut Random) -> Vec<u8> {
+pub fn mutant(text: &str, random: &mut Random) -> Vec<u8> {
     let mut bytes = text.as_bytes().to_vec();
     for _ in 0..=random.below(3) {
         let place = random.below(bytes.len());

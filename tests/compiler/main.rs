@@ -29,6 +29,8 @@ mod range;
 mod symbolic;
 #[path = "../../macros/src/syntax/mod.rs"]
 mod syntax;
+#[path = "../../examples/describe/text.rs"]
+mod text;
 
 mod calculus;
 mod descriptions;
@@ -37,8 +39,10 @@ mod eigen;
 mod equations;
 mod expansions;
 mod files;
+mod models;
 mod numbers;
 mod operations;
+mod printed;
 mod rooms;
 mod trees;
 mod words;

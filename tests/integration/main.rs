@@ -4,9 +4,12 @@
 
 mod errors;
 mod inputs;
+mod lost_loads;
 mod midpoint;
+mod moving_inputs;
 mod observations;
 mod orders;
 #[path = "../reference/mod.rs"]
 mod reference;
 mod scenes;
+mod switches;

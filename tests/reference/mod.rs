@@ -41,6 +41,11 @@ pub fn published(name: &str) -> Value {
     file(include_str!("published.json"))["problems"][name].take()
 }
 
+/// Andrews' squeezing mechanism.
+pub fn squeezer() -> Value {
+    file(include_str!("squeezer.json"))
+}
+
 /// A number, written as one, as a decimal string or as a fraction.
 pub fn number(value: &Value) -> f64 {
     match value {

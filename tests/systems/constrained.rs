@@ -270,8 +270,6 @@ fn gears_and_racks() {
         1.0,
         1e-12,
     );
-    // a gear pushes axles apart or not: as a pair of moments it does not
-    assert_eq!(loads.axle.moment, 0.0 + loads.axle.moment);
 
     let driven = gears::Driven::default();
     let state = gears::DrivenState {
@@ -697,104 +695,119 @@ fn constraints_that_say_nothing_on_a_branch() {
     );
 }
 
-/// One coordinate alone, whose rate is kept at zero while others move.
-mod alone {
+/// A plane four-bar in space stands on a foot, which carries what it weighs, whatever the hinges hold.
+mod held {
     use newton_euler::prelude::*;
 
-    rigid_system!(Alone {
+    rigid_system!(Standing {
         bodies: [
-            hub {
-                mass: 3[kg],
-                inertia: principal(0.5, 0.4, 0.6)[kg * m ^ 2],
-                points: [p = (0.1, 0.2, 0.3)[m]],
+            base {
+                mass: 2[kg],
+                inertia: principal(1, 1, 1)[kg * m ^ 2],
+                points: [side = (1, 0, 0)[m]],
             },
-            arm {
-                mass: 0.8[kg],
-                inertia: principal(0.02, 0.03, 0.04)[kg * m ^ 2],
-                points: [p = (0, 0.1, 0.2)[m]],
+            crank {
+                mass: 1[kg],
+                inertia: principal(0.1, 0.2, 0.3)[kg * m ^ 2],
+                points: [o = (0, 0, 0)[m], a = (0.3, 0.4, 0)[m]],
+            },
+            coupler {
+                mass: 1.5[kg],
+                inertia: principal(0.1, 0.2, 0.3)[kg * m ^ 2],
+                points: [a = (0, 0, 0)[m], b = (0.6, 0.8, 0)[m]],
+            },
+            rocker {
+                mass: 0.5[kg],
+                inertia: principal(0.1, 0.2, 0.3)[kg * m ^ 2],
+                points: [b = (0, 0, 0)[m], c = (0.1, -1.2, 0)[m]],
             },
         ],
         joints: [
-            base = free(hub),
-            joint = universal(hub.p, arm.p, body(1, 0, 0), body(0, 1, 0)),
+            foot = weld(world(0, 0, 0), base.G),
+            o = revolute(base.G, crank.o, body(0, 0, 1)),
+            a = revolute(crank.a, coupler.a, body(0, 0, 1)),
+            b = revolute(coupler.b, rocker.b, body(0, 0, 1)),
+            c = revolute(base.side, rocker.c, body(0, 0, 1)),
         ],
-        constraints: [still = joint.angular_velocity_2],
+        fields: [weight = mass * world(0, 0, -9.8[m / s ^ 2])],
+        outputs: [reactions(foot)],
+    });
+
+    // statics: two bodies that three hinges hold, by the same joints
+    rigid_system!(Arch {
+        motion: planar,
+        bodies: [
+            left {
+                mass: 1[kg],
+                inertia: 1[kg * m ^ 2],
+                points: [a = (0, 0)[m], c = (4, 3)[m], load = (1.5, 2)[m]],
+                forces: [wind = world(6[N], -20[N]).at(load)],
+            },
+            right {
+                mass: 1[kg],
+                inertia: 1[kg * m ^ 2],
+                points: [b = (2, -3)[m], c = (-2, 0)[m], load = (0, -0.8)[m]],
+                forces: [snow = world(0, -30[N]).at(load)],
+                moments: [couple = 5[N * m]],
+            },
+        ],
+        joints: [
+            a = revolute(world(0, 0), left.a),
+            c = revolute(left.c, right.c),
+            b = revolute(world(8, 0), right.b),
+        ],
+        outputs: [reactions],
     });
 }
 
 #[test]
-fn rounding_of_a_single_rate_is_a_start() {
-    let system = alone::Alone::default();
-    let mut state = alone::AloneState::default();
-    state.base.angular_velocity = [0.3, -0.7, 0.4].into();
-    state.joint.angular_velocity_1 = 0.9;
-    state.joint.angular_velocity_2 = 1e-17;
-    system.check(0.0, &state, &()).unwrap();
-    // what is no rounding is none
-    state.joint.angular_velocity_2 = 1e-9;
-    assert!(system.check(0.0, &state, &()).is_err());
-}
-
-/// One energy in two words: a place that follows from that of a hub, along an axis of this hub.
-mod along_an_axis {
-    use newton_euler::prelude::*;
-
-    macro_rules! hubs {
-        ($name:ident, $energy:expr) => {
-            rigid_system!($name {
-                bodies: [
-                    hub {
-                        mass: 3[kg],
-                        inertia: principal(0.5, 0.4, 0.6)[kg * m ^ 2],
-                        points: [q = (-0.2, 0.1, 0)[m]],
-                    },
-                    ball {
-                        mass: 0.8[kg],
-                        inertia: principal(0.02, 0.03, 0.04)[kg * m ^ 2],
-                        points: [p = (0, 0.1, 0.2)[m]],
-                    },
-                ],
-                joints: [base = free(hub), socket = spherical(hub.q, ball.p)],
-                potentials: [pull = $energy],
-            });
-        };
-    }
-    hubs!(
-        Components,
-        3[N] * (ball.position - hub.position).in_body(hub).x
+fn what_is_held_too_much_gives_what_is_determined() {
+    let standing = held::Standing::default();
+    let mut state = held::StandingState::default();
+    standing.project(0.0, &mut state, &()).unwrap();
+    let foot = standing.reactions(0.0, &state, &()).foot;
+    close(
+        "foot",
+        foot.force.as_slice(),
+        &[0.0, 0.0, 5.0 * 9.8],
+        10.0,
+        1e-13,
     );
-    hubs!(
-        Dots,
-        3[N] * (ball.position - hub.position).dot(hub.body(1, 0, 0))
+    let found = standing.acceleration(0.0, &state, &());
+    assert!(
+        [found.o, found.a, found.b]
+            .iter()
+            .all(|one| one.abs() < 1e-12)
     );
 }
 
+// reference/systems/three_hinged_arch.json: six balances, exact rationals
 #[test]
-fn a_place_along_an_axis_of_its_carrier() {
-    let mut numbers = Random::new(17);
-    for _ in 0..10 {
-        let base = Spatial {
-            position: numbers.vector(),
-            attitude: nalgebra::UnitQuaternion::from_scaled_axis(numbers.vector()),
-            velocity: numbers.vector(),
-            angular_velocity: numbers.vector(),
-        };
-        let socket = Rotation {
-            attitude: nalgebra::UnitQuaternion::from_scaled_axis(numbers.vector()),
-            angular_velocity: numbers.vector(),
-        };
-        let state = along_an_axis::ComponentsState { base, socket };
-        let one = along_an_axis::Components::default().acceleration(0.0, &state, &());
-        let state = along_an_axis::DotsState { base, socket };
-        let other = along_an_axis::Dots::default().acceleration(0.0, &state, &());
-        let listed = |base: SpatialAcceleration| base.list();
-        close("hub", &listed(other.base), &listed(one.base), 10.0, 1e-12);
-        close(
-            "ball",
-            other.socket.as_slice(),
-            one.socket.as_slice(),
-            10.0,
-            1e-12,
-        );
-    }
+fn an_arch_on_three_hinges() {
+    let (arch, state) = (held::Arch::default(), held::ArchState::default());
+    arch.check(0.0, &state, &()).unwrap();
+    let found = arch.acceleration(0.0, &state, &());
+    assert!(found.a.abs().max(found.c.abs()) < 1e-13);
+    let loads = arch.reactions(0.0, &state, &());
+    close(
+        "a",
+        loads.a.force.as_slice(),
+        &[11.833_333_333_333_334, 22.875],
+        10.0,
+        1e-14,
+    );
+    close(
+        "b",
+        loads.b.force.as_slice(),
+        &[-17.833_333_333_333_332, 27.125],
+        10.0,
+        1e-14,
+    );
+    close(
+        "c",
+        loads.c.force.as_slice(),
+        &[17.833_333_333_333_332, 2.875],
+        10.0,
+        1e-14,
+    );
 }

@@ -1,6 +1,7 @@
 //! Systems of bodies: published numbers, another way to the same numbers, and laws.
 #![allow(missing_docs)]
 
+mod along_axes;
 mod balanced;
 mod balances;
 mod compare;
@@ -10,6 +11,7 @@ mod counts;
 mod described;
 mod drawings;
 mod driven;
+mod frames;
 mod kinds;
 mod large;
 mod laws;
@@ -26,4 +28,5 @@ mod references;
 mod series;
 mod shapes;
 mod spatial;
+mod squeezer;
 mod unequal;

@@ -3,6 +3,8 @@
 
 mod described;
 mod oracle;
+mod printed;
+mod round_trip;
 
 use std::collections::HashMap;
 

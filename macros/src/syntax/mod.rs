@@ -9,6 +9,7 @@ mod composition;
 mod entries;
 mod expression;
 mod head;
+mod mjcf;
 mod motion;
 mod parse;
 mod read;
@@ -18,6 +19,7 @@ mod tokens;
 mod unit;
 mod urdf;
 mod words;
+mod xml;
 
 use proc_macro2::{Ident, TokenStream};
 

@@ -32,7 +32,7 @@
 //! It was found by computer algebra on two routes that had to agree: the derivative of the tensor
 //! times ω, and the sum of `-m r × (ω̇ × r + ω × (ω × r))` over mass points with symbolic
 //! coordinates. The coefficients of the squares were those printed, the coefficients of the
-//! products were not zero. `tests/erratum.rs` pins each statement to its numbers.
+//! products were not zero. `tests/mechanics/erratum.rs` pins each statement to its numbers.
 //!
 //! A second one is of convention. (1.5) writes the inertia matrix with entries +`Jxy`, which as a
 //! tensor means `Jxy = -∫xy dm`; (1.9) needs `Jxy = +∫xy dm`: read with (1.5), all of `G_sq`

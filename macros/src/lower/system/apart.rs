@@ -44,7 +44,8 @@ impl Reader<'_> {
         let rates: Vec<Id> = of_bodies
             .chain(apart.along.iter().map(|one| one.rate))
             .collect();
-        self.work.turns = Some(Turns::new(self.motion.axes(), Frame::WORLD));
+        let bodies = apart.bodies.iter().map(|displaced| displaced.body);
+        self.work.turns = Some(Turns::of_bodies(self.motion.axes(), bodies));
         // what is wrong with these is reported already
         let mut reported = Errors::default();
         self.late_points(drafts, &mut reported);
@@ -114,8 +115,9 @@ impl Reader<'_> {
             all.filter(|one| matches!(one.variable, Variable::Position | Variable::Angle))
         };
         let graph = &mut self.work.graph;
-        let held: HashMap<Id, Id> = joints
-            .iter()
+        // what is prescribed is a function of time, or a number that stands elsewhere too
+        let open = joints.iter().filter(|joint| !joint.is_driven());
+        let held: HashMap<Id, Id> = open
             .flat_map(places)
             .map(|place| (place.id, graph.symbol(Stage::State)))
             .collect();

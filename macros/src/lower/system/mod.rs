@@ -6,6 +6,7 @@ mod asked;
 mod between;
 mod constraints;
 mod drives;
+mod frames;
 mod joints;
 mod outline;
 mod potentials;
@@ -97,6 +98,7 @@ pub fn lower_system(
     let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let mut closings = closings;
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
+    frames::check_frames(&work, &bodies, &joints, errors);
     let written = tell_frames(outline, &joints);
     outline.kept = constraints
         .iter()

@@ -7,6 +7,7 @@ use crate::symbolic::{Id, Residue, free};
 /// vector by stereographic projection, the rate of the unit vector as a product with it.
 pub struct RandomState {
     pub number: u64,
+    /// That of the first body; others are turned in their own way.
     pub quaternion: [Residue; 4],
     pub axis: [Residue; 3],
     pub axis_rate: [Residue; 3],
@@ -41,7 +42,15 @@ impl RandomState {
     /// The value of a symbol.
     pub fn of(&self, work: &Workspace, id: Id) -> Residue {
         match work.meaning(id) {
-            Some(Meaning::Of(_, Variable::Quaternion, part)) => self.quaternion[part],
+            Some(Meaning::Of(body, Variable::Quaternion, part)) => match body.index() {
+                0 | 1 => self.quaternion[part],
+                further => {
+                    let free =
+                        |index: u8| Residue::stand_in(&("attitude", index, further, self.number));
+                    let quaternion: [Residue; 4] = unit_vector([0, 1, 2].map(free));
+                    quaternion[part]
+                }
+            },
             Some(Meaning::Of(_, Variable::Axis, part)) => self.axis[part],
             Some(Meaning::Of(_, Variable::AxisRate, part)) => self.axis_rate[part],
             _ => free(id, self.number),

@@ -107,13 +107,9 @@ impl SystemEquations {
     /// Reports written constraints that say nothing, or nothing new.
     pub fn check(&self, system: &System, errors: &mut Errors) -> Option<()> {
         let closed = self.closed.as_ref();
-        closed.map_or(Some(()), |closed| check_kept(system, closed, errors))
-    }
-
-    /// The joints that close loops whose loads are not determined, by number.
-    pub fn undetermined(&self) -> &[usize] {
-        let closed = self.closed.as_ref();
-        closed.map_or(&[], |closed| &closed.unsettled.joints)
+        closed.map_or(Some(()), |closed| {
+            check_kept(system, &closed.unsettled, errors)
+        })
     }
 }
 

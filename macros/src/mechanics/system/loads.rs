@@ -120,18 +120,45 @@ pub fn derive_system_reactions(
 ) -> Vec<(Ident, [Components; 2])> {
     let tree = equations.loaded();
     let loads = loads(work, equations, tree, &equations.accelerations);
-    let joints = system.joints.iter().enumerate().map(|(body, joint)| {
+    let joints = (0..system.joints.len()).map(|body| {
         let link = equations.built.body(body);
         let load = tree::in_world(&mut work.graph, &tree.links, link, loads[link]);
-        (joint.name.clone(), [load.linear, load.angular])
+        [load.linear, load.angular]
     });
-    let mut all: Vec<(Ident, [Components; 2])> = joints.collect();
+    let joints: Vec<[Components; 2]> = joints.collect();
     let closed = equations.closed.iter().flat_map(|closed| &closed.wrenches);
-    for (closing, wrench) in system.closings.iter().zip(closed) {
-        let wrench = wrench.map(|part| part.map(|one| work.graph.result(one)));
-        all.push((closing.name.clone(), wrench));
-    }
-    all
+    let closed = closed.map(|wrench| wrench.map(|part| part.map(|one| work.graph.result(one))));
+    let closed: Vec<[Components; 2]> = closed.collect();
+    named(system, &joints, &closed)
+}
+
+/// Loads of joints that balance each other, and that the balances leave open: as many as a system is
+/// held more than it needs.
+pub fn derive_system_spare(
+    system: &System,
+    equations: &SystemEquations,
+) -> Vec<Vec<(Ident, [Components; 2])>> {
+    let closed = equations.closed.iter();
+    let spare = closed.flat_map(|closed| &closed.unsettled.spare);
+    spare
+        .map(|spare| named(system, &spare.joints, &spare.closings))
+        .collect()
+}
+
+/// What is known of the joints of the tree, and of those that close loops, by name.
+fn named(
+    system: &System,
+    joints: &[[Components; 2]],
+    closings: &[[Components; 2]],
+) -> Vec<(Ident, [Components; 2])> {
+    let joints = system.joints.iter().map(|joint| &joint.name).zip(joints);
+    let closings = system
+        .closings
+        .iter()
+        .map(|joint| &joint.name)
+        .zip(closings);
+    let all = joints.chain(closings);
+    all.map(|(name, wrench)| (name.clone(), *wrench)).collect()
 }
 
 /// The loads along the freedoms whose motion is prescribed, joint by joint, less what else is known to

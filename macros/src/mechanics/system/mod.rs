@@ -17,7 +17,9 @@ pub use consistency::derive_system_consistency;
 pub use constraints::check_followers;
 pub use equations::{SystemEquations, derive_system, describe_system};
 pub use jacobian::{Jacobian, derive_jacobians};
-pub use loads::{derive_system_driving, derive_system_inverse, derive_system_reactions};
+pub use loads::{
+    derive_system_driving, derive_system_inverse, derive_system_reactions, derive_system_spare,
+};
 pub use matrix::{Inertias, derive_inertias};
 pub use series::derive_system_taylor;
 pub use totals::{derive_system_energy, derive_system_momentum};

@@ -51,6 +51,17 @@ pub struct Freedom {
 }
 
 impl Tree {
+    /// Whether a link is this one, or is carried by it.
+    pub fn is_above(&self, mut link: usize, below: usize) -> bool {
+        while link != below {
+            let Some(carrier) = self.links[link].carrier else {
+                return false;
+            };
+            link = carrier;
+        }
+        true
+    }
+
     /// Whether a link is held by its carrier, and has and carries nothing.
     pub fn is_idle(&self, graph: &Graph, index: usize) -> bool {
         let link = &self.links[index];

@@ -23,4 +23,5 @@ pub use build::{Built, build, wrench};
 pub use joint_loads::{in_world, joint_loads, motions};
 pub use mass_matrix::MassMatrix;
 pub use pair::Pair;
+pub use properties::Properties;
 pub use recursion::{Solved, derive_tree};

@@ -30,6 +30,8 @@ pub struct Turns {
     mixed: Frame,
     /// Whether such a vector was met.
     pub met_mixed: bool,
+    /// Axes that are turned by themselves, also those that a joint holds at a fixed angle.
+    apart: Vec<Frame>,
 }
 
 impl Turns {
@@ -41,7 +43,19 @@ impl Turns {
             axes,
             mixed,
             met_mixed: false,
+            apart: Vec::new(),
         }
+    }
+
+    /// With axes that are turned by themselves.
+    pub fn of_bodies(axes: usize, bodies: impl Iterator<Item = Frame>) -> Self {
+        let mut turns = Self::new(axes, Frame::WORLD);
+        turns.apart.extend(bodies);
+        turns
+    }
+
+    pub fn are_apart(&self, body: Frame) -> bool {
+        self.apart.contains(&body)
     }
 
     /// The turned vector that a symbol is a component of.

@@ -78,7 +78,8 @@ impl Workspace {
             Attitude::Axis { angle, .. } => self.graph.is_early(angle),
             _ => false,
         };
-        if let Some(turns) = self.turns.as_mut().filter(|_| !is_always_so) {
+        let turns = self.turns.as_mut();
+        if let Some(turns) = turns.filter(|turns| !is_always_so || turns.are_apart(body)) {
             return turns.turn(&mut self.graph, v, from, to);
         }
         let turned = match self.attitude(body) {

@@ -1,13 +1,15 @@
 //! `reactions`, of some joints `reactions(elbow)`: force and moment of joints on what they carry.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::Ident;
 use quote::quote;
 
 use crate::emit::code::{COMMON, Method, Site};
 use crate::emit::items::Addition;
 use crate::lower::Offer;
-use crate::mechanics::{derive_system_driving, derive_system_reactions};
-use crate::model::{Outline, System};
+use crate::mechanics::{derive_system_driving, derive_system_reactions, derive_system_spare};
+use crate::model::{AXES, Outline, System};
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::{Components, Id};
 
@@ -35,17 +37,7 @@ impl Output<System> for Reactions {
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
-        let closings = &basis.model.closings;
-        let open = basis.equations.undetermined();
-        if let Some(closing) = open.first().and_then(|number| closings.get(*number)) {
-            let place = basis.outline.place(OFFER.word)?;
-            let name = &closing.name;
-            basis.errors.push(
-                place,
-                format!("the loop that `{name}` closes is held more than it needs: the balances do not determine its reactions; write it as a joint that holds less, such as `spherical`"),
-            );
-            return None;
-        }
+        check_determined(basis)?;
         let loads = derive_system_reactions(basis.model, basis.work, basis.equations);
         let held = held(basis.outline).filter_map(|name| {
             let mut all = loads.iter();
@@ -113,6 +105,40 @@ impl Output<System> for Reactions {
         let addition = Addition::implement(site, "Reactions", [types, quote!()], &methods);
         by_name.beside(site, addition)
     }
+}
+
+/// Reports components that are asked for and not determined.
+fn check_determined(basis: &mut Basis<'_, System>) -> Option<()> {
+    let mut open: BTreeSet<String> = BTreeSet::new();
+    let spare = derive_system_spare(basis.model, basis.equations);
+    let asked = spare.into_iter().flatten();
+    for (name, wrench) in asked.filter(|(name, _)| basis.outline.is_held(name)) {
+        for (part, components) in ["force", "moment"].into_iter().zip(wrench) {
+            let axes = components.into_iter().zip(AXES);
+            let there = axes.filter(|(component, _)| !basis.work.graph.vanishes(*component));
+            let is_one = part == "moment" && basis.model.is_planar;
+            open.extend(there.map(|(_, axis)| {
+                let axis = if is_one {
+                    String::new()
+                } else {
+                    format!(".{axis}")
+                };
+                format!("`{name}.{part}{axis}`")
+            }));
+        }
+    }
+    if open.is_empty() {
+        return Some(());
+    }
+    let all: Vec<String> = open.into_iter().collect();
+    let message = format!(
+        "the joints hold more than the motion needs, and the balances do not determine {}: let joints of the loop \
+         hold less, one as `spherical` and one as `cylindrical` for instance, or ask for others alone, \
+         `reactions(..)`",
+        all.join(", ")
+    );
+    basis.errors.push(basis.outline.place(OFFER.word)?, message);
+    None
 }
 
 /// The struct that holds them.

@@ -37,6 +37,8 @@ pub enum Size {
     Product(Id),
     /// It is compared with the largest of its terms.
     Terms,
+    /// The same; and if it were a pivot, sums of squares that are left would remain positive no longer.
+    Beside,
 }
 
 /// What equations say of their unknowns.
@@ -167,6 +169,7 @@ impl System<'_> {
         let coefficient = self.rows[row].coefficients[column];
         let is_early = graph.is_early(coefficient);
         match (graph.as_number(coefficient), self.rows[row].sizes[column]) {
+            (_, Size::Beside) => Kind::Unsafe,
             (Some(number), _) if self.is_small(number, row, column) => Kind::Unsafe,
             (Some(number), _) if number.abs().is_one() => Kind::One,
             (Some(_), _) => Kind::Number,
@@ -217,7 +220,9 @@ impl System<'_> {
         let size = match self.rows[row].sizes[column] {
             Size::Squares => self.written[row][column],
             Size::Product(size) => size,
-            Size::Terms => self.graph.largest_term(self.rows[row].coefficients[column]),
+            Size::Terms | Size::Beside => {
+                self.graph.largest_term(self.rows[row].coefficients[column])
+            }
         };
         let inverse = self.graph.pivot(divisor, size);
         self.give(row, column, inverse);

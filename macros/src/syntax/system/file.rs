@@ -8,17 +8,30 @@ use syn::Lit;
 
 use crate::errors::{Errors, Extent};
 use crate::syntax::Description;
+use crate::syntax::mjcf;
 use crate::syntax::parse::key_value;
 use crate::syntax::tokens::stream;
-use crate::syntax::urdf::{self, Beside, Told};
+use crate::syntax::urdf;
+use crate::syntax::xml::{Beside, Told};
 
 use super::System;
+
+/// What a file is written in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Urdf,
+    Mjcf,
+}
+
+/// The keys that name a file.
+pub(super) const KEYS: [&str; 2] = ["urdf", "mjcf"];
 
 /// The file that a description names.
 pub struct File {
     /// As it is written.
     name: String,
     span: Span,
+    format: Format,
     /// Where it is on this machine, if it was read: when it changes, the description is expanded
     /// again.
     pub path: Option<String>,
@@ -26,7 +39,7 @@ pub struct File {
 }
 
 impl System {
-    /// `urdf: "robot.urdf"`
+    /// `urdf: "robot.urdf"` or `mjcf: "model.xml"`
     pub(super) fn parse_file(&mut self, key: &Ident, rest: &[TokenTree], errors: &mut Errors) {
         self.has_lost_bodies = true;
         self.has_lost_joints = true;
@@ -40,13 +53,21 @@ impl System {
             _ => None,
         };
         let Some(text) = text else {
-            let message = "expected the path of a file in a string: `urdf: \"robot.urdf\"`";
+            let message = format!(
+                "expected the path of a file in a string: `{key}: \"robot.{}\"`",
+                if key == KEYS[0] { "urdf" } else { "xml" }
+            );
             errors.push(Extent::of(stream(value)), message);
             return;
         };
         self.file = Some(File {
             name: text.value(),
             span: text.span(),
+            format: if key == KEYS[0] {
+                Format::Urdf
+            } else {
+                Format::Mjcf
+            },
             path: None,
             told: Told::default(),
         });
@@ -72,7 +93,9 @@ impl System {
     }
 
     fn add_file(&mut self, file: &mut File, errors: &mut Errors) -> Option<()> {
-        let File { name, span, .. } = &*file;
+        let File {
+            name, span, format, ..
+        } = &*file;
         if let Some(motion) = &self.top.motion {
             let message = "a file describes a system in space: leave `motion` out";
             errors.push(motion.word.span(), message);
@@ -96,13 +119,21 @@ impl System {
             bodies: &self.bodies,
             joints: &self.joints,
             locked: &self.locked,
+            fields: &self.top.loads,
         };
-        let described = urdf::read((name, *span), &text, beside, errors);
+        let described = match format {
+            Format::Urdf => urdf::read((name, *span), &text, beside, errors),
+            Format::Mjcf => mjcf::read((name, *span), &text, beside, errors),
+        };
         file.path = path.to_str().map(str::to_owned);
         let described = described?;
         file.told = described.told;
         let written = core::mem::replace(&mut self.joints, described.joints);
         self.joints.extend(written);
+        self.top.inputs.splice(0..0, described.inputs);
+        self.top.loads.splice(0..0, described.fields);
+        self.top.potentials.splice(0..0, described.potentials);
+        self.drives.splice(0..0, described.drives);
         for body in described.bodies {
             self.add_link(body, errors);
         }
@@ -123,6 +154,17 @@ impl System {
                 format!("the file says where G of `{name}` is: write its inertia about that, or a body of another name, and weld it"),
             );
             written.composition = None;
+        }
+        if body.composition.is_some() {
+            let given = written
+                .keys
+                .iter()
+                .find(|key| *key == "mass" || *key == "inertia");
+            if let Some(key) = given {
+                let message = "the file says what this body is made of: leave it out, or weld another body to it";
+                errors.push(key.span(), message);
+            }
+            written.composition = body.composition.take();
         }
         // what is written takes the place of what the file has
         let is_told = written.mass.is_some() || written.inertia.is_some();

@@ -3,6 +3,7 @@
 mod body;
 mod drawing;
 mod file;
+mod frames;
 mod lost;
 mod outputs;
 
@@ -76,9 +77,9 @@ const OF_BODIES: [&str; 6] = [
     "pole",
 ];
 /// Keys that stand in the system alone.
-const OF_SYSTEMS: [&str; 11] = [
+const OF_SYSTEMS: [&str; 12] = [
     "motion", "params", "inputs", "outputs", "doc", "bodies", "joints", "drives", "drawing",
-    "urdf", "locked",
+    "urdf", "mjcf", "locked",
 ];
 /// Keys of the language of systems that are not there yet.
 const LATER: [&str; 2] = ["reactions", "independent"];
@@ -112,6 +113,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
     system.read_file(errors);
     system.is_planar = system.check_motion(errors);
     system.take_centers(errors);
+    system.take_frames();
     system.lose_names();
     let word = if system.is_planar {
         "planar"
@@ -162,9 +164,15 @@ impl System {
             self.parse_list(list, example, key, rest, errors);
         } else if word == "drawing" {
             self.parse_drawing(key, rest, errors);
-        } else if word == "urdf" {
-            if self.top.keys.contains(key) {
-                errors.push(key.span(), "`urdf` is given twice: a system has one file");
+        } else if file::KEYS.contains(&word.as_str()) {
+            let other = self
+                .top
+                .keys
+                .iter()
+                .find(|key| file::KEYS.iter().any(|word| *key == word));
+            if let Some(other) = other {
+                let message = format!("`{other}` is given already: a system has one file");
+                errors.push(key.span(), message);
                 return;
             }
             self.top.keys.push(key.clone());

@@ -7,11 +7,11 @@ use crate::errors::{Errors, Extent};
 use crate::syntax::expression::{Expression, Kind, Operator, Step};
 use crate::syntax::{Definition, Description, Written};
 
-use super::decimal::{Angle, Decimal, negative};
-use super::names::ORIGIN;
 use super::robot::{Inertial, Joint, Link, Motion, Placed, Robot, Substance};
 use super::tree::Welded;
-use super::{Beside, Told};
+use crate::syntax::xml::decimal::{Angle, Decimal};
+use crate::syntax::xml::names::ORIGIN;
+use crate::syntax::xml::{Beside, Told};
 
 /// Writes expressions whose words all underline the string that names the file.
 struct Writer {
@@ -169,13 +169,15 @@ fn from_center(place: &[Decimal; 3], center: Option<&Placed>, extent: Extent) ->
     let parts = [0, 1, 2].map(|axis| {
         let place = &place[axis];
         match center.map(|center| &center.place[axis]) {
-            Some(center) if !center.is_zero() && place.is_zero() => negative(center.expression()),
-            Some(center) if !center.is_zero() => chain(
-                place.expression(),
-                Operator::Subtract,
-                center.expression(),
-                extent,
-            ),
+            Some(center) if !center.is_zero() && place.is_zero() => center.negated().expression(),
+            Some(center) if !center.is_zero() => {
+                let (operator, distance) = if center.is_negative() {
+                    (Operator::Add, center.negated())
+                } else {
+                    (Operator::Subtract, center.clone())
+                };
+                chain(place.expression(), operator, distance.expression(), extent)
+            }
             _ => place.expression(),
         }
     });

@@ -3,53 +3,19 @@
 //! What the file says becomes what could have been written: a description of each link, and a
 //! definition of each joint. All numbers keep their digits.
 
-mod decimal;
 mod describe;
-mod names;
 mod robot;
 mod tree;
-mod xml;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Span};
 use roxmltree::Node;
 
-use crate::errors::{Errors, hint};
+use crate::errors::Errors;
 
-use super::expression::{Expression, Kind};
-use super::{Definition, Description};
-use names::{Names, Refused};
+use super::xml::names::Names;
+use super::xml::reader::Reader;
+use super::xml::{Beside, Described, LINKS, Told, document};
 use robot::{Joint, Motion, Robot};
-use xml::Reader;
-
-/// What is written beside a file, as far as it matters to it.
-#[derive(Clone, Copy)]
-pub struct Beside<'a> {
-    pub runtime: &'a TokenStream,
-    pub bodies: &'a [Description],
-    pub joints: &'a [Definition],
-    /// Joints of the file that are held at a coordinate.
-    pub locked: &'a [Definition],
-}
-
-/// What a file describes.
-pub struct Described {
-    pub bodies: Vec<Description>,
-    pub joints: Vec<Definition>,
-    pub told: Told,
-}
-
-/// What is told of a file.
-#[derive(Default)]
-pub struct Told {
-    /// What is read otherwise than it stands there.
-    pub read_as: Vec<String>,
-    /// What is not used.
-    pub skipped: Vec<String>,
-}
-
-/// Characters that a file may have, and links: stated limits instead of minutes of waiting.
-const LENGTH: usize = 4_000_000;
-const LINKS: usize = 1_000;
 
 /// Reads a text; its name and place are those of the string that names the file.
 pub fn read(
@@ -58,17 +24,7 @@ pub fn read(
     beside: Beside<'_>,
     errors: &mut Errors,
 ) -> Option<Described> {
-    if text.len() > LENGTH {
-        errors.push(span, format!("`{name}` has more than {LENGTH} bytes"));
-        return None;
-    }
-    let document = match xml::parse(text) {
-        Ok(document) => document,
-        Err((line, message)) => {
-            errors.push(span, format!("{name}:{line}, no XML: {message}"));
-            return None;
-        }
-    };
+    let document = document((name, span), text, errors)?;
     let mut reader = Reader::new(name, text, span, errors);
     let mut names = Names::default();
     let robot = beside.robot(&mut reader, &mut names, document.root_element())?;
@@ -82,6 +38,7 @@ pub fn read(
         bodies,
         joints,
         told,
+        ..Described::default()
     })
 }
 
@@ -105,7 +62,7 @@ impl Beside<'_> {
         let is = |node: &&Node<'_, '_>, tag: &str| node.tag_name().name() == tag;
         let mut robot = Robot::default();
         for node in children.iter().filter(|node| is(node, "link")) {
-            let found = named(reader, *node, |name, span| names.link(name, span));
+            let found = reader.named(*node, |name, span| names.link(name, span));
             if let Some((ident, name)) = found {
                 reader.link(*node, ident, name, &mut robot);
             } else {
@@ -116,7 +73,7 @@ impl Beside<'_> {
         let (mut known, mut has_lost_names) = (Vec::new(), false);
         for node in children.iter().filter(|node| is(node, "joint")) {
             let links: Vec<&Ident> = robot.links.iter().map(|link| &link.ident).collect();
-            let found = named(reader, *node, |name, span| names.joint(name, &links, span));
+            let found = reader.named(*node, |name, span| names.joint(name, &links, span));
             let Some((ident, name)) = found else {
                 has_lost_names = true;
                 continue;
@@ -145,16 +102,6 @@ impl Beside<'_> {
         Some(robot)
     }
 
-    /// The coordinate at which a joint is held.
-    fn locked(self, joint: &Ident) -> Option<Expression> {
-        let found = self.locked.iter().find(|locked| locked.name == *joint)?;
-        let lost = || Expression {
-            kind: Kind::Poisoned,
-            extent: found.name.span().into(),
-        };
-        Some(found.value.clone().unwrap_or_else(lost))
-    }
-
     fn check_locked(self, joint: &Joint, errors: &mut Errors) -> Option<()> {
         let mut all = self.locked.iter();
         let Some(locked) = all.find(|locked| locked.name == joint.ident) else {
@@ -169,21 +116,6 @@ impl Beside<'_> {
         };
         errors.push(locked.name.span(), format!("`{}` {message}", locked.name));
         None
-    }
-
-    /// Reports what is locked and no joint, or locked twice.
-    fn check_all_locked(self, known: &[String], is_lost: bool, errors: &mut Errors) {
-        let mut seen: Vec<&Ident> = Vec::new();
-        for name in self.locked.iter().map(|locked| &locked.name) {
-            if seen.contains(&name) {
-                errors.push(name.span(), format!("`{name}` is locked twice"));
-            } else if !known.contains(&name.to_string()) && !is_lost {
-                let hint = hint(&name.to_string(), known.iter().map(String::as_str));
-                let message = format!("there is no joint `{name}` in the file{hint}");
-                errors.push(name.span(), message);
-            }
-            seen.push(name);
-        }
     }
 }
 
@@ -216,29 +148,4 @@ fn tell(name: &str, robot: &Robot, changed: Vec<String>, skipped: &[String]) -> 
             .push(format!("`<{all}>` in {name}: no part of the motion"));
     }
     told
-}
-
-/// The name of a link or a joint, as it is used here, and as it stands in the file.
-fn named<'n>(
-    reader: &mut Reader<'_>,
-    node: Node<'n, '_>,
-    take: impl FnOnce(&str, Span) -> Result<Ident, Refused>,
-) -> Option<(Ident, &'n str)> {
-    reader.owner.clear();
-    let name = reader.attribute(node, "name")?;
-    match take(name, reader.span) {
-        Ok(ident) => Some((ident, name)),
-        Err(Refused::Empty) => reader.report(
-            node,
-            format!("`{name}` is no name: it has no letter and no digit of ASCII"),
-        ),
-        Err(Refused::Taken(word)) => {
-            let becomes = if word == name {
-                String::new()
-            } else {
-                format!(", as `{name}` is written here,")
-            };
-            reader.report(node, format!("the name `{word}`{becomes} is taken already"))
-        }
-    }
 }

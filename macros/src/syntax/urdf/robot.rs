@@ -6,8 +6,8 @@ use roxmltree::Node;
 use crate::errors::{Extent, hint};
 use crate::syntax::expression::Expression;
 
-use super::decimal::{Angle, Decimal};
-use super::xml::Reader;
+use crate::syntax::xml::decimal::{Angle, Decimal};
+use crate::syntax::xml::reader::Reader;
 
 /// What a file describes, as far as it could be read.
 #[derive(Default)]

@@ -5,8 +5,8 @@ use proc_macro2::{Ident, Span};
 use crate::errors::Errors;
 use crate::syntax::expression::{Expression, Kind};
 
-use super::Beside;
 use super::robot::{Inertial, Joint, Motion, Robot};
+use crate::syntax::xml::Beside;
 
 impl Joint {
     /// Whether it holds its child as it is.

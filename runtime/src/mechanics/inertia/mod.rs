@@ -15,6 +15,8 @@ use crate::mechanics::principal::{PrincipalAxes, diagonalized};
 
 mod invalid;
 mod matrix;
+#[cfg(feature = "stl")]
+mod mesh;
 mod points;
 mod shape;
 #[cfg(feature = "serde")]
@@ -24,6 +26,8 @@ use matrix::{exponent, of_second_moments, scaled, symmetrized};
 
 pub use invalid::InvalidInertia;
 pub(crate) use invalid::check_turning;
+#[cfg(feature = "stl")]
+pub use mesh::InvalidMesh;
 pub use points::MassProperties;
 pub use shape::{Extent, Symmetry};
 

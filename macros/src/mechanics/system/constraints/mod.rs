@@ -10,9 +10,11 @@ mod inverse;
 mod joints;
 mod row;
 mod solve;
+mod unsettled;
 mod world;
 mod written;
 
 pub use followers::{check_followers, replace};
 pub use inverse::solve_drives;
-pub use solve::{Closed, check_kept, close, moved_in_world};
+pub use solve::{Closed, close, moved_in_world};
+pub use unsettled::check_kept;

@@ -3,27 +3,19 @@
 
 use std::collections::BTreeSet;
 
-use crate::errors::Errors;
 use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, MassMatrix};
 use crate::mechanics::variation::Direction;
 use crate::model::{Closing, Frame, System, Workspace};
-use crate::symbolic::{Components, Elimination, Equation, Graph, Id, Size};
+use crate::symbolic::{Components, Equation, Graph, Id, Size};
 
 use super::followers::{replace_in_tree, split};
 use super::joints::{self, Ends};
 use super::row::Row;
+use super::unsettled::{Keeper, Spare, Unsettled, bare, open, without_column};
 use super::world::{Placed, place_links};
 use super::written;
-
-/// What keeps a scalar at zero.
-enum Keeper {
-    /// A joint that closes a loop, by number: the force and moment of a unit of its load.
-    Joint(usize, [Components; 2]),
-    /// The load of a written constraint, by number.
-    Written(usize),
-}
 
 /// What is known of a system that is held so.
 pub struct Closed {
@@ -44,16 +36,6 @@ pub struct Closed {
     /// The tree with these loads on its links.
     pub loaded: Tree,
     pub unsettled: Unsettled,
-}
-
-/// What has loads that the equations do not determine, by number.
-#[derive(Default)]
-pub struct Unsettled {
-    /// Joints that close loops.
-    pub joints: Vec<usize>,
-    /// Written constraints that say nothing, or nothing new, each with the names of those it follows
-    /// from.
-    written: Vec<(usize, BTreeSet<String>)>,
 }
 
 /// Finds all that keeps; what the tree is written like does not matter, but the origins of its links
@@ -79,13 +61,12 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
     let written = written.enumerate();
     kept.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
     let mut unsettled = Unsettled::default();
-    kept.retain(|(keeper, row)| {
-        let is_idle = keeper.is_idle(work, row);
-        if is_idle {
-            unsettled.add(keeper, BTreeSet::new());
-        }
-        !is_idle
-    });
+    let (idle, kept): (Vec<_>, Vec<_>) = kept
+        .into_iter()
+        .partition(|(keeper, row)| keeper.is_idle(work, row));
+    for (keeper, _) in &idle {
+        unsettled.add(keeper, BTreeSet::new());
+    }
     let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
     let count = matrix.driving.len();
     let written: Vec<Option<usize>> = kept.iter().map(|(keeper, _)| keeper.number()).collect();
@@ -93,16 +74,39 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
     let followed: Vec<Option<Id>> = written.iter().map(|one| Some(symbols[(*one)?])).collect();
     let rows: Vec<&Row> = kept.iter().map(|(_, row)| row).collect();
     let equations = equations(work, &matrix, &rows, &followed);
-    let solved = work.graph.solve(equations, count + kept.len());
+    let solved = work.graph.solve(equations.clone(), count + kept.len());
+    // what balances by itself: a unit of each load that is not determined, with what it takes of others
+    let mut spare = Vec::new();
     for (column, others) in open(&solved, count) {
         let others = others.into_iter().map(|other| kept[other].1.name.clone());
         unsettled.add(&kept[column].0, others.collect());
+        let others = without_column(&mut work.graph, &equations, count + column);
+        let mut values = work.graph.solve(others, count + kept.len() - 1).values;
+        values.insert(count + column, work.graph.one());
+        let values = values.into_iter().skip(count);
+        spare.push(loads_of(system, work, &kept, values));
+    }
+    for (number, _) in idle.iter().enumerate() {
+        let one = work.graph.one();
+        spare.push(loads_of(
+            system,
+            work,
+            &idle[number..=number],
+            [one].into_iter(),
+        ));
     }
     let mut found = solved.values.into_iter();
     let links = built.tree.links.iter();
     let accelerations = links.map(|link| found.by_ref().take(link.open().count()).collect());
     let accelerations = accelerations.collect();
     let (wrenches, loads) = loads_of(system, work, &kept, found);
+    for (wrenches, loads) in spare {
+        let mut tree = bare(&work.graph, built);
+        written::push(system, work, built, &mut tree, &loads);
+        let known = (&tree, &placed[..], &ends[..]);
+        let spare = Spare::new(&mut work.graph, built, known, wrenches);
+        unsettled.spare.push(spare);
+    }
     let mut loaded = built.tree.clone();
     for (ends, wrench) in ends.iter().zip(&wrenches) {
         push(&mut work.graph, &mut loaded, &placed, ends, *wrench);
@@ -122,38 +126,6 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         values,
         loaded,
         unsettled,
-    }
-}
-
-impl Keeper {
-    /// Of a written constraint, its number.
-    fn number(&self) -> Option<usize> {
-        match self {
-            Self::Joint(..) => None,
-            Self::Written(number) => Some(*number),
-        }
-    }
-
-    /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as those of
-    /// parallel axes in space do, has any load.
-    fn is_idle(&self, work: &Workspace, row: &Row) -> bool {
-        let rest = [row.rate, row.bias].into_iter().chain(row.value);
-        let mut parts = row.slopes.iter().copied();
-        let vanishes = |part: Id| work.graph.vanishes(part);
-        match self {
-            Self::Joint(..) => parts.chain(rest).all(vanishes),
-            Self::Written(_) => parts.all(vanishes),
-        }
-    }
-}
-
-impl Unsettled {
-    /// Something whose load is not determined, with the names of what can do all that it does.
-    fn add(&mut self, keeper: &Keeper, others: BTreeSet<String>) {
-        match keeper {
-            Keeper::Joint(number, _) => self.joints.push(*number),
-            Keeper::Written(number) => self.written.push((*number, others)),
-        }
     }
 }
 
@@ -184,34 +156,6 @@ fn loads_of(
         }
     }
     (wrenches, loads)
-}
-
-/// The rows whose loads are not determined, each with those that can do all that it does.
-fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
-    let row = |column: &usize| column.checked_sub(count);
-    let undetermined = solved.undetermined.iter();
-    let open = undetermined.filter_map(|one| {
-        let others = one.others.iter().filter_map(row).collect();
-        Some((row(&one.column)?, others))
-    });
-    open.collect()
-}
-
-/// Reports written constraints that say nothing, or nothing new.
-pub fn check_kept(system: &System, closed: &Closed, errors: &mut Errors) -> Option<()> {
-    for (number, others) in &closed.unsettled.written {
-        let constraint = &system.constraints.list[*number];
-        let name = &constraint.name;
-        let message = if others.is_empty() {
-            format!("no acceleration changes `{name}`: no load can keep it at zero")
-        } else {
-            let others: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
-            let others = others.join(" and ");
-            format!("`{name}` is kept already by {others}: leave one of them out")
-        };
-        errors.push(constraint.place.span(), message);
-    }
-    closed.unsettled.written.is_empty().then_some(())
 }
 
 /// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l; what of f follows
@@ -252,7 +196,8 @@ fn equations(
     let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();
     let mut values = samples(work, &all).into_iter();
     let equations = sides.into_iter().map(|(coefficients, right, positive)| {
-        let mut sizes = vec![Size::Terms; coefficients.len()];
+        // the matrix is not definite: the loads are eliminated last
+        let mut sizes = vec![Size::Beside; coefficients.len()];
         if let Some(freedom) = positive {
             sizes[freedom] = Size::Squares;
         }

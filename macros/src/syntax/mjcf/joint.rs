@@ -1,0 +1,164 @@
+//! Joints as a file has them: how they move, and what acts along them.
+
+use proc_macro2::Ident;
+use roxmltree::Node;
+
+use crate::errors::Extent;
+use crate::syntax::expression::Expression;
+use crate::syntax::xml::decimal::Decimal;
+use crate::syntax::xml::reader::Reader;
+
+use super::element::{Classes, Element};
+use super::settings::Settings;
+
+/// How a joint moves.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    Hinge,
+    Slide,
+    Ball,
+    Free,
+}
+
+pub struct Joint {
+    pub ident: Ident,
+    pub kind: Motion,
+    /// In the axes of the body, from its origin.
+    pub place: [Decimal; 3],
+    pub axis: [Decimal; 3],
+    /// The coordinate in the pose that is drawn, if it is not zero.
+    pub reference: Option<String>,
+    pub damping: Option<String>,
+    /// The stiffness, and the coordinate at rest.
+    pub spring: Option<(String, String)>,
+    pub locked: Option<Expression>,
+    pub extent: Extent,
+}
+
+const MOTIONS: [(&str, Motion); 4] = [
+    ("hinge", Motion::Hinge),
+    ("slide", Motion::Slide),
+    ("ball", Motion::Ball),
+    ("free", Motion::Free),
+];
+const KNOWN: [&str; 11] = [
+    "name",
+    "class",
+    "type",
+    "pos",
+    "axis",
+    "ref",
+    "damping",
+    "stiffness",
+    "springref",
+    "armature",
+    "frictionloss",
+];
+/// What says nothing of the motion without limits.
+const SKIPPED: [&str; 13] = [
+    "springdamper",
+    "solreflimit",
+    "solimplimit",
+    "solreffriction",
+    "solimpfriction",
+    "limited",
+    "range",
+    "actuatorfrclimited",
+    "actuatorfrcrange",
+    "actuatorgravcomp",
+    "margin",
+    "group",
+    "user",
+];
+const ARMATURE: &str = "an inertia of the rotor alone is not there yet: set it to 0, or give the rotor a body of its own";
+
+impl Joint {
+    /// Whether it holds its body.
+    pub fn is_held(&self) -> bool {
+        self.locked.is_some()
+    }
+
+    /// Whether it has more than one coordinate.
+    pub fn has_several(&self) -> bool {
+        matches!(self.kind, Motion::Ball | Motion::Free)
+    }
+}
+
+impl Reader<'_> {
+    pub fn jointed(
+        &mut self,
+        node: Node<'_, '_>,
+        ident: Ident,
+        locked: Option<Expression>,
+        (classes, class): (&Classes, Option<&str>),
+        settings: &Settings,
+    ) -> Option<Joint> {
+        let element = classes.of(node, class, self);
+        self.check_names(&element, &[&KNOWN, &SKIPPED, &["align"]]);
+        let kind = if node.tag_name().name() == "freejoint" {
+            Motion::Free
+        } else {
+            self.motion(&element)?
+        };
+        let nothing = &["0"];
+        let friction = "dry friction is not read: set it to 0, and write it in `drives`";
+        let timed = "springs that are given by times are not read: write `stiffness` and `damping`";
+        self.refuse(
+            &element,
+            &[
+                ("armature", nothing, ARMATURE),
+                ("frictionloss", nothing, friction),
+                ("springdamper", nothing, timed),
+            ],
+        );
+        if kind == Motion::Ball || kind == Motion::Free {
+            let why = "a spring of a joint of several coordinates is not read: set it to 0";
+            self.refuse(&element, &[("stiffness", nothing, why)]);
+        }
+        if kind == Motion::Free {
+            let why = "damping of a free body is not read: set it to 0, and write it in `forces`";
+            self.refuse(&element, &[("damping", nothing, why)]);
+        }
+        let axis = self.triple(&element, "axis", "0 0 1");
+        if matches!(kind, Motion::Hinge | Motion::Slide) {
+            self.has_direction(&element, "axis", &axis);
+        }
+        let place = self.triple(&element, "pos", "0 0 0");
+        let mut coordinate = |name: &str| {
+            let value = self.single(&element, name, "0");
+            match kind {
+                Motion::Hinge => settings.angle(&value).map(|(text, _)| text),
+                Motion::Slide => (!value.is_zero()).then(|| value.literal()),
+                Motion::Ball | Motion::Free => None,
+            }
+        };
+        let (reference, rest) = (coordinate("ref"), coordinate("springref"));
+        let mut given = |name: &str| {
+            let value = self.single(&element, name, "0");
+            (!value.is_zero()).then(|| value.literal())
+        };
+        let (damping, stiffness) = (given("damping"), given("stiffness"));
+        Some(Joint {
+            ident,
+            kind,
+            place,
+            axis,
+            reference,
+            damping,
+            spring: stiffness.map(|stiffness| (stiffness, rest.unwrap_or("0".to_owned()))),
+            locked,
+            extent: self.at(node),
+        })
+    }
+
+    fn motion(&mut self, element: &Element<'_, '_>) -> Option<Motion> {
+        let word = element.get("type").unwrap_or("hinge");
+        let found = MOTIONS.iter().find(|(known, _)| *known == word);
+        if found.is_none() {
+            let all = MOTIONS.map(|(known, _)| known).join("`, `");
+            let message = format!("`type` is one of `{all}`, and this is `{word}`");
+            self.report::<()>(element.node, message);
+        }
+        found.map(|(_, motion)| *motion)
+    }
+}

@@ -1,0 +1,204 @@
+//! `mjcf: "model.xml"`: bodies, joints, motors and gravity from a file (the format of `MuJoCo`).
+//!
+//! What the file says becomes what could have been written: a body made of parts for each that has
+//! mass, a frame for each that has none and between the joints of one body, and a definition of each
+//! joint. All numbers keep their digits.
+
+mod actuator;
+mod body;
+mod describe;
+mod element;
+mod equality;
+mod geom;
+mod joint;
+mod place;
+mod settings;
+mod written;
+
+use proc_macro2::Span;
+use roxmltree::Node;
+
+use crate::errors::{Errors, Extent};
+
+use super::xml::names::Names;
+use super::xml::reader::Reader;
+use super::xml::{Beside, Described, document};
+use actuator::Motor;
+use body::{Body, Reading, massive, poses};
+use describe::Writer;
+use element::Classes;
+use equality::Closing;
+use place::tuple;
+use settings::Settings;
+
+const KNOWN: [&str; 7] = [
+    "compiler",
+    "option",
+    "default",
+    "worldbody",
+    "actuator",
+    "equality",
+    "tendon",
+];
+const SKIPPED: [&str; 9] = [
+    "contact",
+    "sensor",
+    "asset",
+    "visual",
+    "statistic",
+    "size",
+    "keyframe",
+    "custom",
+    "extension",
+];
+
+/// What a file describes.
+struct Model {
+    bodies: Vec<Body>,
+    motors: Vec<Motor>,
+    closings: Vec<Closing>,
+    settings: Settings,
+    /// Of the first element.
+    extent: Extent,
+}
+
+/// Reads a text; its name and place are those of the string that names the file.
+pub fn read(
+    (name, span): (&str, Span),
+    text: &str,
+    beside: Beside<'_>,
+    errors: &mut Errors,
+) -> Option<Described> {
+    let before = errors.count();
+    let document = document((name, span), text, errors)?;
+    let mut reader = Reader::new(name, text, span, errors);
+    let mut names = Names::default();
+    let model = beside.model(&mut reader, &mut names, document.root_element())?;
+    if reader.errors.count() > before {
+        return None;
+    }
+    let mut described = model.describe(beside, &mut reader, &mut names);
+    if reader.errors.count() > before {
+        return None;
+    }
+    described.told.read_as.extend(names.changed);
+    if !reader.skipped.is_empty() {
+        let all = reader.skipped.join(">`, `<");
+        let skipped = format!("`<{all}>` in {name}: no part of the motion, or not in this version");
+        described.told.skipped.push(skipped);
+    }
+    Some(described)
+}
+
+impl Beside<'_> {
+    /// `<mujoco>`
+    fn model(
+        self,
+        reader: &mut Reader<'_>,
+        names: &mut Names,
+        root: Node<'_, '_>,
+    ) -> Option<Model> {
+        if root.tag_name().name() != "mujoco" {
+            let message = "the first element of a file of this kind is `<mujoco>`";
+            return reader.report(root, message);
+        }
+        let sections = reader.parts(root, &KNOWN, &SKIPPED);
+        let of = |tag: &'static str| {
+            let all = sections.iter();
+            all.filter(move |node| node.tag_name().name() == tag)
+                .copied()
+        };
+        let (mut settings, mut classes) = (Settings::default(), Classes::default());
+        of("compiler").for_each(|node| reader.compiler(node, &mut settings));
+        of("option").for_each(|node| reader.option(node, &mut settings));
+        of("default").for_each(|node| classes.read(node, reader));
+        let mut reading = Reading {
+            beside: self,
+            classes: &classes,
+            settings: &settings,
+            names,
+            idents: Vec::new(),
+            bodies: Vec::new(),
+        };
+        of("worldbody").for_each(|node| reading.world(node, reader));
+        let bodies = reading.bodies;
+        if bodies.is_empty() {
+            return reader.report(root, "it has no `<body>`");
+        }
+        let motors = of("actuator").flat_map(|node| reader.motors(node, &classes, &bodies));
+        let motors: Vec<Motor> = motors.collect();
+        let (poses, mut closings) = (poses(&bodies), Vec::new());
+        of("equality").for_each(|node| reader.closings(node, &bodies, &poses, &mut closings));
+        for node in of("tendon").filter(Node::has_children) {
+            reader.parts(node, &[], &[]);
+        }
+        // what is wrong may be what a body is made of
+        if reader.errors.is_empty() {
+            self.check(&bodies, reader.errors);
+        }
+        let extent = reader.at(root);
+        Some(Model {
+            bodies,
+            motors,
+            closings,
+            settings,
+            extent,
+        })
+    }
+
+    /// Whether what moves has mass, and what is locked can be.
+    fn check(self, bodies: &[Body], errors: &mut Errors) {
+        let massive = massive(bodies, self);
+        let moves = |body: &Body| body.joints.iter().any(|joint| !joint.is_held());
+        let idle = bodies
+            .iter()
+            .zip(massive)
+            .filter(|(body, has_mass)| moves(body) && !has_mass);
+        for (body, _) in idle {
+            let message =
+                "it moves, and neither it nor what it carries has mass: write its `<inertial>`";
+            errors.push(body.extent, message);
+        }
+        let joints = || bodies.iter().flat_map(|body| &body.joints);
+        let known: Vec<String> = joints().map(|joint| joint.ident.to_string()).collect();
+        self.check_all_locked(&known, false, errors);
+        let many = joints().filter(|joint| joint.is_held() && joint.has_several());
+        for joint in many {
+            let found = self.locked.iter().find(|locked| locked.name == joint.ident);
+            let message = "has more than one coordinate: only hinges and slides are locked";
+            if let Some(locked) = found {
+                errors.push(locked.name.span(), format!("`{}` {message}", locked.name));
+            }
+        }
+    }
+}
+
+impl Model {
+    fn describe(self, beside: Beside<'_>, reader: &mut Reader<'_>, names: &mut Names) -> Described {
+        let span = reader.span;
+        let mut writer = Writer {
+            span,
+            runtime: beside.runtime,
+            errors: reader.errors,
+            described: Described::default(),
+        };
+        let mut numbers: Vec<usize> = Vec::new();
+        for body in &self.bodies {
+            let parent = body.parent.map(|parent| numbers[parent]);
+            let number = writer.body(body, parent, names);
+            numbers.push(number);
+        }
+        let mut fresh = |word: &str| names.fresh(word, "closing", span);
+        writer.close(&self.closings, &numbers, &mut fresh);
+        for motor in &self.motors {
+            let input = names.fresh(&motor.name, "motor", span);
+            writer.motor(motor, &input);
+        }
+        if self.settings.has_gravity {
+            let text = self.settings.gravity.as_ref();
+            let text = text.map_or("(0, 0, -9.81)".to_owned(), |gravity| tuple(gravity));
+            writer.gravity(&text, beside, self.extent);
+        }
+        writer.described
+    }
+}

@@ -1,0 +1,91 @@
+//! Texts of this language as expressions.
+
+use core::str::FromStr;
+
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
+
+use crate::errors::{Errors, Extent};
+use crate::syntax::expression::{Expression, Kind};
+use crate::syntax::{Definition, UnitExpression};
+
+/// An expression; all that is said of it is said of a place in a file.
+pub fn written(text: &str, extent: Extent, span: Span, errors: &mut Errors) -> Option<Expression> {
+    let tokens = TokenStream::from_str(text).ok()?;
+    let mut expression = Expression::parse(spanned(tokens, span), errors)?;
+    place(&mut expression, extent);
+    Some(expression)
+}
+
+pub fn name(name: &str, span: Span) -> Ident {
+    Ident::new(name, span)
+}
+
+pub fn definition(name: Ident, text: &str, extent: Extent, errors: &mut Errors) -> Definition {
+    let value = written(text, extent, name.span(), errors);
+    Definition { name, value }
+}
+
+/// `[N * m]` of a text such as `0[N * m]`.
+pub fn unit(text: &str, extent: Extent, span: Span, errors: &mut Errors) -> Option<UnitExpression> {
+    match written(text, extent, span, errors)?.kind {
+        Kind::Unit(_, unit) => Some(unit),
+        _ => None,
+    }
+}
+
+fn spanned(tokens: TokenStream, span: Span) -> TokenStream {
+    let tokens = tokens.into_iter().map(|token| match token {
+        TokenTree::Group(group) => {
+            let mut spanned_group = Group::new(group.delimiter(), spanned(group.stream(), span));
+            spanned_group.set_span(span);
+            TokenTree::Group(spanned_group)
+        }
+        mut token => {
+            token.set_span(span);
+            token
+        }
+    });
+    tokens.collect()
+}
+
+/// Puts an expression, and all of its parts, in a place.
+fn place(expression: &mut Expression, extent: Extent) {
+    let mut pending = vec![expression];
+    while let Some(part) = pending.pop() {
+        part.extent = extent;
+        visit(part, &mut pending);
+    }
+}
+
+/// Puts `value` where `_` stands.
+pub fn filled(mut expression: Expression, value: &Expression) -> Expression {
+    let mut pending = vec![&mut expression];
+    while let Some(part) = pending.pop() {
+        if matches!(part.kind, Kind::Placeholder) {
+            *part = value.clone();
+        } else {
+            visit(part, &mut pending);
+        }
+    }
+    expression
+}
+
+fn visit<'e>(part: &'e mut Expression, pending: &mut Vec<&'e mut Expression>) {
+    match &mut part.kind {
+        Kind::Number(_) | Kind::Name(_) | Kind::Placeholder | Kind::Poisoned => {}
+        Kind::Tuple(parts) | Kind::List(parts) | Kind::Call(_, parts) => pending.extend(parts),
+        Kind::Unit(operand, _) | Kind::Prefix(_, operand) | Kind::Field(operand, _) => {
+            pending.push(operand);
+        }
+        Kind::Chain(first, steps) => {
+            pending.push(first);
+            pending.extend(steps.iter_mut().map(|step| &mut step.operand));
+        }
+        Kind::Method(receiver, _, arguments) => {
+            pending.push(receiver);
+            pending.extend(arguments);
+        }
+        Kind::Record(_, fields) => pending.extend(fields.iter_mut().map(|(_, value)| value)),
+        Kind::If(parts) => pending.extend(parts.iter_mut()),
+    }
+}

@@ -1,0 +1,97 @@
+//! What formats of files have in common: the elements of XML, their numbers and names, and what a
+//! file becomes.
+
+pub mod decimal;
+pub mod names;
+pub mod reader;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use roxmltree::Document;
+
+use crate::errors::{Errors, hint};
+
+use super::expression::{Expression, Kind};
+use super::{Declaration, Definition, Description, Load};
+
+/// What is written beside a file, as far as it matters to it.
+#[derive(Clone, Copy)]
+pub struct Beside<'a> {
+    pub runtime: &'a TokenStream,
+    pub bodies: &'a [Description],
+    pub joints: &'a [Definition],
+    /// Joints of the file that are held at a coordinate.
+    pub locked: &'a [Definition],
+    /// Fields on all bodies.
+    pub fields: &'a [Load],
+}
+
+/// What a file describes.
+#[derive(Default)]
+pub struct Described {
+    pub bodies: Vec<Description>,
+    pub joints: Vec<Definition>,
+    pub inputs: Vec<Declaration>,
+    pub fields: Vec<Load>,
+    pub potentials: Vec<Definition>,
+    pub drives: Vec<Definition>,
+    pub told: Told,
+}
+
+/// What is told of a file.
+#[derive(Default)]
+pub struct Told {
+    /// What is read otherwise than it stands there.
+    pub read_as: Vec<String>,
+    /// What is not used.
+    pub skipped: Vec<String>,
+}
+
+/// Characters that a file may have, and links: stated limits instead of minutes of waiting.
+const LENGTH: usize = 4_000_000;
+pub const LINKS: usize = 1_000;
+
+/// The elements of a text.
+pub fn document<'t>(
+    (name, span): (&str, Span),
+    text: &'t str,
+    errors: &mut Errors,
+) -> Option<Document<'t>> {
+    if text.len() > LENGTH {
+        errors.push(span, format!("`{name}` has more than {LENGTH} bytes"));
+        return None;
+    }
+    match reader::parse(text) {
+        Ok(document) => Some(document),
+        Err((line, message)) => {
+            errors.push(span, format!("{name}:{line}, no XML: {message}"));
+            None
+        }
+    }
+}
+
+impl Beside<'_> {
+    /// The coordinate at which a joint is held.
+    pub fn locked(self, joint: &Ident) -> Option<Expression> {
+        let found = self.locked.iter().find(|locked| locked.name == *joint)?;
+        let lost = || Expression {
+            kind: Kind::Poisoned,
+            extent: found.name.span().into(),
+        };
+        Some(found.value.clone().unwrap_or_else(lost))
+    }
+
+    /// Reports what is locked and no joint, or locked twice.
+    pub fn check_all_locked(self, known: &[String], is_lost: bool, errors: &mut Errors) {
+        let mut seen: Vec<&Ident> = Vec::new();
+        for name in self.locked.iter().map(|locked| &locked.name) {
+            if seen.contains(&name) {
+                errors.push(name.span(), format!("`{name}` is locked twice"));
+            } else if !known.contains(&name.to_string()) && !is_lost {
+                let hint = hint(&name.to_string(), known.iter().map(String::as_str));
+                let message = format!("there is no joint `{name}` in the file{hint}");
+                errors.push(name.span(), message);
+            }
+            seen.push(name);
+        }
+    }
+}

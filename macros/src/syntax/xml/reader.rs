@@ -1,0 +1,225 @@
+//! Elements and attributes of a file, with what is wrong with them.
+
+use proc_macro2::{Ident, Span};
+use roxmltree::{Document, Node};
+
+use crate::errors::{Errors, Extent, hint, similar};
+
+use super::decimal::Decimal;
+use super::names::Refused;
+
+/// Attributes that are read.
+const ATTRIBUTES: [&str; 12] = [
+    "name", "type", "link", "value", "xyz", "rpy", "ixx", "iyy", "izz", "ixy", "iyz", "ixz",
+];
+
+/// A file that is read.
+pub struct Reader<'e> {
+    /// The path as it is written.
+    pub file: &'e str,
+    /// Of the string that names it.
+    pub span: Span,
+    pub errors: &'e mut Errors,
+    /// Where each line begins.
+    lines: Vec<usize>,
+    /// What is read, such as ``of link `arm` ``.
+    pub owner: String,
+    /// Elements that mean nothing here, each once.
+    pub skipped: Vec<String>,
+}
+
+impl<'e> Reader<'e> {
+    pub fn new(file: &'e str, text: &str, span: Span, errors: &'e mut Errors) -> Self {
+        let breaks = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        Self {
+            file,
+            span,
+            errors,
+            lines: breaks.map(|(place, _)| place + 1).collect(),
+            owner: String::new(),
+            skipped: Vec::new(),
+        }
+    }
+
+    /// The line of an element.
+    pub fn line(&self, node: Node<'_, '_>) -> usize {
+        let start = node.range().start;
+        1 + self.lines.partition_point(|line| *line <= start)
+    }
+
+    /// What errors about an element underline, and how they begin.
+    pub fn at(&mut self, node: Node<'_, '_>) -> Extent {
+        let (file, line) = (self.file, self.line(node));
+        let (tag, owner) = (node.tag_name().name(), &self.owner);
+        let words = format!("{file}:{line}, `<{tag}>`{owner}");
+        Extent::from(self.span).within(self.errors.source(words))
+    }
+
+    pub fn report<T>(&mut self, node: Node<'_, '_>, message: impl core::fmt::Display) -> Option<T> {
+        let place = self.at(node);
+        self.errors.push(place, message);
+        None
+    }
+
+    /// The elements in `node`: of each word of `known` all; what is none of them is skipped, and said
+    /// to be, or taken for a misspelt one.
+    pub fn children<'n, 'd>(
+        &mut self,
+        node: Node<'n, 'd>,
+        known: &[&str],
+        skipped: &[&str],
+    ) -> Vec<Node<'n, 'd>> {
+        let mut found = Vec::new();
+        for child in node.children().filter(Node::is_element) {
+            let tag = child.tag_name();
+            let name = tag.name();
+            if tag.namespace().is_some_and(|space| space.contains("xacro")) {
+                let message = "this is an element of xacro: expand it first, by `xacro robot.urdf.xacro > robot.urdf`";
+                self.report::<()>(child, message);
+            } else if known.contains(&name) {
+                found.push(child);
+            } else if skipped.contains(&name) {
+                self.skip(name);
+            } else if let Some(meant) = similar(name, known.iter().copied()) {
+                let message = format!("there is no such element; did you mean `<{meant}>`?");
+                self.report::<()>(child, message);
+            } else {
+                self.skip(name);
+            }
+        }
+        found
+    }
+
+    /// Notes an element that has no meaning here.
+    pub fn skip(&mut self, tag: &str) {
+        if !self.skipped.iter().any(|other| other == tag) {
+            self.skipped.push(tag.to_owned());
+        }
+    }
+
+    /// The one of these elements with a name; of several, the first one.
+    pub fn one<'n, 'd>(&mut self, all: &[Node<'n, 'd>], name: &str) -> Option<Node<'n, 'd>> {
+        let mut found = all.iter().filter(|node| node.tag_name().name() == name);
+        let first = found.next().copied();
+        if let Some(second) = found.next() {
+            self.report::<()>(*second, "this is there twice: leave one out");
+        }
+        first
+    }
+
+    /// An attribute, which has to be there.
+    pub fn attribute<'n>(&mut self, node: Node<'n, '_>, name: &str) -> Option<&'n str> {
+        let found = node.attribute(name);
+        // a misspelt one is reported already
+        let is_misspelt = node.attributes().any(|other| {
+            !ATTRIBUTES.contains(&other.name()) && similar(other.name(), [name]).is_some()
+        });
+        if found.is_none() && !is_misspelt {
+            self.report::<()>(node, format!("it has no attribute `{name}`"));
+        }
+        found
+    }
+
+    /// Reports attributes that an element does not have.
+    pub fn check_attributes(&mut self, node: Node<'_, '_>, known: &[&str]) {
+        let unknown = node.attributes().map(|attribute| attribute.name());
+        let unknown: Vec<&str> = unknown.filter(|name| !known.contains(name)).collect();
+        for name in unknown {
+            let hint = hint(name, known.iter().copied());
+            self.report::<()>(node, format!("there is no attribute `{name}`{hint}"));
+        }
+    }
+
+    /// The number in an attribute, which has to be there.
+    pub fn number(&mut self, node: Node<'_, '_>, name: &str) -> Option<Decimal> {
+        let text = self.attribute(node, name)?;
+        self.decimal(node, name, text.trim())
+    }
+
+    pub fn decimal(&mut self, node: Node<'_, '_>, name: &str, text: &str) -> Option<Decimal> {
+        let extent = self.at(node);
+        let found = Decimal::parse(text, extent);
+        if found.is_none() {
+            let shown: String = text.chars().take(40).collect();
+            let message = format!("`{name}` is a decimal number, and this is `{shown}`");
+            self.errors.push(extent, message);
+        }
+        found
+    }
+
+    /// Three numbers in an attribute; zeros if it is not there.
+    pub fn three(&mut self, node: Node<'_, '_>, name: &str) -> Option<[Decimal; 3]> {
+        let extent = self.at(node);
+        let Some(text) = node.attribute(name) else {
+            return Some([0, 1, 2].map(|_| Decimal::zero(extent)));
+        };
+        let parts: Vec<&str> = text.split_whitespace().collect();
+        let [x, y, z] = parts.as_slice() else {
+            let count = parts.len();
+            let message =
+                format!("`{name}` has three numbers with blanks between, and this has {count}");
+            return self.report(node, message);
+        };
+        let all = [x, y, z].map(|part| self.decimal(node, name, part));
+        let [Some(x), Some(y), Some(z)] = all else {
+            return None;
+        };
+        Some([x, y, z])
+    }
+
+    /// The name of a link or a joint, as it is used here, and as it stands in the file.
+    pub fn named<'n>(
+        &mut self,
+        node: Node<'n, '_>,
+        take: impl FnOnce(&str, Span) -> Result<Ident, Refused>,
+    ) -> Option<(Ident, &'n str)> {
+        self.owner.clear();
+        let name = self.attribute(node, "name")?;
+        self.given(node, name, take).map(|ident| (ident, name))
+    }
+
+    /// A name as it is used here; what cannot be one is reported, and has some other.
+    pub fn take(
+        &mut self,
+        node: Node<'_, '_>,
+        name: &str,
+        take: impl FnOnce(&str, Span) -> Result<Ident, Refused>,
+    ) -> Ident {
+        let found = self.given(node, name, take);
+        found.unwrap_or_else(|| Ident::new("unnamed", self.span))
+    }
+
+    fn given(
+        &mut self,
+        node: Node<'_, '_>,
+        name: &str,
+        take: impl FnOnce(&str, Span) -> Result<Ident, Refused>,
+    ) -> Option<Ident> {
+        match take(name, self.span) {
+            Ok(ident) => Some(ident),
+            Err(Refused::Empty) => self.report(
+                node,
+                format!("`{name}` is no name: it has no letter and no digit of ASCII"),
+            ),
+            Err(Refused::Taken(word)) => {
+                let becomes = if word == name {
+                    String::new()
+                } else {
+                    format!(", as `{name}` is written here,")
+                };
+                self.report(node, format!("the name `{word}`{becomes} is taken already"))
+            }
+        }
+    }
+}
+
+/// The elements of a text, or what is wrong with it: a line and a message.
+pub fn parse(text: &str) -> Result<Document<'_>, (u32, String)> {
+    Document::parse(text).map_err(|error| {
+        let message = error.to_string();
+        // the place is said in front
+        let place = error.pos();
+        let tail = format!(" at {}:{}", place.row, place.col);
+        (place.row, message.replace(&tail, ""))
+    })
+}

@@ -1,0 +1,14 @@
+//! Constraints, what keeps them, and inverse dynamics.
+
+mod inverse;
+mod inverse_constrained;
+mod inverse_turning;
+mod kept;
+#[path = "../oracle/mod.rs"]
+mod oracle;
+mod plane;
+mod rates;
+#[path = "../reference/mod.rs"]
+mod reference;
+mod spatial;
+mod supported;

@@ -1,0 +1,4 @@
+//! How many operations generated code has.
+
+mod bodies;
+mod potentials;

@@ -1,6 +1,7 @@
 //! Systems of bodies: published numbers, another way to the same numbers, and laws.
 #![allow(missing_docs)]
 
+mod along_axes;
 mod balanced;
 mod balances;
 mod compare;

@@ -116,6 +116,8 @@ pub fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
             continue;
         }
         let Some(number) = body_of(form, turn) else {
+            // into axes that are held: what was turned may depend on the place all the same
+            slopes.pass_on(work, turn, slope);
             continue;
         };
         let of_turned = moment_along(work, turn, slope);
@@ -200,11 +202,13 @@ fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
             symbols.extend(work.attitude(displaced.body).coordinates());
         }
     }
-    let turns = form
-        .turns
-        .iter()
-        .filter(|turn| body_of(form, turn).is_some());
-    symbols.extend(turns.flat_map(|turn| turn.turned));
+    // each vector is made of those that were turned before it
+    for turn in &form.turns {
+        let moves = |id: Id| symbols.contains(&id);
+        if body_of(form, turn).is_some() || work.graph.depends_on(&turn.vector, moves) {
+            symbols.extend(turn.turned);
+        }
+    }
     symbols
 }
 

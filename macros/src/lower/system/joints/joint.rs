@@ -278,7 +278,8 @@ impl Reader<'_> {
                 Value::Carried(body, offset) => {
                     let frame = lowering.members.bodies[body].frame;
                     if !lowering.work.is_in(offset, frame) {
-                        let message = "a joint holds a point that is fixed in its body, and this one moves in it";
+                        let message =
+                            "expected a point that is fixed in its body, and this one moves in it";
                         return lowering.report(written.extent, message);
                     }
                     return Some((Some(body), lowering.work.part(offset, frame)));

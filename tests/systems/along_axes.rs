@@ -27,6 +27,16 @@ mod alone {
         ],
         constraints: [still = joint.angular_velocity_2],
     });
+
+    rigid_system!(Upright {
+        motion: planar,
+        bodies: [load {
+            mass: 2[kg],
+            inertia: 0.1[kg * m ^ 2]
+        }],
+        joints: [away = free(load)],
+        constraints: [upright = load.attitude],
+    });
 }
 
 #[test]
@@ -39,6 +49,16 @@ fn rounding_of_a_single_rate_is_a_start() {
     system.check(0.0, &state, &()).unwrap();
     // what is no rounding is none
     state.joint.angular_velocity_2 = 1e-9;
+    assert!(system.check(0.0, &state, &()).is_err());
+}
+
+#[test]
+fn rounding_of_a_single_angle_is_a_start() {
+    let system = alone::Upright::default();
+    let mut state = alone::UprightState::default();
+    state.away.angle = 1e-17;
+    system.check(0.0, &state, &()).unwrap();
+    state.away.angle = 1e-9;
     assert!(system.check(0.0, &state, &()).is_err());
 }
 

@@ -170,3 +170,11 @@ fn a_four_bar_that_is_free() {
     let phi = end.o.angle + end.a.angle;
     close("coupler", &[phi], &[0.453_734_842_003_843_8], 1.0, 1e-10);
 }
+
+#[test]
+fn operations_of_a_four_bar() {
+    let mut rows = FourBar::OPERATIONS.iter();
+    let row = rows.find(|row| row.function == "acceleration").unwrap();
+    let count = row.mul + row.add + row.div;
+    assert!(count <= 224, "{row:?}");
+}

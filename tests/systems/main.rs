@@ -25,8 +25,10 @@ mod potentials;
 #[path = "../reference/mod.rs"]
 mod reference;
 mod references;
+mod rolling;
 mod series;
 mod shapes;
 mod spatial;
 mod squeezer;
+mod statics;
 mod unequal;

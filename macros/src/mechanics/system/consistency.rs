@@ -20,6 +20,7 @@ pub fn derive_system_consistency(
     };
     let order = order(system, equations);
     let motion = motion(work, equations, &closed.inertias);
+    let turn = turn(work, equations, &closed.inertias);
     let graph = &mut work.graph;
     let directions: Vec<Vec<Id>> = closed
         .constraints
@@ -48,24 +49,37 @@ pub fn derive_system_consistency(
                     .collect();
                 let position = row.value.map(|value| (value, summed_size(graph, value)));
                 let fast = summed_size(graph, row.rate);
-                // where a rate alone is kept at zero, its terms do not tell how large it could be
-                let square = graph.multiply(coupling[number], motion);
-                let across = graph.apply(Function::Sqrt, &[square]);
-                let reached = graph.apply(Function::Max, &[fast, across]);
+                // where an angle or a rate alone is kept at zero, its terms do not tell how large it could be
+                let mut reached = |size: Id, of_all: Id| {
+                    let square = graph.multiply(coupling[number], of_all);
+                    let across = graph.apply(Function::Sqrt, &[square]);
+                    graph.apply(Function::Max, &[size, across])
+                };
+                let reach = Reach {
+                    position: position.map(|(_, size)| reached(size, turn)),
+                    velocity: reached(fast, motion),
+                };
                 let consistency = Consistency {
                     name: row.name.clone(),
                     position,
-                    velocity: (row.rate, fast),
+                    velocity: (row.rate, reach.velocity),
                     direction: order.iter().map(|freedom| direction[*freedom]).collect(),
                     coupling,
-                };
-                let reach = Reach {
-                    position: position.map(|(_, size)| size),
-                    velocity: reached,
                 };
                 (consistency, reach)
             });
     rows.collect()
+}
+
+/// The same as twice the kinetic energy, with an angle of one in the place of the rate of each freedom
+/// that turns, and nothing for those that slide.
+fn turn(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> Id {
+    let freedoms = equations.built.tree.links.iter().flat_map(Link::open);
+    let turning = freedoms
+        .zip(inertias)
+        .filter(|(freedom, _)| !work.graph.is_zero_vector(&freedom.twist.angular));
+    let inertias: Vec<Id> = turning.map(|(_, inertia)| *inertia).collect();
+    work.graph.sum(&inertias)
 }
 
 /// Twice the kinetic energy, as if each freedom moved alone.

@@ -5,7 +5,7 @@ use newton_euler::prelude::*;
 use super::compare::{Random, close};
 
 /// Rolling in space: a disc alone as a body with reactions, and as a system; and on a turntable.
-mod rolling {
+mod bodies {
     use newton_euler::prelude::*;
 
     rigid_body!(Disc {
@@ -102,7 +102,7 @@ mod rolling {
 #[test]
 fn bodies_roll_in_space() {
     let mut numbers = Random::new(5);
-    let (alone, discs) = (rolling::Disc::default(), rolling::Discs::default());
+    let (alone, discs) = (bodies::Disc::default(), bodies::Discs::default());
     for _ in 0..20 {
         let mut vector = || nalgebra::Vector3::from_fn(|_, _| numbers.number());
         let attitude = nalgebra::UnitQuaternion::from_scaled_axis(vector());
@@ -113,7 +113,7 @@ fn bodies_roll_in_space() {
             angular_velocity: vector(),
         };
         alone.project(0.0, &mut state, &()).unwrap();
-        let system = rolling::DiscsState { away: state };
+        let system = bodies::DiscsState { away: state };
         let (one, other) = (
             alone.acceleration(0.0, &state, &()),
             discs.acceleration(0.0, &system, &()),
@@ -155,7 +155,7 @@ fn bodies_roll_in_space() {
 #[test]
 fn a_point_that_changes_in_its_body_is_held() {
     let mut numbers = Random::new(6);
-    let tilted = rolling::Tilted::default();
+    let tilted = bodies::Tilted::default();
     for _ in 0..20 {
         let mut vector = || nalgebra::Vector3::from_fn(|_, _| numbers.number());
         let away = Spatial {
@@ -164,7 +164,7 @@ fn a_point_that_changes_in_its_body_is_held() {
             velocity: vector(),
             angular_velocity: vector(),
         };
-        let mut state = rolling::TiltedState {
+        let mut state = bodies::TiltedState {
             away,
             hub: Hinge {
                 angle: numbers.number(),
@@ -197,8 +197,8 @@ fn a_point_that_changes_in_its_body_is_held() {
 
 #[test]
 fn a_ball_on_a_turntable_goes_round() {
-    let turntable = rolling::Turntable::default();
-    let mut start = rolling::TurntableState {
+    let turntable = bodies::Turntable::default();
+    let mut start = bodies::TurntableState {
         away: Spatial {
             position: [0.3, 0.1, 0.05].into(),
             velocity: [0.2, -0.1, 0.0].into(),

@@ -39,6 +39,9 @@ pub enum Size {
     Terms,
     /// The same; and if it were a pivot, sums of squares that are left would remain positive no longer.
     Beside,
+    /// Once all sums of squares are eliminated it is minus one, and remains negative if others are
+    /// eliminated: it is compared with itself as it was then.
+    Reduced,
 }
 
 /// What equations say of their unknowns.
@@ -93,6 +96,8 @@ pub(super) struct System<'g> {
     unknowns: usize,
     /// The rows that nothing is solved for yet.
     left: Vec<usize>,
+    /// Whether sums of squares are eliminated, and what that made is among `written`.
+    is_reduced: bool,
     steps: Vec<Step>,
     pivots: Vec<(usize, Id)>,
 }
@@ -112,10 +117,15 @@ impl Graph {
             left: (0..rows.len()).collect(),
             rows,
             unknowns,
+            is_reduced: false,
             steps: Vec::new(),
             pivots: Vec::new(),
         };
-        while let Some((kind, row, column)) = system.next_pivot() {
+        loop {
+            system.reduce_sizes();
+            let Some((kind, row, column)) = system.next_pivot() else {
+                break;
+            };
             if kind.is_safe() || !system.solve_block() {
                 system.eliminate(row, column);
             }
@@ -144,6 +154,27 @@ impl Graph {
 }
 
 impl System<'_> {
+    /// Keeps what the elimination of sums of squares has made, once none is left.
+    fn reduce_sizes(&mut self) {
+        let open: Vec<usize> = self.open().collect();
+        let is_square = |row: &usize| {
+            let sizes = &self.rows[*row].sizes;
+            open.iter()
+                .any(|column| matches!(sizes[*column], Size::Squares))
+        };
+        if self.is_reduced || self.left.iter().any(is_square) {
+            return;
+        }
+        self.is_reduced = true;
+        for row in &self.left {
+            for column in &open {
+                if matches!(self.rows[*row].sizes[*column], Size::Reduced) {
+                    self.written[*row][*column] = self.rows[*row].coefficients[*column];
+                }
+            }
+        }
+    }
+
     /// The best coefficient that does not vanish.
     fn next_pivot(&self) -> Option<(Kind, usize, usize)> {
         let open = self.open();
@@ -170,6 +201,8 @@ impl System<'_> {
         let is_early = graph.is_early(coefficient);
         match (graph.as_number(coefficient), self.rows[row].sizes[column]) {
             (_, Size::Beside) => Kind::Unsafe,
+            (_, Size::Reduced) if self.is_reduced => Kind::Squares,
+            (_, Size::Reduced) => Kind::Unsafe,
             (Some(number), _) if self.is_small(number, row, column) => Kind::Unsafe,
             (Some(number), _) if number.abs().is_one() => Kind::One,
             (Some(_), _) => Kind::Number,
@@ -218,7 +251,7 @@ impl System<'_> {
         };
         let divisor = self.graph.quantity(divisor);
         let size = match self.rows[row].sizes[column] {
-            Size::Squares => self.written[row][column],
+            Size::Squares | Size::Reduced => self.written[row][column],
             Size::Product(size) => size,
             Size::Terms | Size::Beside => {
                 self.graph.largest_term(self.rows[row].coefficients[column])

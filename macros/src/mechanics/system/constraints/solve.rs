@@ -170,6 +170,8 @@ fn equations(
     let zero = work.graph.zero();
     let symbols: Vec<Id> = followed.iter().flatten().copied().collect();
     let (driving, following) = split(&mut work.graph, &matrix.driving, &symbols);
+    let mut slopes = following.iter().flatten();
+    let is_followed = slopes.any(|slope| !work.graph.is_zero(*slope));
     let following = |symbol: &Option<Id>, freedom: usize| {
         let number = symbols.iter().position(|one| Some(*one) == *symbol)?;
         Some(following[number][freedom])
@@ -182,8 +184,14 @@ fn equations(
             let whole = work.graph.add(row.slopes[freedom], follows);
             coefficients.push(work.graph.negate(whole));
         }
-        sides.push((coefficients, driving[freedom], Some(freedom)));
+        sides.push((coefficients, driving[freedom], (freedom, Size::Squares)));
     }
+    // without loads that follow others, `-A M^-1 A^T` is left of their rows
+    let of_load = if is_followed {
+        Size::Beside
+    } else {
+        Size::Reduced
+    };
     let one = work.graph.one();
     for (number, row) in constraints.iter().enumerate() {
         let mut coefficients = [row.slopes.clone(), vec![zero; loads]].concat();
@@ -191,16 +199,15 @@ fn equations(
         if let Some(active) = row.active {
             coefficients[matrix.driving.len() + number] = work.graph.select(active, zero, one);
         }
-        sides.push((coefficients, work.graph.negate(row.bias), None));
+        let own = (matrix.driving.len() + number, of_load);
+        sides.push((coefficients, work.graph.negate(row.bias), own));
     }
     let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();
     let mut values = samples(work, &all).into_iter();
-    let equations = sides.into_iter().map(|(coefficients, right, positive)| {
+    let equations = sides.into_iter().map(|(coefficients, right, (own, size))| {
         // the matrix is not definite: the loads are eliminated last
         let mut sizes = vec![Size::Beside; coefficients.len()];
-        if let Some(freedom) = positive {
-            sizes[freedom] = Size::Squares;
-        }
+        sizes[own] = size;
         Equation {
             sample: values.by_ref().take(coefficients.len()).collect(),
             sizes,

@@ -11,8 +11,10 @@
 //! solved for.
 
 use crate::symbolic::graph::{Graph, Id, Node};
-use crate::symbolic::number::{Function, Number};
+use crate::symbolic::number::Number;
 use crate::symbolic::zeros::Sample;
+
+use super::sizes::Size;
 
 /// `sum of coefficients * unknowns = right`
 #[derive(Clone)]
@@ -25,23 +27,6 @@ pub struct Equation {
     pub active: Option<Id>,
     /// What is known of each coefficient.
     pub sizes: Vec<Size>,
-}
-
-/// What a coefficient is compared with before it is divided by.
-#[derive(Clone, Copy, Debug)]
-pub enum Size {
-    /// It is a sum of squares, and remains positive if others are eliminated: it is compared with
-    /// itself as it was.
-    Squares,
-    /// It is a product of two vectors, with the product of their lengths.
-    Product(Id),
-    /// It is compared with the largest of its terms.
-    Terms,
-    /// The same; and if it were a pivot, sums of squares that are left would remain positive no longer.
-    Beside,
-    /// Once all sums of squares are eliminated it is minus one, and remains negative if others are
-    /// eliminated: it is compared with itself as it was then.
-    Reduced,
 }
 
 /// What equations say of their unknowns.
@@ -132,25 +117,6 @@ impl Graph {
         }
         system.finish()
     }
-
-    /// The size of the largest term of a sum.
-    pub fn largest_term(&mut self, sum: Id) -> Id {
-        let mut largest = self.zero();
-        for (_, term) in self.terms(sum) {
-            let size = self.apply(Function::Abs, &[term]);
-            largest = self.larger(largest, size);
-        }
-        largest
-    }
-
-    /// Of two sizes.
-    pub(super) fn larger(&mut self, a: Id, b: Id) -> Id {
-        if self.is_zero(a) {
-            b
-        } else {
-            self.apply(Function::Max, &[a, b])
-        }
-    }
 }
 
 impl System<'_> {
@@ -200,9 +166,8 @@ impl System<'_> {
         let coefficient = self.rows[row].coefficients[column];
         let is_early = graph.is_early(coefficient);
         match (graph.as_number(coefficient), self.rows[row].sizes[column]) {
-            (_, Size::Beside) => Kind::Unsafe,
             (_, Size::Reduced) if self.is_reduced => Kind::Squares,
-            (_, Size::Reduced) => Kind::Unsafe,
+            (_, Size::Beside | Size::Reduced) => Kind::Unsafe,
             (Some(number), _) if self.is_small(number, row, column) => Kind::Unsafe,
             (Some(number), _) if number.abs().is_one() => Kind::One,
             (Some(_), _) => Kind::Number,

@@ -3,5 +3,7 @@
 mod blocks;
 mod determinant;
 mod eliminate;
+mod sizes;
 
-pub use eliminate::{Elimination, Equation, Size, Undetermined};
+pub use eliminate::{Elimination, Equation, Undetermined};
+pub use sizes::Size;

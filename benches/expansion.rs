@@ -2,6 +2,7 @@
 //!
 //! The compiler is mounted here, since a proc-macro crate cannot be linked. Proc macros run unoptimised in every build of a
 //! user's crate, so that is how this is to be run: `cargo test --bench expansion`, which is `cargo bench` without optimisation.
+//! Robots in files, whose root floats, follow as `-- robot.urdf:root_link`.
 #![allow(dead_code)]
 
 #[path = "../tests/compiler/descriptions.rs"]
@@ -31,11 +32,37 @@ mod symbolic;
 #[path = "../macros/src/syntax/mod.rs"]
 mod syntax;
 
+use std::sync::LazyLock;
 use std::time::Instant;
 
 use descriptions::{many_forces, quadrotor};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
+
+/// A system as a file of tests describes it.
+fn described(text: &str, name: &str) -> TokenStream {
+    let file = syn::parse_file(text).expect("a file of Rust");
+    let systems = file.items.into_iter().filter_map(|item| match item {
+        syn::Item::Macro(item) => Some(item.mac.tokens),
+        _ => None,
+    });
+    let mut named = systems.filter(|tokens| {
+        let first = tokens.clone().into_iter().next();
+        first.is_some_and(|first| first.to_string() == name)
+    });
+    named.next().expect("a system of this name")
+}
+
+/// A robot of a file, whose root floats.
+fn floating(argument: &str) -> TokenStream {
+    let (file, root) = argument.split_once(':').expect("file.urdf:root_link");
+    let root = format_ident!("{root}");
+    quote!(Robot {
+        urdf: #file,
+        joints: [floating_root = free(#root)],
+        fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
+    })
+}
 
 fn with_everything() -> TokenStream {
     quote!(Satellite {
@@ -87,7 +114,7 @@ fn main() {
             "optimised"
         }
     );
-    let rows = [
+    let bodies = [
         ("quadrotor", quadrotor()),
         ("every kind of load, all outputs", with_everything()),
         ("1 force", many_forces(1)),
@@ -95,20 +122,61 @@ fn main() {
         ("100 forces", many_forces(100)),
         ("1000 forces", many_forces(1000)),
     ];
-    for (name, description) in rows {
-        let mut size = 0;
-        let times = (0..5).map(|_| {
-            let start = Instant::now();
-            let tokens = expand::expand(quote!((::newton_euler) #description));
-            let elapsed = start.elapsed().as_secs_f64() * 1e3;
-            size = tokens.to_string().len();
-            assert!(
-                !tokens.to_string().contains("compile_error"),
-                "{name}: {tokens}"
-            );
-            elapsed
+    for (name, description) in bodies {
+        row(name, || {
+            expand::expand(quote!((::newton_euler) #description))
         });
-        let least = times.fold(f64::INFINITY, f64::min);
-        println!("{name:<34} {least:>8.1} {:>8}", size / 1000);
     }
+    let references = include_str!("../tests/systems/described.rs");
+    let mut systems = vec![
+        (
+            "double pendulum".into(),
+            described(references, "DoublePendulum"),
+        ),
+        (
+            "satellite, three wheels".into(),
+            described(references, "Satellite"),
+        ),
+        ("UR5".into(), described(references, "Ur5")),
+        (
+            "quadruped, 18 freedoms".into(),
+            described(include_str!("../tests/systems/large.rs"), "Quadruped"),
+        ),
+    ];
+    for argument in std::env::args().skip(1).filter(|word| word.contains(':')) {
+        systems.push((argument.clone(), floating(&argument)));
+    }
+    for (name, description) in systems {
+        row(&name, || {
+            expand::expand_system(quote!((::newton_euler) #description))
+        });
+    }
+}
+
+/// Seconds that this thread has had a core, where the system tells, so that other work on the machine does not count; else
+/// those that passed.
+fn processor_time() -> f64 {
+    static BEGIN: LazyLock<Instant> = LazyLock::new(Instant::now);
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds: Option<f64> =
+        told.and_then(|text| text.split_whitespace().next()?.parse().ok());
+    nanoseconds.map_or_else(|| BEGIN.elapsed().as_secs_f64(), |time| time * 1e-9)
+}
+
+/// The least time of five.
+fn row(name: &str, expanded: impl Fn() -> TokenStream) {
+    let mut size = 0;
+    let times = (0..5).map(|_| {
+        let start = processor_time();
+        let tokens = expanded();
+        let elapsed = (processor_time() - start) * 1e3;
+        size = tokens.to_string().len();
+        assert!(
+            !tokens.to_string().contains("compile_error"),
+            "{name}: {tokens}"
+        );
+        elapsed
+    });
+    let least = times.fold(f64::INFINITY, f64::min);
+    println!("{name:<34} {least:>8.1} {:>8}", size / 1000);
 }

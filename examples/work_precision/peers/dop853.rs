@@ -11,16 +11,17 @@ use differential_equations::traits::State as Numbers;
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
 
+use super::plain::Plain;
 use super::runge_kutta::rates;
 use crate::method::Method;
 use crate::problem::Problem;
 
 pub fn method<'p, B>(name: &'static str, problem: &'p Problem<B>) -> Method<'p, B::State>
 where
-    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64, Array: Numbers<f64>>>,
+    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64, Array: Plain>>,
 {
     Method::adaptive(name, |tolerance| {
-        let start = black_box(&problem.start).coordinates();
+        let start = black_box(&problem.start).coordinates().plain();
         let pair = ExplicitRungeKutta::dop853().max_steps(usize::MAX);
         let solution = IVP::ode(&Motion(&problem.body), 0.0, problem.seconds, start)
             .solout(Last(problem.seconds))
@@ -28,21 +29,21 @@ where
             .solve();
         let solution = solution.ok()?;
         let (_, end) = solution.last().ok()?;
-        Some(B::State::from_coordinates(end))
+        Some(B::State::from_coordinates(&Plain::listed(end)))
     })
 }
 
 /// The motion of a body as an equation of plain numbers.
 struct Motion<'p, B>(&'p B);
 
-impl<B, A> ODE<f64, A> for Motion<'_, B>
+impl<B, A> ODE<f64, A::Array> for Motion<'_, B>
 where
-    A: Numbers<f64>,
+    A: Plain,
     B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64, Array = A>>,
 {
     #[inline(always)]
-    fn diff(&self, time: f64, numbers: &A, derivatives: &mut A) {
-        *derivatives = rates(self.0, time, numbers);
+    fn diff(&self, time: f64, numbers: &A::Array, derivatives: &mut A::Array) {
+        *derivatives = rates(self.0, time, &A::listed(numbers)).plain();
     }
 }
 

@@ -1,0 +1,153 @@
+//! What `time.py` times of ours, and of a peer in Rust: functions of C, each a loop that is timed inside.
+//!
+//! Numbers of a state are its coordinates: positions joint by joint, then rates.
+
+mod described;
+mod dynibo;
+mod robots;
+
+use std::hint::black_box;
+use std::slice;
+use std::time::Instant;
+
+use newton_euler::operations::Operations;
+use newton_euler::prelude::*;
+use newton_euler::state::{Coordinates, State};
+
+/// A system of the table: drives of the joints, in their order, as its input.
+trait Case: RigidBody<Scalar = f64, State: Coordinates + Default> + Default {
+    const OPERATIONS: &'static [Operations];
+
+    fn input(drives: &[f64]) -> Self::Input;
+}
+
+/// Systems, each with its input from drives, in the order in which `time.py` counts them.
+macro_rules! cases {
+    ($($place:literal: $system:path, |$drives:pat_param| $input:expr;)*) => {
+        $(impl Case for $system {
+            const OPERATIONS: &'static [Operations] = <$system>::OPERATIONS;
+
+            fn input($drives: &[f64]) -> Self::Input {
+                $input
+            }
+        })*
+
+        /// The ns of as many rounds of accelerations in all states.
+        ///
+        /// # Safety
+        /// The lists are as long as the states and their coordinates and freedoms say.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn acceleration(
+            case: usize,
+            states: usize,
+            coordinates: *const f64,
+            drives: *const f64,
+            found: *mut f64,
+            rounds: usize,
+        ) -> f64 {
+            match case {
+                // SAFETY: as above
+                $($place => unsafe { timed::<$system>(states, coordinates, drives, found, rounds) },)*
+                _ => f64::NAN,
+            }
+        }
+
+        /// Multiplications, additions, divisions, roots, sines and cosines of one acceleration.
+        ///
+        /// # Safety
+        /// The list has five places.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn operations(case: usize, counts: *mut u32) {
+            let all = match case {
+                $($place => <$system as Case>::OPERATIONS,)*
+                _ => &[],
+            };
+            let row = all.iter().find(|row| row.function == "acceleration").expect("every system has one");
+            let found = [row.mul, row.add, row.div, row.sqrt, row.trig];
+            // SAFETY: as above
+            unsafe { slice::from_raw_parts_mut(counts, 5) }.copy_from_slice(&found);
+        }
+    };
+}
+
+cases! {
+    0: described::DoublePendulum, |_| ();
+    1: described::Furuta, |drives| described::FurutaInput { torque: drives[0] };
+    2: described::BallDouble, |_| ();
+    3: described::Satellite, |drives| described::SatelliteInput {
+        torque_x: drives[6],
+        torque_y: drives[7],
+        torque_z: drives[8],
+    };
+    4: described::Ur5, |drives| described::Ur5Input {
+        drives_1: drives[0],
+        drives_2: drives[1],
+        drives_3: drives[2],
+        drives_4: drives[3],
+        drives_5: drives[4],
+        drives_6: drives[5],
+    };
+    5: robots::Panda, |drives| robots::panda(drives);
+    6: robots::Solo12, |drives| robots::solo(drives);
+    7: robots::Anymal, |drives| robots::anymal(drives);
+    8: robots::Chain, |_| ();
+}
+
+unsafe fn timed<B: Case>(
+    states: usize,
+    coordinates: *const f64,
+    drives: *const f64,
+    found: *mut f64,
+    rounds: usize,
+) -> f64 {
+    let count = B::State::default().coordinates().as_ref().len();
+    let freedoms = B::State::GROUPS[B::State::GROUPS.len() / 2..].iter().sum();
+    // SAFETY: the caller's
+    let [coordinates, drives] = unsafe {
+        [
+            slice::from_raw_parts(coordinates, states * count),
+            slice::from_raw_parts(drives, states * freedoms),
+        ]
+    };
+    // SAFETY: the caller's
+    let found = unsafe { slice::from_raw_parts_mut(found, states * freedoms) };
+    let cases: Vec<_> = coordinates
+        .chunks(count)
+        .zip(drives.chunks(freedoms))
+        .map(|(numbers, drives)| {
+            let mut list = B::State::default().coordinates();
+            list.as_mut().copy_from_slice(numbers);
+            (B::State::from_coordinates(&list), B::input(drives))
+        })
+        .collect();
+    let body = black_box(B::default());
+    let mut accelerations: Vec<_> = cases
+        .iter()
+        .map(|(state, input)| called(&body, state, input))
+        .collect();
+    let start = Instant::now();
+    for _ in 0..rounds {
+        for ((state, input), acceleration) in cases.iter().zip(&mut accelerations) {
+            *acceleration = called(&body, state, input);
+        }
+        black_box(&mut accelerations);
+    }
+    let time = start.elapsed();
+    for (((state, _), acceleration), found) in
+        cases.iter().zip(&accelerations).zip(found.chunks_mut(freedoms))
+    {
+        let rates = state.rates(acceleration);
+        found.copy_from_slice(&rates.as_ref()[count - freedoms..]);
+    }
+    time.as_secs_f64() * 1e9
+}
+
+/// As the peers are: a function that is called.
+#[inline(never)]
+fn called<B: Case>(
+    body: &B,
+    state: &B::State,
+    input: &B::Input,
+) -> <B::State as State>::Acceleration {
+    body.acceleration(0.0, state, input)
+}

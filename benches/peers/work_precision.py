@@ -1,6 +1,6 @@
 """heyoka and MuJoCo on the problems of the example `work_precision`, one core, in the same columns:
 
-    pip install heyoka mujoco pin
+    pip install heyoka mujoco
     taskset --cpu-list 0 python3 benches/peers/work_precision.py target/measures/peers.csv
     taskset --cpu-list 0 target/release/examples/work_precision --full target/measures/peers.csv
 
@@ -11,7 +11,6 @@ a ball joint, and a hinge. What a call from Python costs without a step is taken
 
 import itertools
 import json
-import re
 import sys
 from importlib.metadata import version
 from pathlib import Path
@@ -22,11 +21,7 @@ import heyoka as hy
 import mujoco
 import numpy as np
 
-SYSTEMS = Path(__file__).parent / "systems"
 REFERENCE = Path(__file__).parents[2] / "tests" / "reference"
-sys.path.insert(0, str(SYSTEMS))
-import models  # noqa: E402
-
 ROUNDS = 31
 # no single time is taken over less; what takes longer is left out [s]
 SHORTEST, LONGEST = 200e-6, 30e-3
@@ -108,9 +103,6 @@ def quadrotor():
 SATELLITE = np.repeat([7e6, 1.0, 7.5e3, 4e-3], [3, 4, 3, 3])
 
 
-GYROSTAT = np.repeat([1e-2, 1.0, 2e3, 1e-3, 3e-2, 1e2], [3, 4, 3, 3, 3, 3])
-
-
 def in_units(units, equations):
     symbols = {symbol: float(unit) * symbol for (symbol, _), unit in zip(equations, units)}
     return [(symbol, hy.subs(rate, symbols) / float(unit)) for (symbol, rate), unit in zip(equations, units)]
@@ -132,52 +124,6 @@ def satellite():
     return in_units(SATELLITE, flight(loads, mass, inertia))
 
 
-def double_pendulum():
-    a, b, va, vb = hy.make_vars("a", "b", "va", "vb")
-    (m, n), (j, k), (l, r), long, g = (1.2, 0.8), (0.04, 0.015), (0.28, 0.22), 0.6, 9.80665
-    first, across, second = j + m * l**2 + n * long**2, n * long * r * hy.cos(b), k + n * r**2
-    fast = n * long * r * hy.sin(b)
-    x = fast * (va + vb) ** 2 - g * (m * l + n * long) * hy.cos(a)
-    y = -fast * va**2 - g * n * r * hy.cos(a + b)
-    determinant = first * second - across**2
-    one, two = (second * x - across * y) / determinant, (first * y - across * x) / determinant
-    return [(a, va), (b, vb), (va, one), (vb, two - one)]
-
-
-def wheels():
-    """(J - A) w' = -torques - w x h; the hub about the center of all."""
-    r, q, v, w = (hy.make_vars(*names) for names in [("rx", "ry", "rz"), "sxyz", ("vx", "vy", "vz"), ("p", "q", "t")])
-    turns, spins = hy.make_vars("ax", "ay", "az"), hy.make_vars("bx", "by", "bz")
-    axial, torques, arm = 0.035, np.array([0.05, -0.02, 0.03]), 0.3
-    center = np.full(3, 4 * arm / 132)
-    at = lambda place: place @ place * np.eye(3) - np.outer(place, place)
-    whole = np.diag([12.0, 14.0, 9.0]) + 120 * at(center)
-    for axis in np.eye(3):
-        whole += np.diag(0.02 + (axial - 0.02) * axis) + 4 * at(arm * axis - center)
-    times = lambda matrix, vector: [sum(float(x) * y for x, y in zip(row, vector)) for row in matrix]
-    momentum = [a + axial * b for a, b in zip(times(whole, w), spins)]
-    moment = [-t - g for t, g in zip(torques, cross(w, momentum))]
-    angular = times(np.linalg.inv(whole - axial * np.eye(3)), moment)
-    spun = [float(t) / axial - a for t, a in zip(torques, angular)]
-    c = [float(x) for x in center]
-    about = [-x - y for x, y in zip(cross(angular, c), cross(w, cross(w, c)))]
-    linear = [dot(row, about) for row in rotation(q)]
-    return list(zip([*r, *q, *turns, *v, *w, *spins], [*v, *turning(q, w), *spins, *linear, *angular, *spun]))
-
-
-def arm():
-    """What CasADi wrote of Pinocchio's recursion, line by line."""
-    text = (SYSTEMS / "generated" / "ur5.c").read_text()
-    q, v = hy.make_vars(*[f"q{k}" for k in range(6)]), hy.make_vars(*[f"v{k}" for k in range(6)])
-    drives = json.loads((REFERENCE / "systems" / "ur5.json").read_text())["drives"]
-    given, names, found = [q, v, [float(d) for d in drives]], {"sin": hy.sin, "cos": hy.cos, "casadi_sq": lambda x: x * x}, {}
-    for name, value in re.findall(r"^  (?:if \(res\[0\]!=0\) )?(\w+(?:\[0\]\[\d+\])?)=(.*);$", text, re.MULTILINE):
-        read = re.match(r"arg\[(\d)\]\? arg\[\d\]\[(\d+)\] : 0$", value)
-        number = given[int(read[1])][int(read[2])] if read else eval(value, names)
-        (found if name.startswith("res") else names)[name] = number
-    return list(zip([*q, *v], [*v, *(found[f"res[0][{k}]"] for k in range(6))]))
-
-
 # Starts and ends.
 
 
@@ -190,7 +136,7 @@ class Problem:
 
     def __init__(self, name, equations, seconds, start, end, model=None, units=1.0):
         self.name, self.equations, self.seconds, self.model = name, equations, seconds, model
-        self.start, self.end, self.units = numbers(start) / units, numbers(end) / units, np.broadcast_to(units, len(start))
+        self.start, self.end = numbers(start) / units, numbers(end) / units
 
     def error(self, state):
         if len(state) == 2:
@@ -200,56 +146,6 @@ class Problem:
         q, right = state[attitude], self.end[attitude]
         errors = [np.linalg.norm(state[v] - self.end[v]) / np.linalg.norm(self.end[v]) for v in vectors]
         return max(min(abs(q - right).max(), abs(q + right).max()), *errors)
-
-
-class System(Problem):
-    """Of several joints: the places of hinges, and of a body that is free or none."""
-
-    def __init__(self, name, equations, seconds, start, end, tree, drives, hinges, units=1.0):
-        super().__init__(name, equations, seconds, start, end, models.mjcf(tree), units)
-        self.drives, self.hinges, self.free = numbers(drives), hinges, len(start) == 19
-
-    def error(self, state):
-        errors = [0.0]
-        off = abs(state - self.end) * self.units
-        for angle, rate in self.hinges:
-            errors += [off[angle] / 2, abs(state[rate] / self.end[rate] - 1)]
-        if self.free:
-            body = [*range(7), *range(10, 16)]
-            flight = Problem("", None, 0, self.start[body], self.end[body])
-            errors.append(flight.error(state[body]))
-        return max(errors)
-
-
-def systems():
-    def file(name):
-        return json.loads((REFERENCE / "systems" / f"{name}.json").read_text())
-
-    def flown(data):
-        """The scalar first; the velocity in world axes."""
-        q, v = [float(x) for x in data["q"]], [float(x) for x in data["v"]]
-        quaternion = [q[6], *q[3:6]]
-        return [*q[:3], *quaternion, *q[7:], *[dot(row, v[:3]) for row in rotation(quaternion)], *v[3:]]
-
-    def listed(data):
-        return data["q"] + data["v"]
-
-    pendulum, satellite, held = file("double_pendulum"), file("satellite3w"), file("ur5")
-    end = pendulum["trajectory"]
-    yield System(
-        "double_pendulum", double_pendulum(), float(end["T"]), listed(pendulum), listed(end),
-        models.reference("double_pendulum"), pendulum["drives"], [(0, 2), (1, 3)],
-    )  # fmt: skip
-    end = satellite["trajectory"]
-    yield System(
-        "satellite, three wheels", in_units(GYROSTAT, wheels()), float(end["T"]), flown(satellite), flown(end),
-        models.reference("satellite3w"), satellite["drives"], [(7, 16), (8, 17), (9, 18)], GYROSTAT,
-    )  # fmt: skip
-    end = json.loads((REFERENCE / "ur5.json").read_text())
-    yield System(
-        "UR5", arm(), float(end["T"]), listed(held), listed(end),
-        models.reference("ur5"), held["drives"], [(k, 6 + k) for k in range(6)],
-    )  # fmt: skip
 
 
 def problems():
@@ -267,7 +163,6 @@ def problems():
     for name, equations, units in [("quadrotor", quadrotor(), 1.0), ("satellite", satellite(), SATELLITE)]:
         flown = flights[name]
         yield Problem(name, equations, flown["T"], flown["start"], flown["end"], units=units)
-    yield from systems()
 
 
 # The programs. A run is a function; before it, what is taken off.
@@ -276,9 +171,7 @@ def problems():
 class Heyoka:
     def __init__(self, problem, tolerance):
         self.problem = problem
-        # of an arm, code without loops takes minutes to build
-        compact = len(problem.equations) > 10 and problem.name == "UR5"
-        self.integrator = hy.taylor_adaptive(problem.equations, problem.start, tol=tolerance, compact_mode=compact)
+        self.integrator = hy.taylor_adaptive(problem.equations, problem.start, tol=tolerance)
 
     def run(self, seconds=None):
         self.integrator.time = 0.0
@@ -355,14 +248,11 @@ class MuJoCo:
         self.model.opt.integrator = integrator
         self.model.opt.timestep = problem.seconds / steps
         self.data = mujoco.MjData(self.model)
-        if isinstance(problem, System):
-            self.data.qfrc_applied[:] = problem.drives
 
     def set(self):
         self.data.time = 0.0
-        start = self.problem.start * self.problem.units
-        self.data.qpos[:] = start[: self.model.nq]
-        self.data.qvel[:] = start[self.model.nq :]
+        self.data.qpos[:] = self.problem.start[: self.model.nq]
+        self.data.qvel[:] = self.problem.start[self.model.nq :]
 
     def run(self):
         self.set()
@@ -373,7 +263,7 @@ class MuJoCo:
 
     def error(self):
         self.run()
-        return self.problem.error(np.concatenate([self.data.qpos, self.data.qvel]) / self.problem.units)
+        return self.problem.error(np.concatenate([self.data.qpos, self.data.qvel]))
 
 
 # Times.

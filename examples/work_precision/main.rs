@@ -33,7 +33,6 @@ mod problem;
 mod problems;
 #[path = "../../tests/reference/mod.rs"]
 mod reference;
-mod systems;
 mod table;
 
 use std::error::Error;
@@ -73,7 +72,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let care = if is_full { FULL } else { QUICK };
 
     let mut curves = problems::all(care);
-    curves.extend(systems::all(care));
     curves.extend(ensemble::tops(care, 8));
     if is_full {
         curves.extend(ensemble::tops(MANY, 1024));

@@ -25,21 +25,10 @@ pub fn flow<B: Flow>(problem: &Problem<B>) -> Method<'_, B::State> {
 pub fn smooth<B: Taylor<Input = ()> + Integrate>(
     problem: &Problem<B>,
 ) -> Vec<Method<'_, B::State>> {
-    let mut methods = vec![
-        adaptive::<B, TaylorSeries>("Taylor", problem),
-        taylor_steps::<B, 17>("Taylor 16, fixed steps", problem),
-    ];
-    methods.extend(any(problem));
-    methods
-}
-
-/// The methods for any body.
-pub fn any<B>(problem: &Problem<B>) -> Vec<Method<'_, B::State>>
-where
-    B: Integrate<Input = (), State: Coordinates>,
-{
     vec![
+        adaptive::<B, TaylorSeries>("Taylor", problem),
         adaptive::<B, DormandPrince>("DOP853", problem),
+        taylor_steps::<B, 17>("Taylor 16, fixed steps", problem),
         steps("Runge-Kutta 9, fixed steps", Verner9, problem),
         steps("Runge-Kutta 8, fixed steps", DormandPrince8, problem),
         steps("Runge-Kutta 5, fixed steps", Tsitouras5, problem),

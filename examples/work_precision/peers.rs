@@ -2,17 +2,16 @@
 
 mod dop853;
 mod munthe_kaas;
-pub mod plain;
-pub mod runge_kutta;
+mod runge_kutta;
 mod splitting;
 
+use differential_equations::traits::State as Numbers;
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
 
 use crate::by_hand::{Load, Turning};
 use crate::method::Method;
 use crate::problem::Problem;
-use plain::Plain;
 use runge_kutta::Renormalised;
 
 /// The peers for any body: `generated` is the one that was described, `by_hand` the same without the macro.
@@ -21,7 +20,7 @@ pub fn general<'p, S, B, C>(
     by_hand: &'p Problem<C>,
 ) -> Vec<Method<'p, S>>
 where
-    S: Coordinates<Scalar = f64, Array: Plain> + Renormalised,
+    S: Coordinates<Scalar = f64, Array: Numbers<f64>> + Renormalised,
     B: RigidBody<Scalar = f64, State = S, Input = ()>,
     C: RigidBody<Scalar = f64, State = S, Input = ()>,
 {

@@ -46,21 +46,6 @@ pub fn squeezer() -> Value {
     file(include_str!("squeezer.json"))
 }
 
-/// A system of `systems/`, by name, of those with a motion that is known.
-pub fn system(name: &str) -> Value {
-    file(match name {
-        "double_pendulum" => include_str!("systems/double_pendulum.json"),
-        "satellite3w" => include_str!("systems/satellite3w.json"),
-        "ur5" => include_str!("systems/ur5.json"),
-        _ => panic!("no system: {name}"),
-    })
-}
-
-/// Where the arm of `systems/ur5.json` is after a quarter of a second.
-pub fn arm() -> Value {
-    file(include_str!("ur5.json"))
-}
-
 /// A number, written as one, as a decimal string or as a fraction.
 pub fn number(value: &Value) -> f64 {
     match value {

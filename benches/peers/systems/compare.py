@@ -4,7 +4,8 @@
     taskset --cpu-list 0 python3 benches/peers/systems/compare.py
 
 All are checked for the same accelerations in the same states, then timed in turn in short batches; the least time of each counts, since
-other work on the machine only adds. `--build` builds what is timed first, which takes some minutes; `generated/` has the C that CasADi
+other work on the machine only adds. Of names of systems as words, only these. `--motions` times `integrate` and an
+ensemble in a build without flags beside a native one; `--build` builds what is timed first, which takes some minutes; `generated/` has the C that CasADi
 wrote, except for the long chain.
 """
 
@@ -154,7 +155,7 @@ def pointer(numbers):
 
 def library(path):
     loaded = ctypes.CDLL(str(path))
-    for name in ["run", "acceleration"]:
+    for name in ["run", "acceleration", "integrate", "ensemble"]:
         if hasattr(loaded, name):
             getattr(loaded, name).restype = ctypes.c_double
     if hasattr(loaded, "make"):
@@ -172,6 +173,11 @@ class Ours:
     def run(self, rounds):
         lists = pointer(self.numbers), pointer(self.drives), pointer(self.found)
         return self.library.acceleration(ctypes.c_size_t(self.place), ctypes.c_size_t(STATES), *lists, ctypes.c_size_t(rounds))
+
+    def integrate(self, rounds):
+        """The ns of a motion of 0.05 s from the first state, by the default method and tolerance."""
+        lists = pointer(self.numbers), pointer(self.drives)
+        return self.library.integrate(ctypes.c_size_t(self.place), *lists, ctypes.c_size_t(rounds)) / rounds
 
     def operations(self):
         counts = (ctypes.c_uint32 * 5)()
@@ -303,6 +309,23 @@ def timed(all_of_tree):
     return least
 
 
+def over_native(runs):
+    """The least times of the two builds, in turn, and their ratio."""
+    least = [float("inf")] * 2
+    for _ in range(BATCHES // 4):
+        least = [min(time, run()) for time, run in zip(least, runs)]
+    return f"{least[0]:.0f} and {least[1]:.0f} ns: {least[0] / least[1]:.2f}"
+
+
+def motions(trees):
+    """What a build without flags takes over a native one."""
+    for place, tree in enumerate(trees):
+        builds = [Ours(States(tree), place, target) for target in [TARGET, TARGET / "native"]]
+        rounds = max(1, int(BATCH / builds[0].integrate(2)))
+        print(f"integrate, {tree.name}: " + over_native([lambda b=b: b.integrate(rounds) for b in builds]))
+    print("a step of an ensemble of arms: " + over_native([build.library.ensemble for build in builds]))
+
+
 def counted(counts):
     mul, add, div, sqrt, trig = counts
     return f"{mul + add + div + sqrt} + {trig}"
@@ -314,9 +337,11 @@ def main(words):
     processor = next(line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name"))
     names = ["pin", "casadi", "mujoco"]
     print(f"{processor}; " + ", ".join(f"{name} {version(name)}" for name in names))
-    rows = []
-    for place, tree in enumerate(models.all_of_them(BUILT)):
-        if len(words) > 1 and tree.name not in words:
+    rows, trees = [], models.all_of_them(BUILT)
+    if "--motions" in words:
+        return motions(trees)
+    for place, tree in enumerate(trees):
+        if words and not words[0].startswith("-") and tree.name not in words:
             continue
         all_of_tree = dict(programs(place, tree))
         differences = dict(checked(all_of_tree))

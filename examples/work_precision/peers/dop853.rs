@@ -11,17 +11,16 @@ use differential_equations::traits::State as Numbers;
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
 
-use super::plain::Plain;
 use super::runge_kutta::rates;
 use crate::method::Method;
 use crate::problem::Problem;
 
 pub fn method<'p, B>(name: &'static str, problem: &'p Problem<B>) -> Method<'p, B::State>
 where
-    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64, Array: Plain>>,
+    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64, Array: Numbers<f64>>>,
 {
     Method::adaptive(name, |tolerance| {
-        let start = black_box(&problem.start).coordinates().plain();
+        let start = black_box(&problem.start).coordinates();
         let pair = ExplicitRungeKutta::dop853().max_steps(usize::MAX);
         let solution = IVP::ode(&Motion(&problem.body), 0.0, problem.seconds, start)
             .solout(Last(problem.seconds))
@@ -29,21 +28,21 @@ where
             .solve();
         let solution = solution.ok()?;
         let (_, end) = solution.last().ok()?;
-        Some(B::State::from_coordinates(&Plain::listed(end)))
+        Some(B::State::from_coordinates(end))
     })
 }
 
 /// The motion of a body as an equation of plain numbers.
 struct Motion<'p, B>(&'p B);
 
-impl<B, A> ODE<f64, A::Array> for Motion<'_, B>
+impl<B, A> ODE<f64, A> for Motion<'_, B>
 where
-    A: Plain,
+    A: Numbers<f64>,
     B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64, Array = A>>,
 {
     #[inline(always)]
-    fn diff(&self, time: f64, numbers: &A::Array, derivatives: &mut A::Array) {
-        *derivatives = rates(self.0, time, &A::listed(numbers)).plain();
+    fn diff(&self, time: f64, numbers: &A, derivatives: &mut A) {
+        *derivatives = rates(self.0, time, numbers);
     }
 }
 

@@ -44,7 +44,9 @@ pub unsafe extern "C" fn run(
         for k in 0..states {
             let (q, v, drives) = (&q[of(k)], &v[of(k)], &drives[of(k)]);
             let found = &mut found[of(k)];
-            robot.forward_dynamics(q, v, drives, &[], found).expect("not singular");
+            robot
+                .forward_dynamics(q, v, drives, &[], found)
+                .expect("not singular");
         }
     }
     start.elapsed().as_secs_f64() * 1e9

@@ -4,6 +4,7 @@
 
 mod described;
 mod dynibo;
+mod ensembles;
 mod robots;
 
 use std::hint::black_box;
@@ -15,7 +16,9 @@ use newton_euler::prelude::*;
 use newton_euler::state::{Coordinates, State};
 
 /// A system of the table: drives of the joints, in their order, as its input.
-trait Case: RigidBody<Scalar = f64, State: Coordinates + Default> + Default {
+trait Case:
+    Integrate + RigidBody<Scalar = f64, State: Coordinates + Default, Input: Clone> + Default
+{
     const OPERATIONS: &'static [Operations];
 
     fn input(drives: &[f64]) -> Self::Input;
@@ -48,6 +51,24 @@ macro_rules! cases {
             match case {
                 // SAFETY: as above
                 $($place => unsafe { timed::<$system>(states, coordinates, drives, found, rounds) },)*
+                _ => f64::NAN,
+            }
+        }
+
+        /// The ns of as many motions from the first state, with error control.
+        ///
+        /// # Safety
+        /// The lists are as long as the coordinates and freedoms of a state.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn integrate(
+            case: usize,
+            coordinates: *const f64,
+            drives: *const f64,
+            rounds: usize,
+        ) -> f64 {
+            match case {
+                // SAFETY: as above
+                $($place => unsafe { moved::<$system>(coordinates, drives, rounds) },)*
                 _ => f64::NAN,
             }
         }
@@ -100,8 +121,7 @@ unsafe fn timed<B: Case>(
     found: *mut f64,
     rounds: usize,
 ) -> f64 {
-    let count = B::State::default().coordinates().as_ref().len();
-    let freedoms = B::State::GROUPS[B::State::GROUPS.len() / 2..].iter().sum();
+    let (count, freedoms) = sizes::<B>();
     // SAFETY: the caller's
     let [coordinates, drives] = unsafe {
         [
@@ -114,11 +134,7 @@ unsafe fn timed<B: Case>(
     let cases: Vec<_> = coordinates
         .chunks(count)
         .zip(drives.chunks(freedoms))
-        .map(|(numbers, drives)| {
-            let mut list = B::State::default().coordinates();
-            list.as_mut().copy_from_slice(numbers);
-            (B::State::from_coordinates(&list), B::input(drives))
-        })
+        .map(|(numbers, drives)| case::<B>(numbers, drives))
         .collect();
     let body = black_box(B::default());
     let mut accelerations: Vec<_> = cases
@@ -133,13 +149,47 @@ unsafe fn timed<B: Case>(
         black_box(&mut accelerations);
     }
     let time = start.elapsed();
-    for (((state, _), acceleration), found) in
-        cases.iter().zip(&accelerations).zip(found.chunks_mut(freedoms))
+    for (((state, _), acceleration), found) in cases
+        .iter()
+        .zip(&accelerations)
+        .zip(found.chunks_mut(freedoms))
     {
         let rates = state.rates(acceleration);
         found.copy_from_slice(&rates.as_ref()[count - freedoms..]);
     }
     time.as_secs_f64() * 1e9
+}
+
+unsafe fn moved<B: Case>(coordinates: *const f64, drives: *const f64, rounds: usize) -> f64 {
+    let (count, freedoms) = sizes::<B>();
+    // SAFETY: the caller's
+    let (numbers, drives) = unsafe {
+        (
+            slice::from_raw_parts(coordinates, count),
+            slice::from_raw_parts(drives, freedoms),
+        )
+    };
+    let (state, input) = case::<B>(numbers, drives);
+    let body = black_box(B::default());
+    let start = Instant::now();
+    for _ in 0..rounds {
+        let motion = body.integrate(black_box(&state)).input(input.clone());
+        black_box(motion.to(0.05).ok());
+    }
+    start.elapsed().as_secs_f64() * 1e9
+}
+
+/// How many coordinates and rates a state has.
+fn sizes<B: Case>() -> (usize, usize) {
+    let groups = B::State::GROUPS;
+    let rates = &groups[groups.len() / 2..];
+    (groups.iter().sum(), rates.iter().sum())
+}
+
+fn case<B: Case>(numbers: &[f64], drives: &[f64]) -> (B::State, B::Input) {
+    let mut list = B::State::default().coordinates();
+    list.as_mut().copy_from_slice(numbers);
+    (B::State::from_coordinates(&list), B::input(drives))
 }
 
 /// As the peers are: a function that is called.

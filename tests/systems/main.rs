@@ -31,4 +31,5 @@ mod shapes;
 mod spatial;
 mod squeezer;
 mod statics;
+mod still;
 mod unequal;

@@ -123,11 +123,27 @@ pub fn lower_system(
         derivatives,
         defaults,
     };
-    if errors.is_empty() && outline.joints.is_empty() {
-        let message = "nothing moves by itself: all joints are welds, or driven";
-        errors.push(outline.name.span(), message);
+    if errors.is_empty() && outline.is_still() {
+        check_still(outline, errors);
     }
     errors.is_empty().then_some((system, work))
+}
+
+/// Reports what is asked of a system in which nothing moves by itself and has no meaning there.
+fn check_still(outline: &Outline, errors: &mut Errors) {
+    if outline.outputs.is_empty() {
+        let message = "nothing moves by itself, because all joints are welds, or driven: ask for what there is \
+                       without a motion, such as `outputs: [reactions]`";
+        errors.push(outline.name.span(), message);
+    }
+    for asked in outline.outputs.iter().filter(|asked| asked.is_of_motion) {
+        let message = format!(
+            "nothing moves by itself, because all joints are welds, or driven, and `{}` is of what does: \
+             `reactions` has the drives of joints that are driven",
+            asked.word
+        );
+        errors.push(asked.place, message);
+    }
 }
 
 /// What the load is called that keeps a constraint.

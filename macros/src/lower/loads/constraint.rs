@@ -85,6 +85,9 @@ impl Lowering<'_> {
     pub fn kept_at_zero(&mut self, written: &Definition) -> Option<Vec<(String, Id)>> {
         let expression = written.value.as_ref()?;
         let name = &written.name;
+        if let Some(link) = self.link(expression) {
+            return Some(vec![(name.to_string(), link?)]);
+        }
         match self.value(expression)? {
             Value::Scalar(id, _) => Some(vec![(name.to_string(), id)]),
             Value::Components(_, components, _) => Some(self.named_components(name, components)),

@@ -127,7 +127,10 @@ impl Lowering<'_> {
         for (component, symbol) in components.iter_mut().zip(symbols) {
             *component = *symbol;
         }
-        Some(match self.value(written.value.as_ref()?)? {
+        let value = written.value.as_ref()?;
+        let of_link = self.link(value).flatten();
+        let of_link = of_link.map(|id| Value::Scalar(id, Dimension::LENGTH));
+        Some(match of_link.or_else(|| self.value(value))? {
             Value::Scalar(_, dimension) => Value::Scalar(components[0], per(dimension)?),
             Value::Components(frame, _, dimension) => {
                 Value::Components(frame, components, per(dimension)?)

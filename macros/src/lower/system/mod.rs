@@ -21,11 +21,12 @@ use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Members, Scope};
 use crate::model::{
     Closing, Constraint, Declared, Defaults, Kept, Meaning, Member, Outline, PLANAR, SPATIAL,
-    System, TreeJoint, Workspace,
+    System, Tie, TreeJoint, Workspace,
 };
 use crate::symbolic::{Components, Stage};
-use crate::syntax;
+use crate::syntax::{self, LINK, call};
 
+use joints::joint::first_name_of;
 use reading::body::{Draft, common_gravity};
 use reading::names::{check_driving, check_members, declared, for_copy, late_locals};
 use reading::reader::Reader;
@@ -120,6 +121,7 @@ pub fn lower_system(
         potentials: potentials?,
         energies: between.energies,
         cables: between.cables,
+        links: links(system),
         derivatives,
         defaults,
     };
@@ -144,6 +146,24 @@ fn check_still(outline: &Outline, errors: &mut Errors) {
         );
         errors.push(asked.place, message);
     }
+}
+
+/// What is written as `link(P, Q, length)`.
+fn links(system: &syntax::System) -> Vec<Tie> {
+    let constraints = system.top.constraints.iter();
+    let links = constraints.filter_map(|one| {
+        let ((word, arguments), _) = one.value.as_ref().and_then(call)?;
+        let [p, q, _] = arguments else { return None };
+        let of_body = |end| {
+            let bodies = system.bodies.iter().map(|body| &body.name);
+            first_name_of(end).filter(|name| bodies.clone().any(|body| body == *name))
+        };
+        (word == LINK).then(|| Tie {
+            name: one.name.clone(),
+            bodies: [p, q].map(|end| of_body(end).cloned()),
+        })
+    });
+    links.collect()
 }
 
 /// What the load is called that keeps a constraint.

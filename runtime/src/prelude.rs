@@ -17,7 +17,8 @@ pub use crate::linearization::{Linearization, Linearized};
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::state::{
     Cylinder, CylinderAcceleration, Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod,
-    RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State, Translation, Universal,
+    RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State, Still, Translation,
+    Universal,
 };
 pub use crate::taylor::Taylor;
 #[doc(no_inline)]

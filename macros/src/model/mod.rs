@@ -20,7 +20,7 @@ pub use joints::{
 pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use system::{Axes, Cable, Closing, Holds, JointKind, Kept, Member, Part, System, TreeJoint};
+pub use system::{Axes, Closing, Holds, JointKind, Kept, Member, Part, System, Tie, TreeJoint};
 pub use words::{
     AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
 };

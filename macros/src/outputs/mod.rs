@@ -37,7 +37,10 @@ pub struct Outputs<S: Listed>(Vec<Box<dyn Output<S>>>);
 /// What a body has, not yet derived: what a description with mistakes gets.
 pub fn wanted<S: Listed>(outline: &Outline) -> Outputs<S> {
     let all = S::outputs().into_iter();
-    let wanted = all.filter(|output| output.place(outline).is_some());
+    let is_meaningless = |offer: &Offer| offer.is_of_motion && outline.is_still();
+    let wanted = all.filter(|output| {
+        output.place(outline).is_some() && !output.offer().is_some_and(is_meaningless)
+    });
     Outputs(wanted.collect())
 }
 
@@ -87,7 +90,8 @@ impl<S: Listed> Outputs<S> {
         }
         let missed = offers::<S>()
             .into_iter()
-            .filter(|offer| (offer.is_missed)(outline) && outline.rank(offer.word).is_none());
+            .filter(|offer| (offer.is_missed)(outline) && outline.rank(offer.word).is_none())
+            .filter(|offer| !(outline.is_still() && offer.is_of_motion));
         let missed: Vec<&str> = missed.map(|offer| offer.word).collect();
         if !missed.is_empty() {
             let missed = missed.join(", ");

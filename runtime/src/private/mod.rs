@@ -25,7 +25,7 @@ pub use crate::numbers::scalar::Scalar;
 pub use crate::state::{
     Coordinates, Cylinder, CylinderAcceleration, Hinge, List, Planar, PlanarAcceleration,
     PlanarTranslation, Rod, RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State,
-    Translation, Universal,
+    Still, Translation, Universal,
 };
 pub use crate::taylor::{Arithmetic, Axes, Products, Series, Taylor};
 

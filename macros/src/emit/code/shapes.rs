@@ -29,7 +29,7 @@ impl Shapes {
     pub fn of(outline: &Outline) -> Self {
         Self {
             motion: outline.motion,
-            system: outline.has_joints().then(|| {
+            system: outline.is_system.then(|| {
                 let joints = outline.joints.iter();
                 let joints = joints.map(|joint| (joint.name.clone(), joint.shape));
                 (outline.name.clone(), joints.collect())
@@ -74,8 +74,10 @@ impl Shapes {
     }
 
     pub fn acceleration_type(&self) -> TokenStream {
-        if let Some((name, _)) = &self.system {
-            let (name, applied) = (format_ident!("{name}Acceleration"), self.scalar.applied());
+        if let Some((name, joints)) = &self.system {
+            let name = format_ident!("{name}Acceleration");
+            // that of a state without coordinates has no numbers
+            let applied = (!joints.is_empty()).then(|| self.scalar.applied());
             return quote!(#name #applied);
         }
         match self.motion.shape.acceleration {
@@ -239,6 +241,9 @@ impl Shapes {
 
     pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
         if let Some((name, joints)) = &self.system {
+            if joints.is_empty() {
+                return quote!(());
+            }
             let name = format_ident!("{name}Acceleration");
             let fields = joints.iter().map(|(joint, shape)| {
                 let value = self.joint_acceleration(shape, values);
@@ -272,6 +277,9 @@ impl Shapes {
                 quote!(#joint: #rates)
             });
             let joints: Vec<TokenStream> = joints.collect();
+            if joints.is_empty() {
+                return quote!(*#state);
+            }
             let name = format_ident!("{system}State");
             return quote!(#name { #(#joints),* });
         }

@@ -127,7 +127,7 @@ pub fn emit_items(
 
 /// The state of a system and its acceleration, joint by joint.
 fn emit_state(outline: &Outline) -> Option<TokenStream> {
-    if !outline.has_joints() {
+    if !outline.is_system {
         return None;
     }
     let (name, shapes) = (&outline.name, Shapes::of(outline));
@@ -140,6 +140,15 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
     ];
     let [of_state, of_acceleration] = docs;
     let scalar = outline.scalar.iter();
+    if outline.is_still() {
+        let (applied, still) = (shapes.scalar.applied(), shapes.scalar.holder("Still"));
+        return Some(quote! {
+            #[doc = #of_state]
+            pub type #state #applied = #still;
+            #[doc = #of_acceleration]
+            pub type #acceleration = ();
+        });
+    }
     let joints = outline.joints.iter().map(|joint| {
         let (name, kind) = (&joint.name, format_ident!("{}", joint.shape.state));
         let second = shapes.joint_acceleration_type(joint.shape);
@@ -207,8 +216,8 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident
     let name = &outline.name;
     let module = format_ident!("equations_of_{name}");
     let others = [
-        ("State", outline.has_joints()),
-        ("Acceleration", outline.has_joints()),
+        ("State", outline.is_system),
+        ("Acceleration", outline.is_system),
         ("Params", true),
         ("Input", !outline.inputs.is_empty()),
         ("Reactions", !outline.reactions.is_empty()),

@@ -37,6 +37,8 @@ pub struct Offer {
     pub obstacle: fn(&Description) -> Option<&'static str>,
     /// Whether a description that does not ask for it is told so.
     pub is_missed: fn(&Outline) -> bool,
+    /// Whether it has no meaning where nothing moves by itself.
+    pub is_of_motion: bool,
 }
 
 impl Offer {
@@ -46,6 +48,7 @@ impl Offer {
             word,
             obstacle: |_| None,
             is_missed: |_| false,
+            is_of_motion: false,
         }
     }
 }
@@ -234,6 +237,7 @@ fn check_outputs(
             outputs.push(Asked {
                 word: offer.word,
                 place: place.into(),
+                is_of_motion: offer.is_of_motion,
             });
         }
     }

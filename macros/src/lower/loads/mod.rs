@@ -2,6 +2,7 @@
 
 mod constraint;
 mod dependent;
+mod link;
 mod load;
 mod potential;
 mod reaction;

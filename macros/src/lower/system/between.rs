@@ -3,12 +3,12 @@
 use crate::errors::Errors;
 use crate::families::Family;
 use crate::lower::expressions::Lowering;
-use crate::model::{Cable, Dimension, Frame, Load, Meaning, Point, Vector};
+use crate::model::{Dimension, Frame, Load, Point, Tie, Vector};
 use crate::symbolic::{Comparison, Components, Id, Number};
-use crate::syntax::{Definition, Expression, Kind};
+use crate::syntax::{Definition, Expression, Kind, call};
 
 use super::drives::behind;
-use super::joints::joint::{End, call};
+use super::joints::joint::End;
 use super::reading::reader::Reader;
 
 /// Loads, each with the number of the body that it acts on.
@@ -20,7 +20,7 @@ pub struct Between {
     pub loads: Loads,
     /// The energies of cables.
     pub energies: Vec<Id>,
-    pub cables: Vec<Cable>,
+    pub cables: Vec<Tie>,
 }
 
 impl Reader<'_> {
@@ -94,9 +94,7 @@ impl Reader<'_> {
             (stiffness, Dimension::STIFFNESS, "the stiffness of a cable"),
         ];
         let [length, stiffness] = written.map(|(value, dimension, what)| {
-            self.at_top(errors, |lowering| {
-                property(lowering, value, dimension, what)
-            })
+            self.at_top(errors, |lowering| lowering.property(value, dimension, what))
         });
         let ((ends, line), length, stiffness) = (ends?, length?, stiffness?);
         let graph = &mut self.work.graph;
@@ -118,7 +116,7 @@ impl Reader<'_> {
         }
         let system = self.system;
         let bodies = ends.map(|(body, _)| Some(system.bodies[body?].name.clone()));
-        into.cables.push(Cable {
+        into.cables.push(Tie {
             name: cable.name.clone(),
             bodies,
         });
@@ -273,31 +271,6 @@ impl Reader<'_> {
         errors.push(written.extent, message);
         None
     }
-}
-
-/// Length or stiffness: a number that is not negative, and follows from no state.
-fn property(
-    lowering: &mut Lowering<'_>,
-    written: &Expression,
-    dimension: Dimension,
-    what: &str,
-) -> Option<Id> {
-    let value = lowering.scalar(written, dimension, what)?;
-    let is_negative = |number: &Number| !number.is_zero() && !number.is_positive();
-    let graph = &lowering.work.graph;
-    if graph.as_number(value).is_some_and(is_negative) {
-        return lowering.report(written.extent, format!("{what} is not negative"));
-    }
-    let work = &*lowering.work;
-    let of_state = |id| matches!(work.meaning(id), Some(Meaning::Of(..)));
-    if graph.depends_on(&[value], of_state) {
-        let place = lowering.late_name(written);
-        let message = format!(
-            "{what} does not depend on the state: write `tension.between(P, Q)` in `forces` for what does"
-        );
-        return lowering.report(place, message);
-    }
-    Some(value)
 }
 
 fn read_moment(

@@ -21,11 +21,12 @@ use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Members, Scope};
 use crate::model::{
     Closing, Constraint, Declared, Defaults, Kept, Meaning, Member, Outline, PLANAR, SPATIAL,
-    System, TreeJoint, Workspace,
+    System, Tie, TreeJoint, Workspace,
 };
 use crate::symbolic::{Components, Stage};
-use crate::syntax;
+use crate::syntax::{self, LINK, call};
 
+use joints::joint::first_name_of;
 use reading::body::{Draft, common_gravity};
 use reading::names::{check_driving, check_members, declared, for_copy, late_locals};
 use reading::reader::Reader;
@@ -120,14 +121,49 @@ pub fn lower_system(
         potentials: potentials?,
         energies: between.energies,
         cables: between.cables,
+        links: links(system),
         derivatives,
         defaults,
     };
-    if errors.is_empty() && outline.joints.is_empty() {
-        let message = "nothing moves by itself: all joints are welds, or driven";
-        errors.push(outline.name.span(), message);
+    if errors.is_empty() && outline.is_still() {
+        check_still(outline, errors);
     }
     errors.is_empty().then_some((system, work))
+}
+
+/// Reports what is asked of a system in which nothing moves by itself and has no meaning there.
+fn check_still(outline: &Outline, errors: &mut Errors) {
+    if outline.outputs.is_empty() {
+        let message = "nothing moves by itself, because all joints are welds, or driven: ask for what there is \
+                       without a motion, such as `outputs: [reactions]`";
+        errors.push(outline.name.span(), message);
+    }
+    for asked in outline.outputs.iter().filter(|asked| asked.is_of_motion) {
+        let message = format!(
+            "nothing moves by itself, because all joints are welds, or driven, and `{}` is of what does: \
+             `reactions` has the drives of joints that are driven",
+            asked.word
+        );
+        errors.push(asked.place, message);
+    }
+}
+
+/// What is written as `link(P, Q, length)`.
+fn links(system: &syntax::System) -> Vec<Tie> {
+    let constraints = system.top.constraints.iter();
+    let links = constraints.filter_map(|one| {
+        let ((word, arguments), _) = one.value.as_ref().and_then(call)?;
+        let [p, q, _] = arguments else { return None };
+        let of_body = |end| {
+            let bodies = system.bodies.iter().map(|body| &body.name);
+            first_name_of(end).filter(|name| bodies.clone().any(|body| body == *name))
+        };
+        (word == LINK).then(|| Tie {
+            name: one.name.clone(),
+            bodies: [p, q].map(|end| of_body(end).cloned()),
+        })
+    });
+    links.collect()
 }
 
 /// What the load is called that keeps a constraint.

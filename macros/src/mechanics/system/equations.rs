@@ -7,7 +7,7 @@ use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Built, Solved};
-use crate::model::{System, Workspace};
+use crate::model::{System, Tie, Workspace};
 use crate::symbolic::Id;
 
 use super::constraints::{self, Closed, check_kept, replace};
@@ -122,6 +122,15 @@ pub fn loads(system: &System, work: &Workspace) -> Vec<(String, Vec<Id>)> {
     loads.chain(drives).collect()
 }
 
+/// `rope`: between `mast` and the ground
+fn described(tie: &Tie) -> String {
+    let ends = tie.bodies.each_ref().map(|body| match body {
+        Some(body) => format!("`{body}`"),
+        None => "the ground".to_owned(),
+    });
+    format!("`{}`: between {} and {}", tie.name, ends[0], ends[1])
+}
+
 /// The bodies and joints of a system, and what does not appear in its equations.
 pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEquations) -> Report {
     let name = |body: usize| format!("`{}`", system.bodies[body].name);
@@ -149,15 +158,10 @@ pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEqua
             .push("the weight of each body: the ground accelerates against it instead".to_owned());
     }
     let mut lists = vec![("Joints", joints.chain(closings).collect())];
-    if !system.cables.is_empty() {
-        let cables = system.cables.iter().map(|cable| {
-            let ends = cable.bodies.each_ref().map(|body| match body {
-                Some(body) => format!("`{body}`"),
-                None => "the ground".to_owned(),
-            });
-            format!("`{}`: between {} and {}", cable.name, ends[0], ends[1])
-        });
-        lists.push(("Cables", cables.collect()));
+    for (heading, ties) in [("Links", &system.links), ("Cables", &system.cables)] {
+        if !ties.is_empty() {
+            lists.push((heading, ties.iter().map(described).collect()));
+        }
     }
     Report { lists, skipped }
 }

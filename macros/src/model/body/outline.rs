@@ -13,6 +13,8 @@ use crate::symbolic::Number;
 pub struct Asked {
     pub word: &'static str,
     pub place: Extent,
+    /// It has no meaning where nothing moves by itself.
+    pub is_of_motion: bool,
 }
 
 /// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it
@@ -113,9 +115,9 @@ impl Outline {
             .collect()
     }
 
-    /// Its state is made of those of joints.
-    pub fn has_joints(&self) -> bool {
-        !self.joints.is_empty()
+    /// It is a system in which nothing moves by itself: its state has no coordinates.
+    pub fn is_still(&self) -> bool {
+        self.is_system && self.joints.is_empty()
     }
 
     /// The place of an output among those that are asked for.

@@ -27,7 +27,9 @@ pub struct System {
     pub points: Vec<(usize, Components)>,
     /// The acceleration of free fall in the field that acts on all mass alike, world axes.
     pub gravity: Components,
-    pub cables: Vec<Cable>,
+    pub cables: Vec<Tie>,
+    /// Links without mass, which written constraints keep.
+    pub links: Vec<Tie>,
     pub constraints: Kept,
     pub potentials: Potentials,
     /// Energies besides those of uniform fields: of cables, and of potentials once these are loads.
@@ -63,6 +65,8 @@ pub struct Closing {
     /// Unit vectors, in the axes of the carried body; behind the one axis of a joint in space two that
     /// are across it.
     pub directions: Vec<Components>,
+    /// Of a screw, metres per radian.
+    pub pitch: Option<Id>,
     /// How the carried body is turned where the coordinates are zero: axes and angles, the first one
     /// from the carrier's axes.
     pub turned: Vec<(Components, Id)>,
@@ -78,8 +82,8 @@ pub struct Kept {
     pub form: Option<Form>,
 }
 
-/// What only pulls.
-pub struct Cable {
+/// What is between two points and has no mass.
+pub struct Tie {
     pub name: Ident,
     /// At its ends; none: the ground.
     pub bodies: [Option<Ident>; 2],

@@ -20,6 +20,7 @@ const OFFER: Offer = Offer {
         )
     },
     is_missed: |outline| !outline.reactions.is_empty(),
+    is_of_motion: false,
 };
 
 #[derive(Default)]

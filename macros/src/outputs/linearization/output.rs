@@ -15,7 +15,10 @@ use crate::outputs::subject::Subject;
 
 use super::matrices::Space;
 
-const OFFER: Offer = Offer::new(LINEARIZATION);
+const OFFER: Offer = Offer {
+    is_of_motion: true,
+    ..Offer::new(LINEARIZATION)
+};
 
 #[derive(Default)]
 pub struct Linearization(Option<mechanics::Linearization>);

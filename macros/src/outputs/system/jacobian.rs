@@ -14,6 +14,7 @@ use crate::outputs::by_name::ByName;
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,
+    is_of_motion: true,
     ..Offer::new("jacobian")
 };
 

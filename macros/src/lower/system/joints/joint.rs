@@ -6,7 +6,7 @@ use crate::errors::{Errors, hint};
 use crate::lower::expressions::{JointNames, Value};
 use crate::model::{Dimension, Frame, Holds, JointKind, Rates};
 use crate::symbolic::{Components, Id};
-use crate::syntax::{CABLE, Definition, Expression, Kind};
+use crate::syntax::{CABLE, Called, Definition, Expression, Kind, LINK, call};
 
 use crate::lower::system::reading::reader::Reader;
 
@@ -31,9 +31,6 @@ pub struct Written {
 /// A point of a body, by its number, or of the ground, and where it is there.
 pub type End = (Option<usize>, Components);
 
-/// Joints that are not there yet.
-const LATER: [&str; 1] = ["link"];
-
 /// The kind of joint that an expression begins with, and what is written behind it.
 pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
     let word = call(value)?.0.0.to_string();
@@ -42,31 +39,7 @@ pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind
         .find(|kind| kind.word == word)
 }
 
-/// A function or a method, with its arguments.
-pub type Called<'e> = (&'e Ident, &'e [Expression]);
-
-/// `kind(arguments)`, and the methods behind it.
-pub fn call(value: &Expression) -> Option<(Called<'_>, Vec<Called<'_>>)> {
-    let mut methods = Vec::new();
-    let mut inner = value;
-    loop {
-        match &inner.kind {
-            Kind::Method(receiver, method, arguments) => {
-                methods.push((method, arguments.as_slice()));
-                inner = receiver;
-            }
-            Kind::Call(word, arguments) => return Some(((word, arguments), methods)),
-            _ => return None,
-        }
-    }
-}
-
 fn unknown_kind(word: &Ident, is_planar: bool) -> String {
-    if LATER.contains(&word.to_string().as_str()) {
-        return format!(
-            "`{word}` is a joint of the language, but this version does not have it yet"
-        );
-    }
     if word == "rod" {
         return "a rod has no axes of its own, which joints are written in, and no inertia about its \
                 line: write `free(b)` and a small moment of inertia about that line, or a `rigid_body!` \
@@ -74,7 +47,7 @@ fn unknown_kind(word: &Ident, is_planar: bool) -> String {
             .to_owned();
     }
     let kinds = JointKind::all(is_planar).iter();
-    let all: Vec<&str> = kinds.map(|kind| kind.word).chain([CABLE]).collect();
+    let all: Vec<&str> = kinds.map(|kind| kind.word).chain([CABLE, LINK]).collect();
     let hint = hint(&word.to_string(), all.iter().copied());
     let is_elsewhere = JointKind::all(!is_planar)
         .iter()

@@ -76,7 +76,7 @@ impl Lowering<'_> {
         for (component, symbol) in components.iter_mut().zip(symbols) {
             *component = *symbol;
         }
-        Some(match self.value(written.value.as_ref()?)? {
+        Some(match self.constrained(written.value.as_ref()?)? {
             Value::Scalar(_, dimension) => Value::Scalar(components[0], per(dimension)?),
             Value::Components(frame, _, dimension) => {
                 Value::Components(frame, components, per(dimension)?)

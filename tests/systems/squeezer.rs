@@ -146,5 +146,6 @@ fn operations_stay_few() {
     let mut rows = Squeezer::OPERATIONS.iter();
     let row = rows.find(|row| row.function == "acceleration").unwrap();
     let count = row.mul + row.add + row.div;
+    eprintln!("OPS {count} {row:?}");
     assert!(count <= 1733, "{row:?}");
 }

@@ -8,7 +8,9 @@ mod jacobian;
 mod loads;
 mod matrix;
 mod motion;
+mod plane;
 mod rates;
+mod reduced;
 mod series;
 mod totals;
 

@@ -5,7 +5,9 @@
 //! M q'' - A^T l = f        A q'' = -b        A: slopes of the constraints, b: their bias
 //! ```
 
+mod eliminated;
 mod followers;
+mod in_plane;
 mod inverse;
 mod joints;
 mod row;
@@ -16,5 +18,8 @@ mod written;
 
 pub use followers::{check_followers, replace};
 pub use inverse::solve_drives;
+pub use joints::Ends;
+pub use row::Row;
 pub use solve::{Closed, close, moved_in_world};
 pub use unsettled::check_kept;
+pub use world::Placed;

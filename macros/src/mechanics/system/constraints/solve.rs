@@ -3,17 +3,18 @@
 
 use std::collections::BTreeSet;
 
-use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, MassMatrix};
 use crate::mechanics::variation::Direction;
 use crate::model::{Closing, Frame, System, Workspace};
-use crate::symbolic::{Components, Equation, Graph, Id, Size};
+use crate::symbolic::{Components, Graph, Id};
 
-use super::followers::{replace_in_tree, split};
+use super::eliminated::{Found, eliminated};
+use super::followers::replace_in_tree;
+use super::in_plane::{Known, in_plane};
 use super::joints::{self, Ends};
 use super::row::Row;
-use super::unsettled::{Keeper, Spare, Unsettled, bare, open, without_column};
+use super::unsettled::{Keeper, Spare, Unsettled, bare};
 use super::world::{Placed, place_links};
 use super::written;
 
@@ -68,23 +69,37 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         unsettled.add(keeper, BTreeSet::new());
     }
     let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
-    let count = matrix.driving.len();
     let written: Vec<Option<usize>> = kept.iter().map(|(keeper, _)| keeper.number()).collect();
     let symbols = &system.constraints.loads;
     let followed: Vec<Option<Id>> = written.iter().map(|one| Some(symbols[(*one)?])).collect();
-    let rows: Vec<&Row> = kept.iter().map(|(_, row)| row).collect();
-    let equations = equations(work, &matrix, &rows, &followed);
-    let solved = work.graph.solve(equations.clone(), count + kept.len());
-    // what balances by itself: a unit of each load that is not determined, with what it takes of others
+    let known = Known {
+        built,
+        in_world: &tree,
+        placed: &placed,
+        ends: &ends,
+        kept: &kept,
+    };
+    let in_plane = if system.is_planar && idle.is_empty() {
+        in_plane(work, &known)
+    } else {
+        None
+    };
+    let found = match in_plane {
+        Some(found) if found.is_resolved => found,
+        other => {
+            let eliminated = eliminated(work, &matrix, &kept, &followed);
+            let cost = |found: &Found| work.graph.late_cost(&found.accelerations).total();
+            match other {
+                Some(other) if cost(&other) < cost(&eliminated) => other,
+                _ => eliminated,
+            }
+        }
+    };
     let mut spare = Vec::new();
-    for (column, others) in open(&solved, count) {
+    for (row, others, loads) in found.spare {
         let others = others.into_iter().map(|other| kept[other].1.name.clone());
-        unsettled.add(&kept[column].0, others.collect());
-        let others = without_column(&mut work.graph, &equations, count + column);
-        let mut values = work.graph.solve(others, count + kept.len() - 1).values;
-        values.insert(count + column, work.graph.one());
-        let values = values.into_iter().skip(count);
-        spare.push(loads_of(system, work, &kept, values));
+        unsettled.add(&kept[row].0, others.collect());
+        spare.push(loads_of(system, work, &kept, loads.into_iter()));
     }
     for (number, _) in idle.iter().enumerate() {
         let one = work.graph.one();
@@ -95,11 +110,16 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
             [one].into_iter(),
         ));
     }
-    let mut found = solved.values.into_iter();
+    let mut accelerations = found.accelerations.into_iter();
     let links = built.tree.links.iter();
-    let accelerations = links.map(|link| found.by_ref().take(link.open().count()).collect());
+    let accelerations = links.map(|link| {
+        accelerations
+            .by_ref()
+            .take(link.open().count())
+            .collect()
+    });
     let accelerations = accelerations.collect();
-    let (wrenches, loads) = loads_of(system, work, &kept, found);
+    let (wrenches, loads) = loads_of(system, work, &kept, found.loads.into_iter());
     for (wrenches, loads) in spare {
         let mut tree = bare(&work.graph, built);
         written::push(system, work, built, &mut tree, &loads);
@@ -118,7 +138,7 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         accelerations,
         constraints: kept.into_iter().map(|(_, row)| row).collect(),
         written,
-        inertias: (0..count)
+        inertias: (0..matrix.driving.len())
             .map(|freedom| matrix.rows[freedom][freedom])
             .collect(),
         wrenches,
@@ -156,67 +176,6 @@ fn loads_of(
         }
     }
     (wrenches, loads)
-}
-
-/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l; what of f follows
-/// these, by its symbols, is on the left.
-fn equations(
-    work: &mut Workspace,
-    matrix: &MassMatrix,
-    constraints: &[&Row],
-    followed: &[Option<Id>],
-) -> Vec<Equation> {
-    let loads = constraints.len();
-    let zero = work.graph.zero();
-    let symbols: Vec<Id> = followed.iter().flatten().copied().collect();
-    let (driving, following) = split(&mut work.graph, &matrix.driving, &symbols);
-    let mut slopes = following.iter().flatten();
-    let is_followed = slopes.any(|slope| !work.graph.is_zero(*slope));
-    let following = |symbol: &Option<Id>, freedom: usize| {
-        let number = symbols.iter().position(|one| Some(*one) == *symbol)?;
-        Some(following[number][freedom])
-    };
-    let mut sides = Vec::new();
-    for (freedom, row) in matrix.rows.iter().enumerate() {
-        let mut coefficients = row.clone();
-        for (row, symbol) in constraints.iter().zip(followed) {
-            let follows = following(symbol, freedom).unwrap_or(zero);
-            let whole = work.graph.add(row.slopes[freedom], follows);
-            coefficients.push(work.graph.negate(whole));
-        }
-        sides.push((coefficients, driving[freedom], (freedom, Size::Squares)));
-    }
-    // without loads that follow others, `-A M^-1 A^T` is left of their rows
-    let of_load = if is_followed {
-        Size::Beside
-    } else {
-        Size::Reduced
-    };
-    let one = work.graph.one();
-    for (number, row) in constraints.iter().enumerate() {
-        let mut coefficients = [row.slopes.clone(), vec![zero; loads]].concat();
-        // where it says nothing, its load is zero
-        if let Some(active) = row.active {
-            coefficients[matrix.driving.len() + number] = work.graph.select(active, zero, one);
-        }
-        let own = (matrix.driving.len() + number, of_load);
-        sides.push((coefficients, work.graph.negate(row.bias), own));
-    }
-    let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();
-    let mut values = samples(work, &all).into_iter();
-    let equations = sides.into_iter().map(|(coefficients, right, (own, size))| {
-        // the matrix is not definite: the loads are eliminated last
-        let mut sizes = vec![Size::Beside; coefficients.len()];
-        sizes[own] = size;
-        Equation {
-            sample: values.by_ref().take(coefficients.len()).collect(),
-            sizes,
-            active: None,
-            coefficients,
-            right,
-        }
-    });
-    equations.collect()
 }
 
 fn ends<'a>(

@@ -1,6 +1,7 @@
 //! The equations of a system, and what else is asked of it, from its tree of bodies.
 
 mod balance;
+mod closed;
 mod consistency;
 mod constraints;
 mod equations;

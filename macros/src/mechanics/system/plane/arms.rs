@@ -1,5 +1,7 @@
 //! Vectors that are fixed in links, in world axes.
 
+use crate::mechanics::tree::link::Tree;
+use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::Placed;
@@ -49,15 +51,23 @@ impl<'a> Arms<'a> {
         };
         let vector = signed(graph, vector);
         let mut known = self.known[link].iter();
-        let found = match known.find(|[own, _]| *own == vector) {
-            Some([_, found]) => *found,
-            None => {
-                let found = self.placed[link].to_world(graph, vector);
-                self.known[link].push([vector, found]);
-                found
-            }
+        let found = if let Some([_, found]) = known.find(|[own, _]| *own == vector) {
+            *found
+        } else {
+            let found = self.placed[link].to_world(graph, vector);
+            self.known[link].push([vector, found]);
+            found
         };
         signed(graph, found)
+    }
+
+    /// Names of all that are known.
+    pub fn name(&self, labels: &mut Labels, tree: &Tree) {
+        for (link, known) in tree.links.iter().zip(&self.known) {
+            for [_, arm] in known {
+                labels.vector(&format!("arm_{}", link.name), *arm);
+            }
+        }
     }
 
     /// The angular velocity of a link.

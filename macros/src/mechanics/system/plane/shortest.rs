@@ -30,7 +30,7 @@ pub fn shortest(graph: &mut Graph, tree: &Tree, ends: &[Ends<'_>]) -> Shortest {
     while let Some((pin, end)) = nearer(graph, &tree, &pins) {
         exchange(graph, &mut tree, &mut pins, pin, end);
     }
-    sorted(tree)
+    sorted(&tree)
 }
 
 /// A hinge that would carry one of its links nearer to the ground.
@@ -88,11 +88,13 @@ fn exchange(graph: &mut Graph, tree: &mut Tree, pins: &mut [Pin], pin: usize, en
 }
 
 /// The links, each after its carrier.
-fn sorted(tree: Tree) -> Shortest {
+fn sorted(tree: &Tree) -> Shortest {
     let mut numbers: Vec<usize> = Vec::new();
     while numbers.len() < tree.links.len() {
         for (number, link) in tree.links.iter().enumerate() {
-            let is_carried = link.carrier.is_none_or(|carrier| numbers.contains(&carrier));
+            let is_carried = link
+                .carrier
+                .is_none_or(|carrier| numbers.contains(&carrier));
             if is_carried && !numbers.contains(&number) {
                 numbers.push(number);
             }

@@ -65,15 +65,12 @@ pub fn of_hinge(
             } else {
                 arms.world(graph, link, along)
             };
-            match freedom.given {
-                Some(rate) => {
-                    let driven = graph.scale_vector(rate, along);
-                    right = graph.subtract_vectors(right, driven);
-                }
-                None => {
-                    columns[own] = graph.add_vectors(columns[own], along);
-                    sizes[own] = graph.add(sizes[own], square);
-                }
+            if let Some(rate) = freedom.given {
+                let driven = graph.scale_vector(rate, along);
+                right = graph.subtract_vectors(right, driven);
+            } else {
+                columns[own] = graph.add_vectors(columns[own], along);
+                sizes[own] = graph.add(sizes[own], square);
             }
             if !known.is_free {
                 let coriolis = coriolis(graph, arms.turning_rate(link), freedom.rate, along);

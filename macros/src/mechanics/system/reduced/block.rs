@@ -32,8 +32,7 @@ pub struct Way {
 pub fn next_rows(open: &[(usize, Vec<usize>)]) -> Option<(Vec<usize>, Vec<usize>)> {
     let with = |parts: &[&(usize, Vec<usize>)]| {
         let rows: Vec<usize> = parts.iter().map(|(row, _)| *row).collect();
-        let mut coordinates: Vec<usize> =
-            parts.iter().flat_map(|(_, own)| own).copied().collect();
+        let mut coordinates: Vec<usize> = parts.iter().flat_map(|(_, own)| own).copied().collect();
         coordinates.sort_unstable();
         coordinates.dedup();
         let count = coordinates.len();
@@ -88,7 +87,10 @@ pub fn solved(graph: &mut Graph, slopes: &[Vec<Id>], right: &[Id]) -> (Id, Vec<I
 pub fn numerators(graph: &mut Graph, slopes: &[Vec<Id>], right: &[Id], momentum: &[Id]) -> Vec<Id> {
     match (slopes, right, momentum) {
         ([_], [right], [first, second]) => {
-            let (a, b) = (graph.multiply(*right, *first), graph.multiply(*right, *second));
+            let (a, b) = (
+                graph.multiply(*right, *first),
+                graph.multiply(*right, *second),
+            );
             vec![graph.negate(b), a]
         }
         ([first, second], [r, s], [a, b, c]) => {

@@ -2,8 +2,9 @@
 
 use crate::symbolic::{Graph, Id};
 
+use super::balances::{at, products};
 use super::block::Block;
-use super::motion::{Reduced, products};
+use super::motion::Reduced;
 
 /// The load of each row, by what lacks in the balances of the coordinates that were given: of the last
 /// block first, since a block has to do with the loads of later ones.
@@ -13,8 +14,7 @@ pub fn loads(graph: &mut Graph, reduced: &Reduced, lacking: &[Id], rows: usize) 
     lacking.resize(reduced.values.len(), zero);
     for block in &reduced.blocks {
         if let Some(way) = &block.way {
-            let own = block.coordinates.iter().map(|own| lacking[*own]);
-            let sum = products(graph, own.zip(way.along.iter().copied()));
+            let sum = products(graph, at(&lacking, &block.coordinates), &way.along);
             lacking[way.coordinate] = graph.quantity(sum);
         }
     }
@@ -23,7 +23,7 @@ pub fn loads(graph: &mut Graph, reduced: &Reduced, lacking: &[Id], rows: usize) 
         loads[*row] = *load;
     }
     for block in reduced.blocks.iter().rev() {
-        let mut left: Vec<Id> = block.coordinates.iter().map(|own| lacking[*own]).collect();
+        let mut left: Vec<Id> = at(&lacking, &block.coordinates).collect();
         for (row, slopes) in &block.later {
             for (left, slope) in left.iter_mut().zip(slopes) {
                 let part = graph.multiply(*slope, loads[*row]);

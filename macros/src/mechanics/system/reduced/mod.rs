@@ -16,9 +16,13 @@
 //! still is divided by. In all other balances and rows t stands for the coordinates, so that loop after
 //! loop is resolved. Rows of as many coordinates give these. What is left over is eliminated.
 
+mod balances;
 mod block;
 mod loads;
 mod motion;
+mod together;
 
+pub use balances::{Balance, Held};
 pub use loads::loads;
-pub use motion::{Held, reduce};
+pub use motion::reduce;
+pub use together::{Kept, together};

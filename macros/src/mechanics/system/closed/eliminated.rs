@@ -1,12 +1,11 @@
 //! Accelerations and loads together, by elimination: the masses first.
 
-use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::MassMatrix;
 use crate::model::Workspace;
 use crate::symbolic::{Equation, Id, Size};
 
-use super::followers::split;
-use super::row::Row;
+use super::super::constraints::{Row, split};
+use super::super::reduced::{Kept, together};
 use super::unsettled::{Keeper, open, without_column};
 
 /// What is found of a system that is held by rows.
@@ -60,55 +59,33 @@ fn equations(
     constraints: &[&Row],
     followed: &[Option<Id>],
 ) -> Vec<Equation> {
-    let loads = constraints.len();
-    let zero = work.graph.zero();
+    let (zero, one) = (work.graph.zero(), work.graph.one());
     let symbols: Vec<Id> = followed.iter().flatten().copied().collect();
     let (driving, following) = split(&mut work.graph, &matrix.driving, &symbols);
     let mut slopes = following.iter().flatten();
     let is_followed = slopes.any(|slope| !work.graph.is_zero(*slope));
-    let following = |symbol: &Option<Id>, freedom: usize| {
-        let number = symbols.iter().position(|one| Some(*one) == *symbol)?;
-        Some(following[number][freedom])
-    };
-    let mut sides = Vec::new();
-    for (freedom, row) in matrix.rows.iter().enumerate() {
-        let mut coefficients = row.clone();
-        for (row, symbol) in constraints.iter().zip(followed) {
-            let follows = following(symbol, freedom).unwrap_or(zero);
-            let whole = work.graph.add(row.slopes[freedom], follows);
-            coefficients.push(work.graph.negate(whole));
+    let rows = constraints.iter().zip(followed).map(|(row, symbol)| {
+        let number = symbols.iter().position(|one| Some(*one) == *symbol);
+        let pushes = row.slopes.iter().enumerate().map(|(freedom, slope)| {
+            let follows = number.map_or(zero, |number| following[number][freedom]);
+            work.graph.add(*slope, follows)
+        });
+        Kept {
+            pushes: pushes.collect(),
+            slopes: row.slopes.clone(),
+            right: work.graph.negate(row.bias),
+            // where it says nothing, its load is zero
+            own: row
+                .active
+                .map_or(zero, |active| work.graph.select(active, zero, one)),
         }
-        sides.push((coefficients, driving[freedom], (freedom, Size::Squares)));
-    }
+    });
+    let rows: Vec<Kept> = rows.collect();
     // without loads that follow others, `-A M^-1 A^T` is left of their rows
     let of_load = if is_followed {
         Size::Beside
     } else {
         Size::Reduced
     };
-    let one = work.graph.one();
-    for (number, row) in constraints.iter().enumerate() {
-        let mut coefficients = [row.slopes.clone(), vec![zero; loads]].concat();
-        // where it says nothing, its load is zero
-        if let Some(active) = row.active {
-            coefficients[matrix.driving.len() + number] = work.graph.select(active, zero, one);
-        }
-        let own = (matrix.driving.len() + number, of_load);
-        sides.push((coefficients, work.graph.negate(row.bias), own));
-    }
-    let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();
-    let mut values = samples(work, &all).into_iter();
-    let equations = sides.into_iter().map(|(coefficients, right, (own, size))| {
-        // the matrix is not definite: the loads are eliminated last
-        let mut sizes = vec![Size::Beside; coefficients.len()];
-        sizes[own] = size;
-        Equation {
-            sample: values.by_ref().take(coefficients.len()).collect(),
-            sizes,
-            active: None,
-            coefficients,
-            right,
-        }
-    });
-    equations.collect()
+    together(work, (&matrix.rows, &driving), &rows, of_load)
 }

@@ -1,18 +1,16 @@
 //! Loops in the plane: the motion in absolute angles, and after it the loads.
 
-use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{Built, joint_loads};
 use crate::mechanics::unknowns::reactions_in;
 use crate::model::{Part, Workspace};
-use crate::symbolic::Id;
+use crate::symbolic::{Graph, Id};
 
+use super::super::constraints::{Ends, Placed, Row};
 use super::super::plane::{Absolute, Arms, derive_masses, of_hinge, of_row, shortest};
-use super::super::reduced::{loads, reduce};
+use super::super::reduced::{Balance, Held, loads, reduce};
 use super::eliminated::Found;
-use super::joints::Ends;
-use super::row::Row;
 use super::unsettled::Keeper;
-use super::world::Placed;
 
 /// A system, and what is kept of it.
 pub struct Known<'a> {
@@ -38,31 +36,13 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     if is_partial || !reactions_in(work, &given).is_empty() {
         return None;
     }
-    let graph = &mut work.graph;
-    let absolute = Absolute::of(graph, tree, known.placed);
+    let absolute = Absolute::of(&mut work.graph, tree, known.placed);
     let mut arms = Arms::new(known.placed);
-    let mut rows = Vec::new();
-    for (number, ends) in known.ends.iter().enumerate() {
-        let own = known.kept.iter();
-        let own = own.filter(|(keeper, _)| matches!(keeper, Keeper::Joint(of, _) if *of == number));
-        match ends.closing.kind.parts {
-            [Part::Turn(_)] => rows.extend(of_hinge(graph, tree, &absolute, &mut arms, ends)),
-            _ => rows.extend(own.map(|(_, row)| of_row(graph, &absolute, row))),
-        }
-    }
-    let written = known.kept.iter();
-    let written = written.filter(|(keeper, _)| keeper.number().is_some());
-    rows.extend(written.map(|(_, row)| of_row(graph, &absolute, row)));
-    let short = shortest(graph, tree, known.ends);
-    let (masses, mut driving) = derive_masses(graph, &absolute, &mut arms, &short);
-    let open = || tree.links.iter().flat_map(|link| link.open().map(move |one| (link, one)));
-    let drives: Vec<Id> = open().map(|(_, freedom)| freedom.drive).collect();
-    let drives = absolute.gathered(graph, &drives);
-    for (driving, drive) in driving.iter_mut().zip(drives) {
-        *driving = graph.add(*driving, drive);
-    }
+    let rows = rows(&mut work.graph, known, &absolute, &mut arms);
+    let balances = balances(&mut work.graph, known, &absolute, &mut arms);
+    arms.name(&mut work.labels, tree);
     let count = rows.len();
-    let reduced = reduce(work, masses, driving, rows)?;
+    let reduced = reduce(work, balances, rows)?;
     let graph = &mut work.graph;
     let values = &reduced.values[..absolute.count];
     let accelerations = absolute.of_joints(graph, values);
@@ -78,6 +58,53 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
         is_resolved: reduced.eliminated.is_empty(),
         spare: Vec::new(),
     })
+}
+
+/// What is kept, by absolute coordinates: that of joints, and then what is written.
+fn rows(
+    graph: &mut Graph,
+    known: &Known<'_>,
+    absolute: &Absolute,
+    arms: &mut Arms<'_>,
+) -> Vec<Held> {
+    let mut rows = Vec::new();
+    for (number, ends) in known.ends.iter().enumerate() {
+        if let [Part::Turn(_)] = ends.closing.kind.parts {
+            rows.extend(of_hinge(graph, &known.built.tree, absolute, arms, ends));
+            continue;
+        }
+        for (keeper, row) in known.kept {
+            if matches!(keeper, Keeper::Joint(of, _) if *of == number) {
+                rows.push(of_row(graph, absolute, row));
+            }
+        }
+    }
+    let written = known.kept.iter();
+    let written = written.filter(|(keeper, _)| keeper.number().is_some());
+    rows.extend(written.map(|(_, row)| of_row(graph, absolute, row)));
+    rows
+}
+
+/// The balances of absolute coordinates, with the drives of the joints.
+fn balances(
+    graph: &mut Graph,
+    known: &Known<'_>,
+    absolute: &Absolute,
+    arms: &mut Arms<'_>,
+) -> Vec<Balance> {
+    let tree = &known.built.tree;
+    let short = shortest(graph, tree, known.ends);
+    let (masses, driving) = derive_masses(graph, absolute, arms, &short);
+    let open = || tree.links.iter().flat_map(Link::open);
+    let drives: Vec<Id> = open().map(|freedom| freedom.drive).collect();
+    let drives = absolute.gathered(graph, &drives);
+    let sides = masses.into_iter().zip(driving).zip(drives).zip(open());
+    let balances = sides.map(|(((masses, driving), drive), freedom)| Balance {
+        name: freedom.name.clone(),
+        masses,
+        driving: graph.add(driving, drive),
+    });
+    balances.collect()
 }
 
 /// What lacks along the open freedoms for the accelerations that are found.

@@ -9,14 +9,12 @@ use crate::mechanics::variation::Direction;
 use crate::model::{Closing, Frame, System, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
+use super::super::constraints::{
+    Ends, Placed, Row, place_links, push_written, replace_in_tree, rows_of_joint, rows_of_written,
+};
 use super::eliminated::{Found, eliminated};
-use super::followers::replace_in_tree;
 use super::in_plane::{Known, in_plane};
-use super::joints::{self, Ends};
-use super::row::Row;
 use super::unsettled::{Keeper, Spare, Unsettled, bare};
-use super::world::{Placed, place_links};
-use super::written;
 
 /// What is known of a system that is held so.
 pub struct Closed {
@@ -52,15 +50,7 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         .iter()
         .map(|closing| ends(system, work, built, closing))
         .collect();
-    let mut kept: Vec<(Keeper, Row)> = Vec::new();
-    for (number, ends) in ends.iter().enumerate() {
-        let rows = joints::rows(&mut work.graph, &built.tree, &placed, ends);
-        let rows = rows.into_iter();
-        kept.extend(rows.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
-    }
-    let written = written::rows(system, work, built, motion).into_iter();
-    let written = written.enumerate();
-    kept.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
+    let kept = keepers(system, work, built, (&placed, &ends), motion);
     let mut unsettled = Unsettled::default();
     let (idle, kept): (Vec<_>, Vec<_>) = kept
         .into_iter()
@@ -79,22 +69,8 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         ends: &ends,
         kept: &kept,
     };
-    let in_plane = if system.is_planar && idle.is_empty() {
-        in_plane(work, &known)
-    } else {
-        None
-    };
-    let found = match in_plane {
-        Some(found) if found.is_resolved => found,
-        other => {
-            let eliminated = eliminated(work, &matrix, &kept, &followed);
-            let cost = |found: &Found| work.graph.late_cost(&found.accelerations).total();
-            match other {
-                Some(other) if cost(&other) < cost(&eliminated) => other,
-                _ => eliminated,
-            }
-        }
-    };
+    let is_idle = !idle.is_empty();
+    let found = found(system, work, &known, (&matrix, &followed), is_idle);
     let mut spare = Vec::new();
     for (row, others, loads) in found.spare {
         let others = others.into_iter().map(|other| kept[other].1.name.clone());
@@ -112,17 +88,13 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
     }
     let mut accelerations = found.accelerations.into_iter();
     let links = built.tree.links.iter();
-    let accelerations = links.map(|link| {
-        accelerations
-            .by_ref()
-            .take(link.open().count())
-            .collect()
-    });
+    let accelerations =
+        links.map(|link| accelerations.by_ref().take(link.open().count()).collect());
     let accelerations = accelerations.collect();
     let (wrenches, loads) = loads_of(system, work, &kept, found.loads.into_iter());
     for (wrenches, loads) in spare {
         let mut tree = bare(&work.graph, built);
-        written::push(system, work, built, &mut tree, &loads);
+        push_written(system, work, built, &mut tree, &loads);
         let known = (&tree, &placed[..], &ends[..]);
         let spare = Spare::new(&mut work.graph, built, known, wrenches);
         unsettled.spare.push(spare);
@@ -131,7 +103,7 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
     for (ends, wrench) in ends.iter().zip(&wrenches) {
         push(&mut work.graph, &mut loaded, &placed, ends, *wrench);
     }
-    written::push(system, work, built, &mut loaded, &loads);
+    push_written(system, work, built, &mut loaded, &loads);
     let values: Vec<(Id, Id)> = symbols.iter().copied().zip(loads.iter().copied()).collect();
     replace_in_tree(&mut work.graph, &mut loaded, &values);
     Closed {
@@ -146,6 +118,50 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         values,
         loaded,
         unsettled,
+    }
+}
+
+/// All that is kept.
+fn keepers(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+    (placed, ends): (&[Placed], &[Ends<'_>]),
+    motion: &Direction,
+) -> Vec<(Keeper, Row)> {
+    let mut kept: Vec<(Keeper, Row)> = Vec::new();
+    for (number, ends) in ends.iter().enumerate() {
+        let rows = rows_of_joint(&mut work.graph, &built.tree, placed, ends);
+        let rows = rows.into_iter();
+        kept.extend(rows.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
+    }
+    let written = rows_of_written(system, work, built, motion).into_iter();
+    let written = written.enumerate();
+    kept.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
+    kept
+}
+
+/// Block by block if that can be done, and is not dearer than to eliminate all together.
+fn found(
+    system: &System,
+    work: &mut Workspace,
+    known: &Known<'_>,
+    (matrix, followed): (&MassMatrix, &[Option<Id>]),
+    is_idle: bool,
+) -> Found {
+    let by_blocks = if system.is_planar && !is_idle {
+        in_plane(work, known)
+    } else {
+        None
+    };
+    match by_blocks {
+        Some(by_blocks) if by_blocks.is_resolved => by_blocks,
+        by_blocks => {
+            let eliminated = eliminated(work, matrix, known.kept, followed);
+            let cost = |found: &Found| work.graph.late_cost(&found.accelerations).total();
+            let by_blocks = by_blocks.filter(|one| cost(one) < cost(&eliminated));
+            by_blocks.unwrap_or(eliminated)
+        }
     }
 }
 

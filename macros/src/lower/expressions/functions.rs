@@ -121,29 +121,6 @@ impl Lowering<'_> {
         }
     }
 
-    pub fn expect_arguments(
-        &mut self,
-        method: &Ident,
-        arguments: &[Expression],
-        count: usize,
-    ) -> Option<()> {
-        if arguments.len() == count {
-            return Some(());
-        }
-        let expected = match count {
-            0 => "no argument".to_owned(),
-            1 => "one argument".to_owned(),
-            _ => format!("{count} arguments"),
-        };
-        self.report(
-            method.span(),
-            format!(
-                "`{method}` takes {expected}, and this has {}",
-                arguments.len()
-            ),
-        )
-    }
-
     fn scalar_method(
         &mut self,
         x: Id,

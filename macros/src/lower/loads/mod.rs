@@ -1,6 +1,7 @@
 //! Loads, unknown ones, constraints and potentials.
 
 mod constraint;
+mod dependent;
 mod load;
 mod potential;
 mod reaction;

@@ -3,7 +3,6 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::lower::expressions::{
     Lowering, UNTURNED, Value, direction, is_unknown, lower_unit, placeholders,
@@ -200,14 +199,5 @@ impl Lowering<'_> {
             };
             self.scope.define(&name, Some(value));
         }
-    }
-
-    /// Where an expression names an unknown reaction.
-    pub fn mentioned_reaction(&self, value: &Expression) -> Option<Extent> {
-        let names = value.names();
-        let found = names
-            .iter()
-            .find(|name| self.reactions.contains(&name.to_string()));
-        found.map(|name| name.span().into())
     }
 }

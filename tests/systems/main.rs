@@ -15,6 +15,7 @@ mod frames;
 mod kinds;
 mod large;
 mod laws;
+mod linkages;
 mod links;
 mod loops;
 mod matrices;

@@ -10,7 +10,8 @@ use crate::mechanics::tree::{self, Built, Solved};
 use crate::model::{System, Tie, Workspace};
 use crate::symbolic::Id;
 
-use super::constraints::{self, Closed, check_kept, replace};
+use super::closed::{Closed, check_kept, close};
+use super::constraints::replace;
 use super::motion::motion;
 
 /// The equations of motion of a system.
@@ -35,7 +36,7 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         (found, None)
     } else {
         let motion = motion(system, work);
-        let mut closed = constraints::close(system, work, &built, &motion);
+        let mut closed = close(system, work, &built, &motion);
         let found = Solved {
             accelerations: take(&mut closed.accelerations),
             left_out: Vec::new(),

@@ -8,7 +8,7 @@ use crate::mechanics::tree::{self, Pair};
 use crate::model::{Rates, System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Components, Id};
 
-use super::constraints::solve_drives;
+use super::closed::solve_drives;
 use super::equations::SystemEquations;
 
 /// The open drives, in the order of the joints, that make these accelerate as is given. One that

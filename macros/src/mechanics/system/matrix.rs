@@ -4,7 +4,7 @@ use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
 
-use super::constraints::moved_in_world;
+use super::closed::moved_in_world;
 use super::equations::SystemEquations;
 use super::rates::order;
 

@@ -1,6 +1,7 @@
 //! The equations of a system, and what else is asked of it, from its tree of bodies.
 
 mod balance;
+mod closed;
 mod consistency;
 mod constraints;
 mod equations;
@@ -8,7 +9,9 @@ mod jacobian;
 mod loads;
 mod matrix;
 mod motion;
+mod plane;
 mod rates;
+mod reduced;
 mod response;
 mod series;
 mod totals;

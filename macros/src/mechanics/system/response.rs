@@ -13,7 +13,7 @@ use crate::mechanics::tree::{MassMatrix, joint_loads};
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
 
-use super::constraints::moved_in_world;
+use super::closed::moved_in_world;
 use super::equations::SystemEquations;
 use super::loads::{by_link, given_accelerations};
 use super::rates::order;

@@ -9,7 +9,7 @@ use crate::mechanics::proofs::samples;
 use crate::model::Workspace;
 use crate::symbolic::{Elimination, Equation, Id, Size};
 
-use super::followers::split;
+use super::super::constraints::split;
 use super::solve::Closed;
 
 /// Solves for the open drives, and then the loads. `needed` is the right side, along each open freedom;

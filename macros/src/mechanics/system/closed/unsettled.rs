@@ -8,9 +8,7 @@ use crate::mechanics::tree::{Built, Properties};
 use crate::model::{System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
 
-use super::joints::Ends;
-use super::row::Row;
-use super::world::Placed;
+use super::super::constraints::{Ends, Placed, Row};
 
 /// What keeps a scalar at zero.
 pub enum Keeper {

@@ -3,19 +3,18 @@
 
 use std::collections::BTreeSet;
 
-use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, MassMatrix};
 use crate::mechanics::variation::Direction;
 use crate::model::{Closing, Frame, System, Workspace};
-use crate::symbolic::{Components, Equation, Graph, Id, Size};
+use crate::symbolic::{Components, Graph, Id};
 
-use super::followers::{replace_in_tree, split};
-use super::joints::{self, Ends};
-use super::row::Row;
-use super::unsettled::{Keeper, Spare, Unsettled, bare, open, without_column};
-use super::world::{Placed, place_links};
-use super::written;
+use super::super::constraints::{
+    Ends, Placed, Row, place_links, push_written, replace_in_tree, rows_of_joint, rows_of_written,
+};
+use super::eliminated::{Found, eliminated};
+use super::in_plane::{Known, in_plane};
+use super::unsettled::{Keeper, Spare, Unsettled, bare};
 
 /// What is known of a system that is held so.
 pub struct Closed {
@@ -51,15 +50,7 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         .iter()
         .map(|closing| ends(system, work, built, closing))
         .collect();
-    let mut kept: Vec<(Keeper, Row)> = Vec::new();
-    for (number, ends) in ends.iter().enumerate() {
-        let rows = joints::rows(&mut work.graph, &built.tree, &placed, ends);
-        let rows = rows.into_iter();
-        kept.extend(rows.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
-    }
-    let written = written::rows(system, work, built, motion).into_iter();
-    let written = written.enumerate();
-    kept.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
+    let kept = keepers(system, work, built, (&placed, &ends), motion);
     let mut unsettled = Unsettled::default();
     let (idle, kept): (Vec<_>, Vec<_>) = kept
         .into_iter()
@@ -68,23 +59,23 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         unsettled.add(keeper, BTreeSet::new());
     }
     let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
-    let count = matrix.driving.len();
     let written: Vec<Option<usize>> = kept.iter().map(|(keeper, _)| keeper.number()).collect();
     let symbols = &system.constraints.loads;
     let followed: Vec<Option<Id>> = written.iter().map(|one| Some(symbols[(*one)?])).collect();
-    let rows: Vec<&Row> = kept.iter().map(|(_, row)| row).collect();
-    let equations = equations(work, &matrix, &rows, &followed);
-    let solved = work.graph.solve(equations.clone(), count + kept.len());
-    // what balances by itself: a unit of each load that is not determined, with what it takes of others
+    let known = Known {
+        built,
+        in_world: &tree,
+        placed: &placed,
+        ends: &ends,
+        kept: &kept,
+    };
+    let is_idle = !idle.is_empty();
+    let found = found(system, work, &known, (&matrix, &followed), is_idle);
     let mut spare = Vec::new();
-    for (column, others) in open(&solved, count) {
+    for (row, others, loads) in found.spare {
         let others = others.into_iter().map(|other| kept[other].1.name.clone());
-        unsettled.add(&kept[column].0, others.collect());
-        let others = without_column(&mut work.graph, &equations, count + column);
-        let mut values = work.graph.solve(others, count + kept.len() - 1).values;
-        values.insert(count + column, work.graph.one());
-        let values = values.into_iter().skip(count);
-        spare.push(loads_of(system, work, &kept, values));
+        unsettled.add(&kept[row].0, others.collect());
+        spare.push(loads_of(system, work, &kept, loads.into_iter()));
     }
     for (number, _) in idle.iter().enumerate() {
         let one = work.graph.one();
@@ -95,14 +86,15 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
             [one].into_iter(),
         ));
     }
-    let mut found = solved.values.into_iter();
+    let mut accelerations = found.accelerations.into_iter();
     let links = built.tree.links.iter();
-    let accelerations = links.map(|link| found.by_ref().take(link.open().count()).collect());
+    let accelerations =
+        links.map(|link| accelerations.by_ref().take(link.open().count()).collect());
     let accelerations = accelerations.collect();
-    let (wrenches, loads) = loads_of(system, work, &kept, found);
+    let (wrenches, loads) = loads_of(system, work, &kept, found.loads.into_iter());
     for (wrenches, loads) in spare {
         let mut tree = bare(&work.graph, built);
-        written::push(system, work, built, &mut tree, &loads);
+        push_written(system, work, built, &mut tree, &loads);
         let known = (&tree, &placed[..], &ends[..]);
         let spare = Spare::new(&mut work.graph, built, known, wrenches);
         unsettled.spare.push(spare);
@@ -111,14 +103,14 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
     for (ends, wrench) in ends.iter().zip(&wrenches) {
         push(&mut work.graph, &mut loaded, &placed, ends, *wrench);
     }
-    written::push(system, work, built, &mut loaded, &loads);
+    push_written(system, work, built, &mut loaded, &loads);
     let values: Vec<(Id, Id)> = symbols.iter().copied().zip(loads.iter().copied()).collect();
     replace_in_tree(&mut work.graph, &mut loaded, &values);
     Closed {
         accelerations,
         constraints: kept.into_iter().map(|(_, row)| row).collect(),
         written,
-        inertias: (0..count)
+        inertias: (0..matrix.driving.len())
             .map(|freedom| matrix.rows[freedom][freedom])
             .collect(),
         wrenches,
@@ -126,6 +118,50 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         values,
         loaded,
         unsettled,
+    }
+}
+
+/// All that is kept.
+fn keepers(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+    (placed, ends): (&[Placed], &[Ends<'_>]),
+    motion: &Direction,
+) -> Vec<(Keeper, Row)> {
+    let mut kept: Vec<(Keeper, Row)> = Vec::new();
+    for (number, ends) in ends.iter().enumerate() {
+        let rows = rows_of_joint(&mut work.graph, &built.tree, placed, ends);
+        let rows = rows.into_iter();
+        kept.extend(rows.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
+    }
+    let written = rows_of_written(system, work, built, motion).into_iter();
+    let written = written.enumerate();
+    kept.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
+    kept
+}
+
+/// Block by block if that can be done, and is not dearer than to eliminate all together.
+fn found(
+    system: &System,
+    work: &mut Workspace,
+    known: &Known<'_>,
+    (matrix, followed): (&MassMatrix, &[Option<Id>]),
+    is_idle: bool,
+) -> Found {
+    let by_blocks = if system.is_planar && !is_idle {
+        in_plane(work, known)
+    } else {
+        None
+    };
+    match by_blocks {
+        Some(by_blocks) if by_blocks.is_resolved => by_blocks,
+        by_blocks => {
+            let eliminated = eliminated(work, matrix, known.kept, followed);
+            let cost = |found: &Found| work.graph.late_cost(&found.accelerations).total();
+            let by_blocks = by_blocks.filter(|one| cost(one) < cost(&eliminated));
+            by_blocks.unwrap_or(eliminated)
+        }
     }
 }
 
@@ -156,67 +192,6 @@ fn loads_of(
         }
     }
     (wrenches, loads)
-}
-
-/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l; what of f follows
-/// these, by its symbols, is on the left.
-fn equations(
-    work: &mut Workspace,
-    matrix: &MassMatrix,
-    constraints: &[&Row],
-    followed: &[Option<Id>],
-) -> Vec<Equation> {
-    let loads = constraints.len();
-    let zero = work.graph.zero();
-    let symbols: Vec<Id> = followed.iter().flatten().copied().collect();
-    let (driving, following) = split(&mut work.graph, &matrix.driving, &symbols);
-    let mut slopes = following.iter().flatten();
-    let is_followed = slopes.any(|slope| !work.graph.is_zero(*slope));
-    let following = |symbol: &Option<Id>, freedom: usize| {
-        let number = symbols.iter().position(|one| Some(*one) == *symbol)?;
-        Some(following[number][freedom])
-    };
-    let mut sides = Vec::new();
-    for (freedom, row) in matrix.rows.iter().enumerate() {
-        let mut coefficients = row.clone();
-        for (row, symbol) in constraints.iter().zip(followed) {
-            let follows = following(symbol, freedom).unwrap_or(zero);
-            let whole = work.graph.add(row.slopes[freedom], follows);
-            coefficients.push(work.graph.negate(whole));
-        }
-        sides.push((coefficients, driving[freedom], (freedom, Size::Squares)));
-    }
-    // without loads that follow others, `-A M^-1 A^T` is left of their rows
-    let of_load = if is_followed {
-        Size::Beside
-    } else {
-        Size::Reduced
-    };
-    let one = work.graph.one();
-    for (number, row) in constraints.iter().enumerate() {
-        let mut coefficients = [row.slopes.clone(), vec![zero; loads]].concat();
-        // where it says nothing, its load is zero
-        if let Some(active) = row.active {
-            coefficients[matrix.driving.len() + number] = work.graph.select(active, zero, one);
-        }
-        let own = (matrix.driving.len() + number, of_load);
-        sides.push((coefficients, work.graph.negate(row.bias), own));
-    }
-    let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();
-    let mut values = samples(work, &all).into_iter();
-    let equations = sides.into_iter().map(|(coefficients, right, (own, size))| {
-        // the matrix is not definite: the loads are eliminated last
-        let mut sizes = vec![Size::Beside; coefficients.len()];
-        sizes[own] = size;
-        Equation {
-            sample: values.by_ref().take(coefficients.len()).collect(),
-            sizes,
-            active: None,
-            coefficients,
-            right,
-        }
-    });
-    equations.collect()
 }
 
 fn ends<'a>(

@@ -62,7 +62,7 @@ pub struct Body {
     pub pole: (),
     /// Named sub-expressions: `[twist = thrust_1 - thrust_2]`.
     pub locals: (),
-    /// What to generate beyond the acceleration: `[energy, balance, reactions, taylor]`, ..
+    /// What to generate beyond the acceleration: `[energy, balance, reactions, linearization]`, ..
     pub outputs: (),
     /// Statements about this body that fail the build if they are false.
     pub checks: (),

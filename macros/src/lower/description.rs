@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::lower::definitions::{INVERSE, check_names};
+use crate::lower::definitions::{INVERSE, LINEARIZATION, check_names};
 use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
 use crate::model::{
     Declared, Drawn, ENTRIES, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
@@ -66,6 +66,7 @@ pub fn lower_description(
         state,
         mass: mass.known(),
         inertia: inertia?,
+        is_differentiated: outline.rank(LINEARIZATION).is_some(),
         has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
         loads: loads.into_iter().collect::<Option<_>>()?,
         potentials: potentials?,

@@ -6,6 +6,7 @@
 mod answers;
 mod balances;
 mod closed_forms;
+mod linearization;
 mod proofs;
 mod report;
 mod structure;
@@ -20,6 +21,7 @@ pub use answers::{
 };
 pub use balances::uniform_field;
 pub use closed_forms::{Flow, Free, Rotation, derive_flow};
+pub use linearization::{Block, Column, Linearization, Row, linearize_body, linearize_system};
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
 pub use system::{
     BodyBalance, Inertias, Jacobian, SystemEquations, check_followers, derive_inertias,

@@ -15,7 +15,7 @@ pub use body::{
     least_moment, matrix, thinnest, words,
 };
 pub use joints::{
-    Coordinate, Field, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
+    Coordinate, Field, Group, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
 };
 pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
@@ -35,6 +35,8 @@ pub struct Model {
     pub state: State,
     pub mass: Option<Id>,
     pub inertia: Inertia,
+    /// Its equations are differentiated.
+    pub is_differentiated: bool,
     /// An inertia was written for a body that does not turn.
     pub has_idle_inertia: bool,
     pub loads: Vec<Load>,

@@ -2,8 +2,10 @@
 //! it documents. What both one body and a system have is here, the rest in a wing of each.
 
 mod body;
+mod by_name;
 mod constrained;
 mod energy;
+mod linearization;
 mod loads;
 mod momentum;
 mod output;

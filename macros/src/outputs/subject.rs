@@ -3,11 +3,12 @@
 use crate::errors::{Errors, Extent};
 use crate::families::Family;
 use crate::mechanics::{
-    Consistency, Energy, Equations, Momentum, Reach, SystemEquations, Taylor, derive_energy,
-    derive_momentum, derive_reach, derive_system_consistency, derive_system_energy,
-    derive_system_momentum, derive_system_taylor, derive_taylor, uniform_field,
+    Consistency, Energy, Equations, Linearization, Momentum, Reach, SystemEquations, Taylor,
+    derive_energy, derive_momentum, derive_reach, derive_system_consistency, derive_system_energy,
+    derive_system_momentum, derive_system_taylor, derive_taylor, linearize_body, linearize_system,
+    uniform_field,
 };
-use crate::model::{Frame, Load, Model, System, Workspace};
+use crate::model::{Frame, Load, Model, Outline, System, Workspace};
 
 /// A body alone, or a system.
 pub trait Subject: Sized + 'static {
@@ -35,6 +36,13 @@ pub trait Subject: Sized + 'static {
         asked: Extent,
         errors: &mut Errors,
     ) -> Option<Taylor>;
+
+    fn linearization(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &Self::Equations,
+    ) -> Linearization;
 }
 
 impl Subject for Model {
@@ -79,6 +87,15 @@ impl Subject for Model {
             errors,
         )
     }
+
+    fn linearization(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &Equations,
+    ) -> Linearization {
+        linearize_body(outline, self, work, equations.accelerations)
+    }
 }
 
 impl Subject for System {
@@ -115,6 +132,15 @@ impl Subject for System {
         errors: &mut Errors,
     ) -> Option<Taylor> {
         derive_system_taylor(self, work, asked, &equations.accelerations, errors)
+    }
+
+    fn linearization(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &SystemEquations,
+    ) -> Linearization {
+        linearize_system(outline, self, work, equations)
     }
 }
 

@@ -52,7 +52,7 @@ impl Shapes {
             let (name, applied) = (format_ident!("{name}State"), self.scalar.applied());
             return quote!(#name #applied);
         }
-        self.scalar.holder(self.motion.state)
+        self.scalar.holder(self.motion.shape.state)
     }
 
     pub fn vector_type(&self) -> TokenStream {
@@ -80,7 +80,7 @@ impl Shapes {
             let applied = (!joints.is_empty()).then(|| self.scalar.applied());
             return quote!(#name #applied);
         }
-        match self.motion.acceleration {
+        match self.motion.shape.acceleration {
             Some(name) => self.scalar.holder(name),
             None if self.motion.is_hinged() => self.scalar.kind(),
             None => self.vector_type(),
@@ -251,7 +251,7 @@ impl Shapes {
             });
             return quote!(#name { #(#fields),* });
         }
-        match self.motion.acceleration {
+        match self.motion.shape.acceleration {
             Some(_) => {
                 let is_rod = self.motion.is_line();
                 let part = format_ident!("{}", if is_rod { "axis" } else { "angular" });

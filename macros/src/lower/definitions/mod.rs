@@ -9,4 +9,4 @@ mod support;
 
 pub use names::{check_distinct, check_names};
 pub use order::{Definition, definition_order, split_at_points};
-pub use outline::{INVERSE, Offer, outline};
+pub use outline::{INVERSE, LINEARIZATION, Offer, outline};

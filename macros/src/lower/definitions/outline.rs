@@ -15,8 +15,7 @@ use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
 /// Outputs of later versions.
-const LATER: [&str; 7] = [
-    "linearization",
+const LATER: [&str; 6] = [
     "sensitivity",
     "mass_matrix",
     "jacobian",
@@ -27,6 +26,9 @@ const LATER: [&str; 7] = [
 
 /// The output that solves for drives: without it, none may be unknown.
 pub const INVERSE: &str = "inverse";
+
+/// The output whose equations are differentiated.
+pub const LINEARIZATION: &str = "linearization";
 
 /// An output that a description may ask for, beyond the accelerations.
 pub struct Offer {

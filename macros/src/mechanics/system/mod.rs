@@ -9,6 +9,7 @@ mod loads;
 mod matrix;
 mod motion;
 mod rates;
+mod response;
 mod series;
 mod totals;
 
@@ -21,5 +22,7 @@ pub use loads::{
     derive_system_driving, derive_system_inverse, derive_system_reactions, derive_system_spare,
 };
 pub use matrix::{Inertias, derive_inertias};
+pub use motion::unit_motion;
+pub use response::Response;
 pub use series::derive_system_taylor;
 pub use totals::{derive_system_energy, derive_system_momentum};

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use crate::errors::Extent;
 use crate::families::LoadKind;
-use crate::model::joints::{Motion, Shape};
+use crate::model::joints::{Group, Motion, Shape};
 use crate::model::words::Dimension;
 use crate::model::words::{Frame, FrameWord};
 use crate::symbolic::Number;
@@ -91,6 +91,28 @@ impl Outline {
     pub fn freedoms(&self) -> usize {
         let second = self.joints.iter().flat_map(|joint| joint.shape.second);
         second.map(|field| field.names.len()).sum()
+    }
+
+    /// The coordinates of the tangent space of its states: what comes before the rates, joint by
+    /// joint, and then the rates.
+    pub fn tangent(&self) -> Vec<Group> {
+        let [places, rates] = [Shape::places, Shape::rates].map(|of| self.by_shape(of));
+        [places, rates].concat()
+    }
+
+    /// Its accelerations, in the order of the rates.
+    pub fn accelerations(&self) -> Vec<Group> {
+        self.by_shape(Shape::accelerations)
+    }
+
+    fn by_shape(&self, of: fn(&Shape, usize, &str) -> Vec<Group>) -> Vec<Group> {
+        if !self.is_system {
+            return of(self.motion.shape, 0, "");
+        }
+        let joints = self.joints.iter().enumerate();
+        joints
+            .flat_map(|(number, joint)| of(joint.shape, number, &format!("{}_", joint.name)))
+            .collect()
     }
 
     /// It is a system in which nothing moves by itself: its state has no coordinates.

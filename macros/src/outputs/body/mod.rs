@@ -10,17 +10,19 @@ use crate::model::Model;
 
 use super::constrained::Constrained;
 use super::energy::Energy;
+use super::linearization::Linearization;
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
 use super::taylor::Taylor;
 
 /// What is solved for, or looked for.
-fn solved() -> [Box<dyn Output<Model>>; 4] {
+fn solved() -> [Box<dyn Output<Model>>; 5] {
     [
         Box::<inverse::Inverse>::default(),
         Box::<flow::Flow>::default(),
         Box::<structured::Structured>::default(),
         Box::<Taylor>::default(),
+        Box::<Linearization>::default(),
     ]
 }
 

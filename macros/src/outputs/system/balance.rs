@@ -12,8 +12,8 @@ use crate::outputs::loads::{list_loads, load_parts};
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::Id;
 
-use super::by_name::ByName;
 use super::reactions::reactions_by_name;
+use crate::outputs::by_name::ByName;
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,

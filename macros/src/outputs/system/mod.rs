@@ -1,7 +1,6 @@
 //! The outputs of a system. One that is new is a file, and a line in the list.
 
 mod balance;
-mod by_name;
 mod inverse;
 mod jacobian;
 mod mass_matrix;
@@ -11,6 +10,7 @@ use crate::model::System;
 
 use super::constrained::Constrained;
 use super::energy::Energy;
+use super::linearization::Linearization;
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
 use super::taylor::Taylor;
@@ -26,6 +26,7 @@ impl Listed for System {
             Box::<mass_matrix::MassMatrix>::default(),
             Box::<jacobian::Jacobian>::default(),
             Box::<Taylor>::default(),
+            Box::<Linearization>::default(),
             Box::<Constrained>::default(),
         ]
     }

@@ -13,7 +13,7 @@ use crate::model::{AXES, Outline, System};
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::{Components, Id};
 
-use super::by_name::ByName;
+use crate::outputs::by_name::ByName;
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,

@@ -26,7 +26,6 @@ impl Robot {
         errors: &mut Errors,
     ) -> Option<Definition> {
         let mut report = |message: String| {
-            let message = format!("`<mimic>`{}: {message}", mimic.owner);
             errors.push(mimic.extent, message);
             None
         };

@@ -12,8 +12,6 @@ pub struct Mimic {
     pub leader: String,
     pub multiplier: Decimal,
     pub offset: Decimal,
-    /// Which joint it is of, for messages.
-    pub owner: String,
     pub extent: Extent,
 }
 
@@ -32,7 +30,6 @@ impl Reader<'_> {
             leader,
             multiplier: multiplier?,
             offset: offset?,
-            owner: self.owner.clone(),
             extent,
         })
     }

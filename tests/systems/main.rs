@@ -2,6 +2,7 @@
 #![allow(missing_docs)]
 
 mod along_axes;
+mod armatures;
 mod balanced;
 mod balances;
 mod compare;

@@ -9,6 +9,14 @@ use crate::symbolic::Number;
 pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
     let (mut twice, mut potential) = (work.graph.zero(), work.graph.zero());
     let gravity = work.vector(Frame::WORLD, system.gravity);
+    for joint in &system.joints {
+        let square = joint.armature.and_then(|armature| {
+            let rate = joint.rate()?;
+            let square = work.graph.multiply(rate, rate);
+            Some(work.graph.multiply(armature, square))
+        });
+        twice = square.map_or(twice, |square| work.graph.add(twice, square));
+    }
     for body in &system.bodies {
         let square = work.norm_squared(body.state.velocity);
         let moving = work.graph.multiply(body.mass, square);

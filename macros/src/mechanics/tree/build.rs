@@ -250,6 +250,10 @@ impl Making<'_> {
         Freedom {
             twist,
             rate,
+            armature: self
+                .joint
+                .armature
+                .unwrap_or_else(|| self.work.graph.zero()),
             drive: self.joint.drives[number],
             given: self.joint.given[number],
             name: self.joint.name.to_string(),

@@ -11,7 +11,7 @@ use crate::symbolic::{Components, Id};
 use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials, Substance};
 use super::joints::Rates;
 use super::kinematics::State;
-use super::words::Frame;
+use super::words::{Frame, Variable};
 
 /// A description of a system, understood.
 pub struct System {
@@ -117,6 +117,8 @@ pub struct TreeJoint {
     pub drives: Vec<Id>,
     /// The given drives, by name.
     pub driven_by: Vec<(Ident, Vec<Id>)>,
+    /// An inertia along its one coordinate, beside that of what it carries.
+    pub armature: Option<Id>,
     /// The acceleration along each freedom, if its motion is prescribed.
     pub given: Vec<Option<Id>>,
     /// The unknown load along a freedom, by its name, if there is one.
@@ -124,6 +126,14 @@ pub struct TreeJoint {
 }
 
 impl TreeJoint {
+    /// The rate of the coordinate, if it has one alone.
+    pub fn rate(&self) -> Option<Id> {
+        let rates = [Variable::Velocity, Variable::AngularVelocity];
+        rates
+            .iter()
+            .find_map(|variable| self.coordinates.get(*variable, 0))
+    }
+
     /// Its motion is prescribed.
     pub fn is_driven(&self) -> bool {
         self.given.iter().any(Option::is_some)

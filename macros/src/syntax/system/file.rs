@@ -134,6 +134,7 @@ impl System {
         self.top.loads.splice(0..0, described.fields);
         self.top.potentials.splice(0..0, described.potentials);
         self.drives.splice(0..0, described.drives);
+        self.top.constraints.splice(0..0, described.constraints);
         for body in described.bodies {
             self.add_link(body, errors);
         }

@@ -4,6 +4,7 @@
 pub mod decimal;
 pub mod names;
 pub mod reader;
+pub mod written;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use roxmltree::Document;
@@ -34,6 +35,7 @@ pub struct Described {
     pub fields: Vec<Load>,
     pub potentials: Vec<Definition>,
     pub drives: Vec<Definition>,
+    pub constraints: Vec<Definition>,
     pub told: Told,
 }
 

@@ -24,6 +24,8 @@ pub struct Written {
     pub turned: Vec<(Components, Id)>,
     /// How its coordinates move, if that is prescribed.
     pub driven: Option<Rates>,
+    /// The inertia along its coordinate alone.
+    pub armature: Option<Id>,
     /// Where the carried body is named.
     pub mention: proc_macro2::Span,
 }
@@ -126,6 +128,7 @@ impl Reader<'_> {
         let pitch = self.pitch(kind, arguments, errors);
         let turned = self.turned(body, &methods, errors);
         let driven = self.driven(kind, &methods, errors);
+        let armature = self.armature(kind, &methods, errors);
         let (turned, driven) = (turned?, driven?);
         Some(Written {
             name: joint.name.clone(),
@@ -138,6 +141,7 @@ impl Reader<'_> {
             pitch: pitch?,
             turned,
             driven,
+            armature: armature?,
             mention: first_name(&arguments[1]).unwrap_or_else(|| joint.name.span()),
         })
     }
@@ -226,6 +230,7 @@ impl Reader<'_> {
             pitch: None,
             turned: Vec::new(),
             driven: None,
+            armature: None,
             mention: name.span(),
         })
     }

@@ -5,11 +5,11 @@ use crate::emit::items::Equated;
 use crate::errors::{Errors, Extent};
 use crate::families::Family;
 use crate::mechanics::{
-    Consistency, Energy, Equations, Momentum, Reach, Report, SystemEquations, Taylor,
-    check_followers, derive_energy, derive_equations, derive_momentum, derive_reach, derive_system,
-    derive_system_consistency, derive_system_energy, derive_system_momentum, derive_system_taylor,
-    derive_taylor, describe_equations, describe_system, uniform_field, with_potentials,
-    with_system_potentials,
+    Balance, Consistency, Energy, Equations, Momentum, Reach, Report, SystemEquations, Taylor,
+    check_followers, derive_balance, derive_energy, derive_equations, derive_momentum,
+    derive_reach, derive_system, derive_system_balances, derive_system_consistency,
+    derive_system_energy, derive_system_momentum, derive_system_taylor, derive_taylor,
+    describe_equations, describe_system, uniform_field, with_potentials, with_system_potentials,
 };
 use crate::model::{Defaults, Frame, Load, Model, Outline, Substance, System, Workspace};
 
@@ -38,6 +38,14 @@ pub trait Subject: Sized + 'static {
     fn fields_without_potential(&self, work: &Workspace) -> Vec<&Load>;
 
     fn momentum(&self, work: &mut Workspace) -> Momentum;
+
+    /// The balances of each body, in the order in which the outline has them.
+    fn balances(
+        &self,
+        work: &mut Workspace,
+        equations: &Self::Equations,
+        outline: &Outline,
+    ) -> Vec<Balance>;
 
     /// The constraints that the motion keeps, and how far rounding reaches in each.
     fn constraints(
@@ -96,6 +104,10 @@ impl Subject for Model {
 
     fn momentum(&self, work: &mut Workspace) -> Momentum {
         derive_momentum(self, work)
+    }
+
+    fn balances(&self, work: &mut Workspace, equations: &Equations, _: &Outline) -> Vec<Balance> {
+        vec![derive_balance(self, work, &equations.reactions)]
     }
 
     fn constraints(
@@ -177,6 +189,18 @@ impl Subject for System {
 
     fn momentum(&self, work: &mut Workspace) -> Momentum {
         derive_system_momentum(self, work)
+    }
+
+    fn balances(
+        &self,
+        work: &mut Workspace,
+        equations: &SystemEquations,
+        outline: &Outline,
+    ) -> Vec<Balance> {
+        let all = derive_system_balances(self, work, equations, &outline.holding);
+        let mut named: Vec<_> = self.bodies.iter().map(|body| &body.name).zip(all).collect();
+        named.sort_by_key(|(name, _)| outline.bodies.iter().position(|body| body == *name));
+        named.into_iter().map(|(_, balance)| balance).collect()
     }
 
     fn constraints(

@@ -91,29 +91,8 @@ pub fn parse_key(
     entry: &[TokenTree],
     errors: &mut Errors,
 ) -> Option<&'static str> {
-    let (key, rest) = match entry {
-        [TokenTree::Ident(key), rest @ ..] => (key, rest),
-        [first, second, ..] if is_punct(first, '.') && is_punct(second, '.') => {
-            errors.push(
-                Extent::from(first.span()).to(second.span().into()),
-                "a description is complete in itself: `..` cannot be used",
-            );
-            return None;
-        }
-        [first, ..] => {
-            errors.push(start(first), "expected a key, such as `mass: 1[kg]`");
-            return None;
-        }
-        [] => return None,
-    };
+    let (key, rest) = key_word(entry, errors)?;
     let word = key.to_string();
-    if is_keyword(&word) || word == "_" || word.starts_with("r#") {
-        errors.push(
-            key.span(),
-            format!("`{word}` is no key: expected one such as `mass: 1[kg]`"),
-        );
-        return None;
-    }
     let value = key_value(key, rest, errors);
     let meant = key_meant(&word);
     let exact = meant.is_some_and(|meant| meant == word);
@@ -150,6 +129,32 @@ pub fn parse_key(
         return None;
     };
     parse_list(into, list, example, value, errors)
+}
+
+/// The word that an entry begins with, and what is behind it.
+fn key_word<'t>(
+    entry: &'t [TokenTree],
+    errors: &mut Errors,
+) -> Option<(&'t Ident, &'t [TokenTree])> {
+    match entry {
+        [TokenTree::Ident(key), rest @ ..] => {
+            let word = key.to_string();
+            if !is_keyword(&word) && word != "_" && !word.starts_with("r#") {
+                return Some((key, rest));
+            }
+            errors.push(
+                key.span(),
+                format!("`{word}` is no key: expected one such as `mass: 1[kg]`"),
+            );
+        }
+        [first, second, ..] if is_punct(first, '.') && is_punct(second, '.') => errors.push(
+            Extent::from(first.span()).to(second.span().into()),
+            "a description is complete in itself: `..` cannot be used",
+        ),
+        [first, ..] => errors.push(start(first), "expected a key, such as `mass: 1[kg]`"),
+        [] => {}
+    }
+    None
 }
 
 /// What follows the colon, if anything does.

@@ -92,28 +92,30 @@ impl Lowering<'_> {
                 let reciprocal = self.work.graph.quantity(reciprocal);
                 self.scaled(reciprocal, value, Dimension::NONE)
             }
-            "in_body" if self.motion.is_line() => self.report(
+            _ => {
+                let frame = self.named_frame(method, arguments)?;
+                let components = self.work.components(vector, frame);
+                Some(Value::Components(frame, components, of_vector))
+            }
+        }
+    }
+
+    /// The axes of `.in_world()`, `.in_body()` or `.in_body(upper)`.
+    fn named_frame(&mut self, method: &Ident, arguments: &[Expression]) -> Option<Frame> {
+        if method == "in_world" {
+            return Some(Frame::WORLD);
+        }
+        match arguments {
+            _ if self.motion.is_line() => self.report(
                 method.span(),
                 format!("{UNTURNED}: write `.in_world()`, or what is along it, `.dot(axis)`"),
             ),
-            _ if names_body => {
-                let frame = self.named_body(&arguments[0])?;
-                let components = self.work.components(vector, frame);
-                Some(Value::Components(frame, components, of_vector))
-            }
-            "in_body" if self.is_whole => self.report(
+            [body] => self.named_body(body),
+            _ if self.is_whole => self.report(
                 method.span(),
                 "in the axes of which body? write its name in the parentheses",
             ),
-            frame => {
-                let frame = if frame == "in_body" {
-                    self.state.body
-                } else {
-                    Frame::WORLD
-                };
-                let components = self.work.components(vector, frame);
-                Some(Value::Components(frame, components, of_vector))
-            }
+            _ => Some(self.state.body),
         }
     }
 

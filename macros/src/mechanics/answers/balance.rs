@@ -5,11 +5,12 @@ use crate::mechanics::balances::{about_pole, arm, moments_about, resultant};
 use crate::model::{Frame, Inertia, Model, Point, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
-/// The expressions of `outputs: [balance]`, in world axes.
+/// The expressions of `outputs: [balance]` of one body, in world axes.
 pub struct Balance {
-    /// Given loads; moment about G.
+    /// Given loads, in systems with the weight; moment about G.
     pub applied: Resultant,
-    /// (1.3) and (1.4) about the pole: zero on a true motion.
+    /// (1.3) and (1.4) about the pole, in systems about G and with the loads of all joints: zero on
+    /// a true motion.
     pub residual: Resultant,
     pub loads: Vec<LoadExpressions>,
 }

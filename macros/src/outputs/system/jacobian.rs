@@ -10,7 +10,7 @@ use crate::model::System;
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::Id;
 
-use super::by_name::ByName;
+use crate::outputs::by_name::ByName;
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,

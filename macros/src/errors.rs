@@ -120,6 +120,20 @@ impl Drop for Errors {
     }
 }
 
+/// Reads what was read before, whose mistakes are reported already.
+pub fn silently<T>(read: impl FnOnce(&mut Errors) -> T) -> T {
+    let mut reported = Errors::default();
+    let found = read(&mut reported);
+    let _ = reported.finish();
+    found
+}
+
+/// All of these, if none was reported. Every one is read, so that no mistake hides another.
+pub fn every<T>(read: impl IntoIterator<Item = Option<T>>) -> Option<Vec<T>> {
+    let all: Vec<Option<T>> = read.into_iter().collect();
+    all.into_iter().collect()
+}
+
 /// The one of `known` that `name` was probably meant to be.
 pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // a name of one letter is close to all others of one letter

@@ -2,12 +2,10 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::Errors;
+use crate::errors::{Errors, every};
 use crate::lower::definitions::{INVERSE, check_names};
 use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
-use crate::model::{
-    Declared, Drawn, ENTRIES, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
-};
+use crate::model::{Declared, Drawn, ENTRIES, Labels, Model, Outline, Workspace, state_symbols};
 use crate::syntax::{self, Description};
 
 /// Gives a description its meaning. `None` if anything was wrong with it.
@@ -20,7 +18,7 @@ pub fn lower_description(
     let mut work = Workspace::new();
     let mut state = state_symbols(outline.motion, &mut work);
     let mut scope = Scope::new(description, repeated);
-    let named = outline.reactions.iter();
+    let names = outline.reactions.iter().map(|(name, _)| name.to_string());
     let mut lowering = Lowering {
         work: &mut work,
         scope: &mut scope,
@@ -30,7 +28,7 @@ pub fn lower_description(
         composed: None,
         has_parts: description.composition.is_some(),
         drawn: Drawn::Alone,
-        reactions: named.map(|(name, _)| name.to_string()).collect(),
+        reactions: names.collect(),
         is_constrained: outline.is_constrained,
         members: &Members::default(),
         is_whole: false,
@@ -41,21 +39,15 @@ pub fn lower_description(
     let inertia = lowering.inertia(description, mass, &defaults);
     let potentials = lowering.potentials(description);
     let [unknown, driving, known] = loads_by_kind(description);
-    let is_asked_for = outline.rank(INVERSE).is_some();
-    let drives: Vec<Option<Reaction>> = driving
-        .into_iter()
-        .map(|load| lowering.drive(load, is_asked_for))
-        .collect();
+    let is_inverse = outline.rank(INVERSE).is_some();
+    let drives = driving.into_iter();
+    let drives = every(drives.map(|load| lowering.drive(load, is_inverse)));
     let constraints = lowering.constraints(description, &outline.inputs);
-    let reactions: Vec<Option<Reaction>> = unknown
-        .into_iter()
-        .enumerate()
-        .map(|(index, load)| lowering.reaction(index, load))
-        .collect();
-    if outline.is_constrained {
-        lowering.name_reactions(description, &reactions);
-    }
-    let loads: Vec<Option<Load>> = known.into_iter().map(|load| lowering.load(load)).collect();
+    let reactions = unknown.into_iter().enumerate();
+    let reactions = reactions.map(|(index, load)| lowering.reaction(index, load));
+    let reactions: Vec<_> = reactions.collect();
+    lowering.name_reactions(description, &reactions);
+    let loads = every(known.into_iter().map(|load| lowering.load(load)));
     let pole = lowering.pole(description.pole.as_ref());
 
     outline.unused = unused(description, &scope);
@@ -67,10 +59,10 @@ pub fn lower_description(
         mass: mass.known(),
         inertia: inertia?,
         has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
-        loads: loads.into_iter().collect::<Option<_>>()?,
+        loads: loads?,
         potentials: potentials?,
-        reactions: reactions.into_iter().collect::<Option<_>>()?,
-        drives: drives.into_iter().collect::<Option<_>>()?,
+        reactions: every(reactions)?,
+        drives: drives?,
         constraints: constraints?,
         pole: pole?,
         defaults,

@@ -249,20 +249,14 @@ fn parse_load(
                 }
                 value = *inner;
             }
-            Kind::Call(function, mut arguments)
+            Kind::Call(function, arguments)
                 if function == "moment" && load.kind == LoadKind::Force =>
             {
-                let message = if kind.is_some() {
-                    "a force is expected here: moments stand in `moments` or `joint_moments`"
-                } else {
-                    "`moment` takes one vector: write `moment(body(0, 0, 1))`"
-                };
-                if kind.is_some() || arguments.len() != 1 {
-                    errors.push(function.span(), message);
+                let Some(vector) = vector_of_moment(&function, arguments, kind, errors) else {
                     return load;
-                }
+                };
                 load.kind = LoadKind::Moment;
-                value = arguments.remove(0);
+                value = vector;
             }
             _ => break,
         }
@@ -272,6 +266,24 @@ fn parse_load(
     }
     load.vector = Some(value);
     load
+}
+
+/// The vector of `moment(vector)`, which stands where a load says itself of what `kind` it is.
+fn vector_of_moment(
+    function: &Ident,
+    mut arguments: Vec<Expression>,
+    kind: Option<LoadKind>,
+    errors: &mut Errors,
+) -> Option<Expression> {
+    let message = if kind.is_some() {
+        "a force is expected here: moments stand in `moments` or `joint_moments`"
+    } else if arguments.len() == 1 {
+        return arguments.pop();
+    } else {
+        "`moment` takes one vector: write `moment(body(0, 0, 1))`"
+    };
+    errors.push(function.span(), message);
+    None
 }
 
 /// Reads what `.at(..)` says, once.

@@ -2,10 +2,9 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::Extent;
+use crate::errors::{Extent, every};
 use crate::lower::expressions::Lowering;
 use crate::model::{Dimension, ENTRIES, Inertia};
-use crate::symbolic::Id;
 use crate::syntax::Expression;
 
 use super::draft::{Draft, Entry};
@@ -39,11 +38,10 @@ impl Lowering<'_> {
                 ),
             );
         }
-        let moments: Vec<Option<Id>> = parts
+        let moments = parts
             .iter()
-            .map(|part| self.scalar(part, Dimension::INERTIA, "a moment of inertia"))
-            .collect();
-        let moments: Vec<Id> = moments.into_iter().collect::<Option<_>>()?;
+            .map(|part| self.scalar(part, Dimension::INERTIA, "a moment of inertia"));
+        let moments = every(moments)?;
         let mut rows = [self.work.graph.zeros(); 3];
         for (i, moment) in moments.iter().enumerate() {
             rows[i][i] = *moment;

@@ -1,6 +1,6 @@
 //! What acts between bodies: tensions along a line, cables, and moments.
 
-use crate::errors::Errors;
+use crate::errors::{Errors, every};
 use crate::families::Family;
 use crate::lower::expressions::Lowering;
 use crate::model::{Cable, Dimension, Frame, Load, Meaning, Point, Vector};
@@ -212,13 +212,10 @@ impl Reader<'_> {
             );
             return None;
         };
-        let numbers: Vec<Option<usize>> = bodies
-            .iter()
-            .map(|body| self.body_number(body, errors))
-            .collect();
+        let numbers = every(bodies.iter().map(|body| self.body_number(body, errors)));
         let is_planar = self.system.is_planar;
         let vector = self.at_top(errors, |lowering| read_moment(lowering, moment, is_planar));
-        let numbers: Vec<usize> = numbers.into_iter().collect::<Option<_>>()?;
+        let numbers = numbers?;
         if let ([first, second], [_, again]) = (numbers.as_slice(), bodies)
             && first == second
         {

@@ -17,17 +17,12 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::lower::definitions::{INVERSE, check_names};
-use crate::lower::expressions::{Members, Scope};
-use crate::model::{
-    Closing, Constraint, Declared, Defaults, Kept, Meaning, Member, Outline, PLANAR, SPATIAL,
-    System, TreeJoint, Workspace,
-};
-use crate::symbolic::{Components, Stage};
+use crate::model::{Closing, Constraint, Member, Outline, System, TreeJoint, Workspace};
+use crate::symbolic::Components;
 use crate::syntax;
 
 use reading::body::{Draft, common_gravity};
-use reading::names::{check_driving, check_members, declared, for_copy, late_locals};
+use reading::names::for_copy;
 use reading::reader::Reader;
 
 pub use outline::outline_system;
@@ -38,40 +33,14 @@ pub fn lower_system(
     outline: &mut Outline,
     errors: &mut Errors,
 ) -> Option<(System, Workspace)> {
-    let mut repeated = check_names(&system.top, errors);
-    repeated.extend(check_members(system, errors));
-    check_driving(system, outline, errors);
-    let mut work = Workspace::new();
-    let time = work.symbol(Stage::State, Meaning::Time);
-    let mut reader = Reader {
-        system,
-        work,
-        scope: Scope::new(&system.top, repeated),
-        members: Members {
-            declared: declared(system),
-            late: late_locals(system),
-            ..Members::default()
-        },
-        is_inverse: outline.rank(INVERSE).is_some(),
-        turning: vec![false; system.bodies.len()],
-        motion: if system.is_planar { &PLANAR } else { &SPATIAL },
-        time,
-        defaults: Defaults::new(),
-        derivatives: Vec::new(),
-        kept: Some(Kept::default()),
-        first_load: 2 * outline.holding.len(),
-    };
-    reader.defaults = reader.at_top(errors, |lowering| {
-        lowering.declarations(&system.top, outline)
-    });
-    reader.derivatives = outline.inputs.iter().map(Declared::derivatives).collect();
-    reader.locals(errors, false);
+    let mut reader = Reader::new(system, outline, errors);
+    reader.declarations(outline, errors);
     let mut wrong = HashSet::new();
     let mut drafts = reader.drafts(&mut wrong, errors);
     let joints = reader.joints(errors);
     reader.check_held(&joints, &outline.kept, errors);
     let (order, closing) = reader.tree(&joints, errors);
-    let (closings, joints) = reader.closings(&closing, joints, errors);
+    let (mut closings, joints) = reader.closings(&closing, joints, errors);
     let joints = reader.motions(order, joints, &mut drafts);
     reader.members.are_moving = true;
     reader.late_points(&mut drafts, errors);
@@ -84,8 +53,7 @@ pub fn lower_system(
     let between = reader.loads_between(errors);
     let points = reader.asked_points(errors);
     outline.unused = reader.unused(&drafts);
-    let (mut bodies, mut joints, mut points) = (bodies?, joints?, points?);
-    let between = between?;
+    let (mut bodies, mut joints, mut points, between) = (bodies?, joints?, points?, between?);
     for (body, load) in between.loads {
         bodies[body].loads.push(load);
     }
@@ -96,18 +64,11 @@ pub fn lower_system(
         ..
     } = reader;
     let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
-    let mut closings = closings;
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
-    // a file may have reported the same
-    if errors.is_empty() {
-        frames::check_frames(&work, &bodies, &joints, errors);
-    }
     let written = tell_frames(outline, &joints);
-    outline.kept = constraints
-        .iter()
-        .flat_map(|kept| &kept.list)
-        .map(load_of)
-        .collect();
+    let kept = constraints.iter().flat_map(|kept| &kept.list);
+    outline.kept = kept.map(load_of).collect();
+    check_moving((outline, &work), &bodies, &joints, errors);
     let system = System {
         is_planar: system.is_planar,
         bodies,
@@ -123,11 +84,24 @@ pub fn lower_system(
         derivatives,
         defaults,
     };
+    errors.is_empty().then_some((system, work))
+}
+
+/// Something moves, and carries mass.
+fn check_moving(
+    (outline, work): (&Outline, &Workspace),
+    bodies: &[Member],
+    joints: &[TreeJoint],
+    errors: &mut Errors,
+) {
+    // a file may have reported the same
+    if errors.is_empty() {
+        frames::check_frames(work, bodies, joints, errors);
+    }
     if errors.is_empty() && outline.joints.is_empty() {
         let message = "nothing moves by itself: all joints are welds, or driven";
         errors.push(outline.name.span(), message);
     }
-    errors.is_empty().then_some((system, work))
 }
 
 /// What the load is called that keeps a constraint.

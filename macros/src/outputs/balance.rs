@@ -73,7 +73,7 @@ impl<S: Subject> Output<S> for Balance {
         if is_there || !outline.is_system {
             addition
         } else {
-            reactions_by_name(site).beside(site, addition)
+            addition.with(outline, &reactions_by_name(site))
         }
     }
 }

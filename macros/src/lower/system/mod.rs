@@ -34,7 +34,7 @@ pub fn lower_system(
     errors: &mut Errors,
 ) -> Option<(System, Workspace)> {
     let mut reader = Reader::new(system, outline, errors);
-    reader.declarations(outline, errors);
+    reader.fixed(outline, errors);
     let mut wrong = HashSet::new();
     let mut drafts = reader.drafts(&mut wrong, errors);
     let joints = reader.joints(errors);

@@ -17,6 +17,7 @@ use crate::model::{Attitude, Frame, Meaning, Model, Pair, Workspace};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
 
 use super::axes::{self, Axes};
+use super::partial::parts;
 
 /// The recurrences of a motion, with its coordinates in the order in which the runtime lists them.
 #[derive(Debug)]
@@ -62,14 +63,7 @@ pub fn derive_taylor(
     let loads = model.loads.iter();
     let moving = Moving {
         coordinates,
-        loads: loads
-            .map(|load| {
-                (
-                    load.name.to_string(),
-                    work.entries(&[load.force, load.moment]),
-                )
-            })
-            .collect(),
+        loads: loads.map(|load| parts(load, work)).collect(),
         derivatives: &model.derivatives,
     };
     moving.expand(work, axes, asked, errors)

@@ -68,7 +68,7 @@ pub fn derive_flow(
 
 fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
     let center = model.state.center(work);
-    let moments = moments_about(model, work, &model.loads, center);
+    let moments = moments_about(&model.state, work, &model.loads, center);
     let forces = model.loads.iter().map(|load| load.force);
     let mut parts: Vec<(Vector, Vector)> = forces.zip(moments).collect();
     if model.motion.has_attitude() {

@@ -40,17 +40,19 @@ pub fn derive_system_balances(
         }
         let moving = &motions[built.body(number)];
         let taken = taken(system, work, body, moving, number);
-        let given = in_world(work, given, &body.name);
-        let applied = applied(work, equations, &given);
+        let applied = in_world(work, given, &body.name);
         let inertial = taken.map(|part| work.negate(part));
         let residual = summed(work, residual, inertial);
-        Balance {
+        let at = |load: &Load| (load.point, load.moment);
+        let listed = loads().map(|load| LoadExpressions::new(&body.state, work, load, at(load)));
+        let loads = listed.collect();
+        let mut balance = Balance {
             applied,
             residual: in_world(work, residual, &body.name),
-            loads: loads()
-                .map(|load| listed(work, equations, body, load))
-                .collect(),
-        }
+            loads,
+        };
+        balance.put_solved(work, equations.values());
+        balance
     });
     balances.collect()
 }
@@ -213,35 +215,4 @@ fn in_world(work: &mut Workspace, parts: [Vector; 2], body: &Ident) -> Resultant
         components
     });
     Resultant { force, moment }
-}
-
-/// With what is found where loads follow those of constraints.
-fn applied(work: &mut Workspace, equations: &SystemEquations, given: &Resultant) -> Resultant {
-    let [force, moment] = [given.force, given.moment].map(|part| with_loads(work, equations, part));
-    Resultant { force, moment }
-}
-
-fn with_loads(work: &mut Workspace, equations: &SystemEquations, part: Components) -> Components {
-    let found = equations.with_loads(work, &part);
-    [found[0], found[1], found[2]]
-}
-
-fn listed(
-    work: &mut Workspace,
-    equations: &SystemEquations,
-    body: &Member,
-    load: &Load,
-) -> LoadExpressions {
-    let place: Vector = body.state.place(work, load.point);
-    let world = |work: &mut Workspace, vector: Vector| -> Components {
-        let found = work.components(vector, Frame::WORLD);
-        with_loads(work, equations, found)
-    };
-    LoadExpressions {
-        name: load.name.to_string(),
-        family: load.family,
-        force: world(work, load.force),
-        point: world(work, place),
-        moment: world(work, load.moment),
-    }
 }

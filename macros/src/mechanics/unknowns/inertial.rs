@@ -117,7 +117,7 @@ pub fn balances_of(
 ) -> (Vector, Vector) {
     let center = model.state.center(work);
     let mut force = resultant(work, loads);
-    let moments = moments_about(model, work, loads, center);
+    let moments = moments_about(&model.state, work, loads, center);
     let mut moment = work.sum(moments);
     for (known_force, known_moment) in further {
         force = work.add(force, known_force);

@@ -103,7 +103,7 @@ fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Res
         if let (Some(_), Some(place)) = (reaction.along, place) {
             return Err(place);
         }
-        let arm = arm(model, work, point, center);
+        let arm = arm(&model.state, work, point, center);
         let has_arm = kind == LoadKind::Force && !arm.is_zero();
         in_world &= !has_arm && (is_free || written == Frame::WORLD);
         if !is_free && written == Frame::WORLD {

@@ -89,7 +89,7 @@ impl Output<System> for Reactions {
             let scalars = carried.scalars.iter().map(|(_, load)| *load);
             let parts: Vec<Id> = parts.chain(scalars).collect();
             Method::write(writer, &parts, |values| {
-                by_name.filled(site, values, |field, values| {
+                by_name.filled(outline, values, |field, values| {
                     if field < count {
                         shapes.wrench(values)
                     } else {
@@ -103,7 +103,7 @@ impl Output<System> for Reactions {
         let methods = [("reactions", &method, &COMMON[..], &kind)];
         let types = quote!(type Reactions = #kind;);
         let addition = Addition::implement(site, "Reactions", [types, quote!()], &methods);
-        by_name.beside(site, addition)
+        addition.with(outline, &by_name)
     }
 }
 

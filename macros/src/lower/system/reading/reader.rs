@@ -64,7 +64,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads params and inputs, and the locals that are fixed.
-    pub fn declarations(&mut self, outline: &mut Outline, errors: &mut Errors) {
+    pub fn fixed(&mut self, outline: &mut Outline, errors: &mut Errors) {
         let top = &self.system.top;
         self.defaults = self.at_top(errors, |lowering| lowering.declarations(top, outline));
         self.derivatives = outline.inputs.iter().map(Declared::derivatives).collect();

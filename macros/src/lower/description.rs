@@ -1,9 +1,7 @@
 //! A description, read in order: what it declares, the body, its loads.
 
-use proc_macro2::Ident;
-
 use crate::errors::{Errors, every};
-use crate::lower::definitions::{INVERSE, check_names};
+use crate::lower::definitions::{INVERSE, check_names, unused};
 use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
 use crate::model::{Declared, Drawn, ENTRIES, Labels, Model, Outline, Workspace, state_symbols};
 use crate::syntax::{self, Description};
@@ -97,17 +95,4 @@ fn name_properties(model: &Model, labels: &mut Labels) {
     if let Some(mass) = model.mass {
         labels.name(mass, "mass");
     }
-}
-
-/// The names that nothing refers to; the rates of an input come with it.
-fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
-    let inputs = description.inputs.iter().filter(|input| input.order == 0);
-    let declared = description.params.iter().chain(inputs);
-    let defined = description.points.iter().chain(&description.locals);
-    declared
-        .map(|declaration| &declaration.name)
-        .chain(defined.map(|definition| &definition.name))
-        .filter(|name| !scope.is_used(name))
-        .cloned()
-        .collect()
 }

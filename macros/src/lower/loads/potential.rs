@@ -71,9 +71,7 @@ impl Lowering<'_> {
             .filter(|load| load.charges.is_some());
         let fields = every(on_charges.map(|load| self.uniform_field(load)));
         let rates = self.rates();
-        let scalars = description.potentials.iter();
-        let scalars =
-            every(scalars.map(|potential| self.potential(potential.value.as_ref(), &rates)));
+        let scalars = self.energies(description, &rates);
         self.scope.restore(values);
         self.state.position = position;
         let turns = self.work.turns.take()?;
@@ -130,9 +128,15 @@ impl Lowering<'_> {
         }
     }
 
+    /// All potentials of a description, as functions of what is kept apart.
+    pub fn energies(&mut self, description: &Description, rates: &[Id]) -> Option<Vec<Id>> {
+        let written = description.potentials.iter();
+        every(written.map(|potential| self.potential(potential.value.as_ref(), rates)))
+    }
+
     /// A potential follows from where the body is and how it is turned, from the time, parameters
     /// and inputs, and not from any of these `rates`.
-    pub fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
+    fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
         let written = written?;
         let energy = self.scalar(written, Dimension::MOMENT, "a potential")?;
         if !self.depends(&[energy], rates) {

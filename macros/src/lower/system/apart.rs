@@ -6,12 +6,17 @@
 //! whatever carries it; its velocity, and the coordinates of joints that are driven, as symbols of
 //! their own.
 
-use crate::errors::silently;
-use crate::lower::expressions::{BodyMotion, Value};
+use std::collections::HashSet;
+
+use crate::errors::{Errors, every, silently};
+use crate::lower::expressions::{BodyMotion, Lowering, Value};
 use crate::model::{Along, Displaced, Form, Frame, State, TreeJoint, Turns, Variable, Vector};
 use crate::symbolic::{Components, Id, Stage};
 
+use crate::syntax::Description;
+
 use super::reading::body::Draft;
+use super::reading::names::for_copy;
 use super::reading::reader::Reader;
 
 /// What is put in the place of bodies and joints that move.
@@ -68,6 +73,33 @@ impl Reader<'_> {
         };
         self.tell_rates(&mut form, drafts, joints);
         Some(form)
+    }
+
+    /// Reads scalars of what stands beside the bodies, and of each of them, with their locals apart.
+    pub fn each_apart(
+        &mut self,
+        drafts: &mut [Draft<'_>],
+        errors: &mut Errors,
+        read: impl Fn(&mut Lowering<'_>, &Description) -> Option<Vec<Id>>,
+    ) -> Option<Vec<Id>> {
+        let top = &self.system.top;
+        let read = |lowering: &mut Lowering<'_>, description: &Description| {
+            lowering.locals_apart(description);
+            read(lowering, description)
+        };
+        let mut all = vec![self.at_top(errors, |lowering| read(lowering, top))];
+        let mut wrong = HashSet::new();
+        for (number, draft) in drafts.iter_mut().enumerate() {
+            for local in &top.locals {
+                let name = local.name.to_string();
+                draft.scope.redefine(&name, self.scope.peek(&name));
+            }
+            let (body, first) = (draft.description, self.system.firsts[number]);
+            all.push(for_copy(first, number, &mut wrong, errors, |errors| {
+                self.in_body(draft, errors, |lowering, _| read(lowering, body))
+            }));
+        }
+        Some(every(all)?.concat())
     }
 
     /// What the symbols of velocities stand for, if there are any in what was read.

@@ -17,6 +17,7 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
+use crate::lower::definitions::unused;
 use crate::model::{Closing, Constraint, Member, Outline, System, TreeJoint, Workspace};
 use crate::symbolic::Components;
 use crate::syntax;
@@ -165,12 +166,9 @@ impl<'a> Reader<'a> {
 
     /// The names of the system that nothing refers to.
     fn unused(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
-        let top = &self.system.top;
-        let inputs = top.inputs.iter().filter(|input| input.order == 0);
-        let declared = top.params.iter().chain(inputs).map(|one| &one.name);
-        let names = declared.chain(top.locals.iter().map(|local| &local.name));
-        let unused = names.filter(|name| !self.scope.is_used(name)).cloned();
-        unused.chain(self.unused_of_bodies(drafts)).collect()
+        let mut unused = unused(&self.system.top, &self.scope);
+        unused.extend(self.unused_of_bodies(drafts));
+        unused
     }
 
     /// The points and locals of bodies that nothing refers to, of copies no copy.

@@ -159,21 +159,16 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
         model.state.angular_velocity,
         model.state.angular_acceleration,
     );
-    let graph = &mut work.graph;
-    let change = match model.inertia {
-        Inertia::Absent => graph.zeros(),
-        Inertia::Scalar(inertia) => graph.scale_vector(inertia, rate),
-        Inertia::Spatial(rows) => {
-            let momentum = graph.transform(&rows, w);
-            let momentum = graph.quantities(momentum);
-            work.labels.describe("momentum", "J w, body axes");
-            work.labels.vector("momentum", momentum);
-            let gyroscopic = graph.cross(w, momentum);
-            let driven = graph.transform(&rows, rate);
-            graph.add_vectors(driven, gyroscopic)
-        }
-    };
-    let moment = graph.negate_vector(change);
+    let mut change = model.inertia.times(&mut work.graph, rate);
+    if let Inertia::Spatial(rows) = model.inertia {
+        let momentum = work.graph.transform(&rows, w);
+        let momentum = work.graph.quantities(momentum);
+        work.labels.describe("momentum", "J w, body axes");
+        work.labels.vector("momentum", momentum);
+        let gyroscopic = work.graph.cross(w, momentum);
+        change = work.graph.add_vectors(change, gyroscopic);
+    }
+    let moment = work.graph.negate_vector(change);
     work.vector(model.state.axes, moment)
 }
 

@@ -191,11 +191,8 @@ fn taken(
     let back = graph.negate_vector(system.joints[number].pin);
     let swept = graph.transform(&moving.sweep, back);
     let acceleration = graph.add_vectors(moving.acceleration.linear, swept);
-    let rows = body.inertia.rows(graph);
-    let momentum = graph.transform(&rows, moving.w);
-    let gyroscopic = graph.cross(moving.w, momentum);
-    let change = graph.transform(&rows, moving.acceleration.angular);
-    let change = graph.add_vectors(change, gyroscopic);
+    let rate = moving.acceleration.angular;
+    let change = body.inertia.change(graph, moving.w, rate);
     let falling = work.vector(body.state.body, acceleration);
     let gravity = work.vector(Frame::WORLD, system.gravity);
     let whole = work.add(falling, gravity);

@@ -85,6 +85,16 @@ impl Errors {
         ));
     }
 
+    /// An error in the place of a value.
+    pub fn report<T>(
+        &mut self,
+        place: impl Into<Extent>,
+        message: impl core::fmt::Display,
+    ) -> Option<T> {
+        self.push(place, message);
+        None
+    }
+
     /// A place in a file, which the errors that are found there name.
     pub fn source(&mut self, words: String) -> Source {
         self.sources.push(words);

@@ -31,11 +31,10 @@ impl<S: Subject> Output<S> for Balance {
     fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {
         let outline = basis.outline;
         if outline.held.is_some() {
-            basis.errors.push(
+            return basis.errors.report(
                 outline.place(OFFER.word)?,
                 "the balance of a body takes the loads of all of its joints: write `reactions` without names",
             );
-            return None;
         }
         let all = basis.model.balances(basis.work, basis.equations, outline);
         self.0 = Some(all);

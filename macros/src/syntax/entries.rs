@@ -86,11 +86,10 @@ pub fn parse_name<'t>(
         [TokenTree::Ident(word), TokenTree::Group(group), ..]
             if group.delimiter() == Delimiter::Parenthesis && key != "outputs" =>
         {
-            errors.push(
+            errors.report(
                 word.span(),
                 format!("every entry has a name: write `name = {word}(..)`"),
-            );
-            None
+            )
         }
         [TokenTree::Ident(name), rest @ ..] => {
             let what = if key == "outputs" {
@@ -105,20 +104,14 @@ pub fn parse_name<'t>(
             }
             Some((name.clone(), rest))
         }
-        [first, ..] if key == "outputs" => {
-            errors.push(
-                start(first),
-                "expected the name of an output, such as `energy`",
-            );
-            None
-        }
-        [first, ..] => {
-            errors.push(
-                start(first),
-                "expected a name: an entry is written `name = ..`",
-            );
-            None
-        }
+        [first, ..] if key == "outputs" => errors.report(
+            start(first),
+            "expected the name of an output, such as `energy`",
+        ),
+        [first, ..] => errors.report(
+            start(first),
+            "expected a name: an entry is written `name = ..`",
+        ),
         [] => None,
     }
 }
@@ -182,15 +175,13 @@ fn parse_declaration(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> De
 pub fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Value {
     let Some((_, value)) = after_sign(rest, '=') else {
         let place = rest.first().map_or(name.span(), start);
-        errors.push(place, format!("expected a value: write `{name} = ..`"));
-        return None;
+        return errors.report(place, format!("expected a value: write `{name} = ..`"));
     };
     if value.is_empty() {
-        errors.push(
+        return errors.report(
             name.span(),
             format!("`{name}` has no value: write `{name} = ..`"),
         );
-        return None;
     }
     Expression::parse(stream(value), errors)
 }
@@ -282,8 +273,7 @@ fn vector_of_moment(
     } else {
         "`moment` takes one vector: write `moment(body(0, 0, 1))`"
     };
-    errors.push(function.span(), message);
-    None
+    errors.report(function.span(), message)
 }
 
 /// Reads what `.at(..)` says, once.

@@ -56,8 +56,7 @@ pub fn check_length(tokens: &TokenStream, errors: &mut Errors) -> Option<()> {
     let message = format!(
         "here this description has more than {TOKENS} tokens: take forces together, or make them inputs"
     );
-    errors.push(start(&crossed), message);
-    None
+    errors.report(start(&crossed), message)
 }
 
 /// The keys of a body.

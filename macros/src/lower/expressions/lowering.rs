@@ -48,8 +48,7 @@ impl Lowering<'_> {
         place: impl Into<Extent>,
         message: impl core::fmt::Display,
     ) -> Option<T> {
-        self.errors.push(place, message);
-        None
+        self.errors.report(place, message)
     }
 
     /// Under which motion: of a system, whether it is in the plane or in space.

@@ -105,12 +105,11 @@ impl Moving<'_> {
         let moves =
             |id: Id| matches!(work.meaning(id), Some(Meaning::Input(input, _)) if is_given(input));
         if graph.depends_on(&rates, moves) {
-            errors.push(
+            return errors.report(
                 asked,
                 "series of what an input that is `.moving` drives are not there yet: leave `taylor` out, and \
                  `integrate` takes Runge-Kutta steps, or `.moving`, and the input is held",
             );
-            return None;
         }
         Some(())
     }

@@ -33,12 +33,11 @@ pub fn derive_flow(
     errors: &mut Errors,
 ) -> Option<Flow> {
     if !model.constraints.is_empty() {
-        errors.push(
+        return errors.report(
             place,
             "under constraints there is no closed form in this version: use a motion with a support, or leave out \
              `flow`, and the motion is integrated",
         );
-        return None;
     }
     let contributions = contributions(model, work);
     let mut obstacles = Vec::new();

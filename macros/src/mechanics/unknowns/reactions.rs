@@ -39,8 +39,7 @@ pub fn derive_reactions(
     {
         Ok(solved) => solved,
         Err(place) => {
-            errors.push(place, "in world axes the part of this reaction that is known turns against the body: write it in body axes, or leave all its components unknown");
-            return None;
+            return errors.report(place, "in world axes the part of this reaction that is known turns against the body: write it in body axes, or leave all its components unknown");
         }
     };
     let determined = check_supports(model, work, &solved, errors);

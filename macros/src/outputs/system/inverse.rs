@@ -32,8 +32,7 @@ impl Output<System> for Inverse {
         if !system.is_tree() && open().all(Option::is_none) {
             let message =
                 "no drive is open: write `motor = _.on(elbow)` for each that is to be found";
-            basis.errors.push(basis.outline.place(INVERSE)?, message);
-            return None;
+            return basis.errors.report(basis.outline.place(INVERSE)?, message);
         }
         // what is kept moves some joints with the others
         let mut is_sound = true;

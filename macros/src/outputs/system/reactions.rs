@@ -137,6 +137,7 @@ fn check_determined(basis: &mut Basis<'_, System>) -> Option<()> {
          `reactions(..)`",
         all.join(", ")
     );
-    basis.errors.push(basis.outline.place(OFFER.word)?, message);
-    None
+    basis
+        .errors
+        .report(basis.outline.place(OFFER.word)?, message)
 }

@@ -98,8 +98,7 @@ impl System {
         } = &*file;
         if let Some(motion) = &self.top.motion {
             let message = "a file describes a system in space: leave `motion` out";
-            errors.push(motion.word.span(), message);
-            return None;
+            return errors.report(motion.word.span(), message);
         }
         // cargo sets it to the folder of the crate that is compiled
         let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
@@ -110,8 +109,7 @@ impl System {
                 let message = format!(
                     "`{name}` is looked for from the folder of the `Cargo.toml` of this crate, and {why}"
                 );
-                errors.push(*span, message);
-                return None;
+                return errors.report(*span, message);
             }
         };
         let beside = Beside {

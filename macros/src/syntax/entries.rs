@@ -41,22 +41,13 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.inputs.push(input);
             into.inputs.extend(derivatives);
         }
-        "points" => {
-            let value = parse_value(&name, rest, errors);
-            into.points.push(Definition { name, value });
-        }
-        "locals" => {
-            let value = parse_value(&name, rest, errors);
-            into.locals.push(Definition { name, value });
-        }
+        "points" => into.points.push(parse_definition(name, rest, errors)),
+        "locals" => into.locals.push(parse_definition(name, rest, errors)),
+        "constraints" => into.constraints.push(parse_definition(name, rest, errors)),
         "potentials" => {
-            let value = parse_value(&name, rest, errors);
+            let Definition { name, value } = parse_definition(name, rest, errors);
             let value = value.map(|value| without_point(value, errors));
             into.potentials.push(Definition { name, value });
-        }
-        "constraints" => {
-            let value = parse_value(&name, rest, errors);
-            into.constraints.push(Definition { name, value });
         }
         "outputs" => {
             // an output that is not there yet is reported as such
@@ -169,6 +160,11 @@ fn parse_declaration(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> De
         moving,
         order: 0,
     }
+}
+
+fn parse_definition(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Definition {
+    let value = parse_value(&name, rest, errors);
+    Definition { name, value }
 }
 
 /// The value behind the `=`.

@@ -1,7 +1,6 @@
 //! From tokens to a [`Description`]: its head and its keys.
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
-use syn::{Lit, LitStr};
 
 use crate::errors::{Errors, Extent, similar};
 
@@ -11,7 +10,7 @@ use super::expression::Expression;
 use super::head::parse_head;
 use super::motion::parse_motion;
 use super::tokens::{
-    Entry, after_sign, is_punct, split, start, stream, token_beyond, without_attributes,
+    Entry, after_sign, is_punct, split, start, stream, string, token_beyond, without_attributes,
 };
 use super::words::is_keyword;
 use super::{Description, Written};
@@ -286,23 +285,16 @@ fn names_in(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
 }
 
 fn parse_doc(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
-    let text = match value {
-        [] => return Vec::new(),
-        [TokenTree::Literal(literal)] => match Lit::new(literal.clone()) {
-            Lit::Str(text) => Some(text),
-            _ => None,
-        },
-        _ => None,
-    };
-    let Some(text) = text else {
+    if value.is_empty() {
+        return Vec::new();
+    }
+    let Some(text) = string(value) else {
         errors.push(
             Extent::of(stream(value)),
             "expected a string: `doc: \"..\"`",
         );
         return Vec::new();
     };
-    LitStr::value(&text)
-        .lines()
-        .map(|line| line.trim().to_owned())
-        .collect()
+    let text = text.value();
+    text.lines().map(|line| line.trim().to_owned()).collect()
 }

@@ -166,14 +166,7 @@ impl Lowering<'_> {
         method: &Ident,
         arguments: &[Expression],
     ) -> Option<Value> {
-        let word = method.to_string();
-        if word != "position" && word != "velocity" {
-            return self.report(
-                method.span(),
-                format!("a point has `.position()` and `.velocity()`, and no `{word}`"),
-            );
-        }
-        self.expect_arguments(method, arguments, 0)?;
+        let is_position = self.is_position(method, arguments)?;
         let known = &self.members.bodies[body];
         let Some(motion) = known.motion else {
             return self.report(
@@ -182,7 +175,7 @@ impl Lowering<'_> {
             );
         };
         let frame = known.frame;
-        let (whole, part, dimension) = if word == "position" {
+        let (whole, part, dimension) = if is_position {
             (motion.position, offset, Dimension::LENGTH)
         } else {
             let swept = self.swept(offset, motion.angular_velocity, frame);

@@ -144,15 +144,8 @@ impl Lowering<'_> {
         method: &Ident,
         arguments: &[Expression],
     ) -> Option<Value> {
-        let word = method.to_string();
-        if !matches!(word.as_str(), "position" | "velocity") {
-            return self.report(
-                method.span(),
-                format!("a point has `.position()` and `.velocity()`, and no `{word}`"),
-            );
-        }
-        self.expect_arguments(method, arguments, 0)?;
-        let dimension = if word == "position" {
+        let is_position = self.is_position(method, arguments)?;
+        let dimension = if is_position {
             Dimension::LENGTH
         } else {
             Dimension::VELOCITY
@@ -161,25 +154,37 @@ impl Lowering<'_> {
             return self.report(
                 method.span(),
                 format!(
-                    "the {word} of a point of the body is not known under `motion: rotation`: \
+                    "the {method} of a point of the body is not known under `motion: rotation`: \
                      the motion of G is not modelled"
                 ),
             );
         }
         self.check_support_is_read(method)?;
-        let vector = match (point, word.as_str()) {
-            (point, "position") => self.state.place(self.work, point),
-            (Point::Fixed(Frame::WORLD, _), _) => Vector::ZERO,
-            (Point::Fixed(_, offset), _) => {
+        let vector = match point {
+            _ if is_position => self.state.place(self.work, point),
+            Point::Fixed(Frame::WORLD, _) => Vector::ZERO,
+            Point::Fixed(_, offset) => {
                 let swept = self.state.swept(self.work, offset);
                 self.work.add(self.state.velocity, swept)
             }
-            (Point::Moving(offset), _) => {
+            Point::Moving(offset) => {
                 let swept = self.swept(offset, self.state.angular_velocity, self.state.axes);
                 self.work.add(self.state.velocity, swept)
             }
         };
         Some(Value::Vector(vector, dimension))
+    }
+
+    /// Whether a method of a point is `.position()`; else it is `.velocity()`.
+    pub fn is_position(&mut self, method: &Ident, arguments: &[Expression]) -> Option<bool> {
+        if method != "position" && method != "velocity" {
+            return self.report(
+                method.span(),
+                format!("a point has `.position()` and `.velocity()`, and no `{method}`"),
+            );
+        }
+        self.expect_arguments(method, arguments, 0)?;
+        Some(method == "position")
     }
 
     /// `w x r`, of w in these axes, each part of r in its own: those of w change together, and `w x w`

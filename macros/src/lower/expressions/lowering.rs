@@ -237,6 +237,18 @@ impl Lowering<'_> {
         }
     }
 
+    /// Whether a method of a point is `.position()`; else it is `.velocity()`.
+    pub fn is_position(&mut self, method: &Ident, arguments: &[Expression]) -> Option<bool> {
+        if method != "position" && method != "velocity" {
+            return self.report(
+                method.span(),
+                format!("a point has `.position()` and `.velocity()`, and no `{method}`"),
+            );
+        }
+        self.expect_arguments(method, arguments, 0)?;
+        Some(method == "position")
+    }
+
     pub fn expect_arguments(
         &mut self,
         method: &Ident,

@@ -175,18 +175,6 @@ impl Lowering<'_> {
         Some(Value::Vector(vector, dimension))
     }
 
-    /// Whether a method of a point is `.position()`; else it is `.velocity()`.
-    pub fn is_position(&mut self, method: &Ident, arguments: &[Expression]) -> Option<bool> {
-        if method != "position" && method != "velocity" {
-            return self.report(
-                method.span(),
-                format!("a point has `.position()` and `.velocity()`, and no `{method}`"),
-            );
-        }
-        self.expect_arguments(method, arguments, 0)?;
-        Some(method == "position")
-    }
-
     /// `w x r`, of w in these axes, each part of r in its own: those of w change together, and `w x w`
     /// is zero.
     pub fn swept(&mut self, offset: Vector, w: Components, axes: Frame) -> Vector {

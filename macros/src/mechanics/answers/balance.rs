@@ -159,16 +159,18 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
         model.state.angular_velocity,
         model.state.angular_acceleration,
     );
-    let mut change = model.inertia.times(&mut work.graph, rate);
+    let graph = &mut work.graph;
+    let mut gyroscopic = graph.zeros();
     if let Inertia::Spatial(rows) = model.inertia {
-        let momentum = work.graph.transform(&rows, w);
-        let momentum = work.graph.quantities(momentum);
+        let momentum = graph.transform(&rows, w);
+        let momentum = graph.quantities(momentum);
         work.labels.describe("momentum", "J w, body axes");
         work.labels.vector("momentum", momentum);
-        let gyroscopic = work.graph.cross(w, momentum);
-        change = work.graph.add_vectors(change, gyroscopic);
+        gyroscopic = graph.cross(w, momentum);
     }
-    let moment = work.graph.negate_vector(change);
+    let driven = model.inertia.times(graph, rate);
+    let change = graph.add_vectors(driven, gyroscopic);
+    let moment = graph.negate_vector(change);
     work.vector(model.state.axes, moment)
 }
 

@@ -1,6 +1,7 @@
 //! What is generated beside the accelerations, one file each: what it derives, what it emits, what
 //! it documents. What both one body and a system have is here, the rest in a wing of each.
 
+mod balance;
 mod body;
 mod by_name;
 mod constrained;

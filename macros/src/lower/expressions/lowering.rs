@@ -48,8 +48,7 @@ impl Lowering<'_> {
         place: impl Into<Extent>,
         message: impl core::fmt::Display,
     ) -> Option<T> {
-        self.errors.push(place, message);
-        None
+        self.errors.report(place, message)
     }
 
     /// Under which motion: of a system, whether it is in the plane or in space.
@@ -236,6 +235,18 @@ impl Lowering<'_> {
             Some(number) => Some(number.clone()),
             None => self.all_known(&[id], defaults)?.pop(),
         }
+    }
+
+    /// Whether a method of a point is `.position()`; else it is `.velocity()`.
+    pub fn is_position(&mut self, method: &Ident, arguments: &[Expression]) -> Option<bool> {
+        if method != "position" && method != "velocity" {
+            return self.report(
+                method.span(),
+                format!("a point has `.position()` and `.velocity()`, and no `{method}`"),
+            );
+        }
+        self.expect_arguments(method, arguments, 0)?;
+        Some(method == "position")
     }
 
     pub fn expect_arguments(

@@ -5,7 +5,7 @@
 //! axes, either of them can be turned: there are two forms then, and mechanics takes the cheaper
 //! one.
 
-use crate::errors::Errors;
+use crate::errors::{every, silently};
 use crate::lower::definitions::{Definition, definition_order};
 use crate::lower::expressions::{Lowering, is_drive, is_unknown};
 use crate::model::{Charges, Dimension, Displaced, Form, Frame, Potential, Potentials, Turns};
@@ -69,20 +69,14 @@ impl Lowering<'_> {
             .loads
             .iter()
             .filter(|load| load.charges.is_some());
-        let fields: Vec<Option<(Id, Charges)>> =
-            on_charges.map(|load| self.uniform_field(load)).collect();
+        let fields = every(on_charges.map(|load| self.uniform_field(load)));
         let rates = self.rates();
-        let scalars = description.potentials.iter();
-        let scalars: Vec<Option<Id>> = scalars
-            .map(|potential| self.potential(potential.value.as_ref(), &rates))
-            .collect();
+        let scalars = self.energies(description, &rates);
         self.scope.restore(values);
         self.state.position = position;
         let turns = self.work.turns.take()?;
-        let fields = fields.into_iter().collect::<Option<Vec<_>>>()?;
-        let scalars = scalars.into_iter().collect::<Option<Vec<_>>>()?;
-        let (mut energies, charges): (Vec<Id>, Vec<Charges>) = fields.into_iter().unzip();
-        energies.extend(scalars);
+        let (mut energies, charges): (Vec<Id>, Vec<Charges>) = fields?.into_iter().unzip();
+        energies.extend(scalars?);
         let form = Form {
             values: energies,
             charges,
@@ -120,9 +114,7 @@ impl Lowering<'_> {
     /// Reads the locals again, with turned vectors kept apart.
     pub fn locals_apart(&mut self, description: &Description) {
         // circles are reported already
-        let mut reported = Errors::default();
-        let (order, _) = definition_order(description, &mut reported);
-        let _ = reported.finish();
+        let (order, _) = silently(|errors| definition_order(description, errors));
         for definition in order {
             let (Definition::Local(_), (name, Some(written))) =
                 (definition, definition.of(description))
@@ -136,9 +128,15 @@ impl Lowering<'_> {
         }
     }
 
+    /// All potentials of a description, as functions of what is kept apart.
+    pub fn energies(&mut self, description: &Description, rates: &[Id]) -> Option<Vec<Id>> {
+        let written = description.potentials.iter();
+        every(written.map(|potential| self.potential(potential.value.as_ref(), rates)))
+    }
+
     /// A potential follows from where the body is and how it is turned, from the time, parameters
     /// and inputs, and not from any of these `rates`.
-    pub fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
+    fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
         let written = written?;
         let energy = self.scalar(written, Dimension::MOMENT, "a potential")?;
         if !self.depends(&[energy], rates) {

@@ -1,12 +1,9 @@
 //! Constraints of a system and of its bodies.
 
-use std::collections::HashSet;
-
 use crate::errors::Errors;
 use crate::model::{Declared, Kept, TreeJoint};
 
 use super::reading::body::Draft;
-use super::reading::names::for_copy;
 use super::reading::reader::Reader;
 
 impl Reader<'_> {
@@ -30,27 +27,9 @@ impl Reader<'_> {
             return Some(kept);
         }
         let form = self.apart(drafts, joints, |reader, drafts, _| {
-            let top = &reader.system.top;
-            let mut all = reader.at_top(errors, |lowering| {
-                lowering.locals_apart(top);
-                lowering.values_kept(top)
-            })?;
-            let mut wrong = HashSet::new();
-            for (number, draft) in drafts.iter_mut().enumerate() {
-                for local in &top.locals {
-                    let name = local.name.to_string();
-                    draft.scope.redefine(&name, reader.scope.peek(&name));
-                }
-                let (body, first) = (draft.description, reader.system.firsts[number]);
-                let found = for_copy(first, number, &mut wrong, errors, |errors| {
-                    reader.in_body(draft, errors, |lowering, _| {
-                        lowering.locals_apart(body);
-                        lowering.values_kept(body)
-                    })
-                });
-                all.extend(found?);
-            }
-            Some(all)
+            reader.each_apart(drafts, errors, |lowering, description| {
+                lowering.values_kept(description)
+            })
         });
         kept.form = Some(form?);
         Some(kept)

@@ -89,14 +89,10 @@ impl SystemEquations {
         closed.map_or(&self.built.tree, |closed| &closed.loaded)
     }
 
-    /// An expression without symbols of the loads of constraints.
-    pub fn with_loads(&self, work: &mut Workspace, roots: &[Id]) -> Vec<Id> {
-        match &self.closed {
-            Some(closed) if !closed.values.is_empty() => {
-                replace(&mut work.graph, roots, &closed.values)
-            }
-            _ => roots.to_vec(),
-        }
+    /// What is found for the symbols of the loads of constraints.
+    pub fn values(&self) -> &[(Id, Id)] {
+        let closed = self.closed.as_ref();
+        closed.map_or(&[], |closed| &closed.values)
     }
 
     /// The load of each written constraint.

@@ -16,7 +16,7 @@ mod response;
 mod series;
 mod totals;
 
-pub use balance::{BodyBalance, derive_system_balances};
+pub use balance::derive_system_balances;
 pub use consistency::derive_system_consistency;
 pub use constraints::check_followers;
 pub use equations::{SystemEquations, derive_system, describe_system};

@@ -8,7 +8,7 @@ use proc_macro2::Ident;
 
 use crate::symbolic::{Components, Id};
 
-use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials, Substance};
+use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials};
 use super::joints::Rates;
 use super::kinematics::State;
 use super::words::{Frame, Variable};
@@ -144,14 +144,5 @@ impl System {
     /// Nothing but the joints of its tree holds it.
     pub fn is_tree(&self) -> bool {
         self.closings.is_empty() && self.constraints.list.is_empty()
-    }
-
-    /// What the bodies are made of.
-    pub fn substances(&self) -> Vec<Substance> {
-        let bodies = self.bodies.iter().map(|body| Substance {
-            mass: Some(body.mass),
-            inertia: body.inertia,
-        });
-        bodies.collect()
     }
 }

@@ -1,6 +1,5 @@
 //! The outputs of one body. One that is new is a file, and a line in one of two lists.
 
-mod balance;
 mod flow;
 mod inverse;
 mod reactions;
@@ -8,6 +7,7 @@ mod structured;
 
 use crate::model::Model;
 
+use super::balance::Balance;
 use super::constrained::Constrained;
 use super::energy::Energy;
 use super::linearization::Linearization;
@@ -31,7 +31,7 @@ fn observed() -> [Box<dyn Output<Model>>; 5] {
     [
         Box::<Energy>::default(),
         Box::<Momentum>::default(),
-        Box::<balance::Balance>::default(),
+        Box::<Balance>::default(),
         Box::<reactions::Reactions>::default(),
         Box::<Constrained>::default(),
     ]

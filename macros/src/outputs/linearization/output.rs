@@ -4,12 +4,11 @@ use proc_macro2::Ident;
 use quote::{format_ident, quote};
 
 use crate::emit::code::{COMMON, Method, Site};
-use crate::emit::items::Addition;
+use crate::emit::items::{Addition, Field, Record};
 use crate::lower::{LINEARIZATION, Offer};
 use crate::mechanics;
 use crate::symbolic::Id;
 
-use crate::outputs::by_name::ByName;
 use crate::outputs::output::{Basis, Output};
 use crate::outputs::subject::Subject;
 
@@ -61,24 +60,24 @@ impl<S: Subject> Output<S> for Linearization {
                 .collect(),
             None => space.all(),
         };
-        let acceleration = (format_ident!("acceleration"), shapes.acceleration_type());
-        let kinds = blocks
+        let acceleration = Field::new(&format_ident!("acceleration"), shapes.acceleration_type());
+        let fields = blocks
             .iter()
-            .map(|one| (one.name.clone(), one.kind(shapes)));
-        let by_name = ByName {
+            .map(|one| Field::new(&one.name, one.kind(shapes)));
+        let by_name = Record {
             suffix: "Linearization",
             doc: format!(
                 " What the rates of the state of [`{}`] change by, to first order: by how much what is named first changes with what is named behind `by`, a row for each component of the first, a column for each of the second, SI units. An attitude q becomes `q exp(e)`, with the rotation vector e in body axes.",
                 site.outline.name
             ),
-            fields: [acceleration].into_iter().chain(kinds).collect(),
+            fields: [acceleration].into_iter().chain(fields).collect(),
             has_default: false,
         };
         let method = site.method(self.0.as_ref(), |writer, found| {
             let entries = found.blocks.iter().flat_map(|block| &block.entries);
             let roots: Vec<Id> = found.accelerations.iter().chain(entries).copied().collect();
             Method::write(writer, &roots, |values| {
-                by_name.filled(site, values, |field, values| match field {
+                by_name.filled(site.outline, values, |field, values| match field {
                     0 => shapes.acceleration(values),
                     field => blocks[field - 1].filled(shapes, values),
                 })
@@ -88,7 +87,7 @@ impl<S: Subject> Output<S> for Linearization {
         let methods = [("linearize", &method, &COMMON[..], &kind)];
         let types = quote!(type Linearization = #kind;);
         let addition = Addition::implement(site, "Linearization", [types, quote!()], &methods);
-        let mut addition = by_name.beside(site, addition);
+        let mut addition = addition.with(site.outline, &by_name);
         let double = site.double();
         let entries = self.0.as_ref();
         let patterns = entries.map_or_else(|| space.dense(), |found| space.patterns(&found.blocks));

@@ -1,6 +1,5 @@
 //! The outputs of a system. One that is new is a file, and a line in the list.
 
-mod balance;
 mod inverse;
 mod jacobian;
 mod mass_matrix;
@@ -8,6 +7,7 @@ mod reactions;
 
 use crate::model::System;
 
+use super::balance::Balance;
 use super::constrained::Constrained;
 use super::energy::Energy;
 use super::linearization::Linearization;
@@ -20,7 +20,7 @@ impl Listed for System {
         vec![
             Box::<Energy>::default(),
             Box::<Momentum>::default(),
-            Box::<balance::Balance>::default(),
+            Box::<Balance>::default(),
             Box::<reactions::Reactions>::default(),
             Box::<inverse::Inverse>::default(),
             Box::<mass_matrix::MassMatrix>::default(),

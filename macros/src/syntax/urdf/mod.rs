@@ -118,8 +118,7 @@ impl Beside<'_> {
                 "has more than one coordinate: only hinges and slides are locked"
             }
         };
-        errors.push(locked.name.span(), format!("`{}` {message}", locked.name));
-        None
+        errors.report(locked.name.span(), format!("`{}` {message}", locked.name))
     }
 }
 

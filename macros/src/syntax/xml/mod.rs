@@ -59,15 +59,11 @@ pub fn document<'t>(
     errors: &mut Errors,
 ) -> Option<Document<'t>> {
     if text.len() > LENGTH {
-        errors.push(span, format!("`{name}` has more than {LENGTH} bytes"));
-        return None;
+        return errors.report(span, format!("`{name}` has more than {LENGTH} bytes"));
     }
     match reader::parse(text) {
         Ok(document) => Some(document),
-        Err((line, message)) => {
-            errors.push(span, format!("{name}:{line}, no XML: {message}"));
-            None
-        }
+        Err((line, message)) => errors.report(span, format!("{name}:{line}, no XML: {message}")),
     }
 }
 

@@ -242,7 +242,7 @@ impl Shapes {
     pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
         if let Some((name, joints)) = &self.system {
             if joints.is_empty() {
-                return quote!(());
+                return TokenStream::new();
             }
             let name = format_ident!("{name}Acceleration");
             let fields = joints.iter().map(|(joint, shape)| {

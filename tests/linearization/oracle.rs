@@ -125,21 +125,16 @@ pub fn hold<L, S, D, const N: usize, const M: usize>(
     D: Coordinates<Scalar = Derived> + State<Scalar = Derived>,
 {
     let (a, b) = (found.a(), found.b());
-    let mut expected_a = vec![vec![0.0; N]; N];
-    for j in 0..N {
+    let columns = (0..N).map(|j| {
         let moved: D = along(state, j);
-        let entries = column(state, &moved, &by_state(&moved), Some(j));
-        assert_eq!(entries.len(), N);
-        for (row, entry) in entries.into_iter().enumerate() {
-            expected_a[row][j] = entry;
-        }
-    }
+        column(state, &moved, &by_state(&moved), Some(j))
+    });
+    let columns: Vec<Vec<f64>> = columns.collect();
     for row in 0..N {
-        let size = expected_a[row]
-            .iter()
-            .fold(1e-3_f64, |size, entry| size.max(entry.abs()));
-        for j in 0..N {
-            let (entry, expected) = (a[(row, j)], expected_a[row][j]);
+        let entries = columns.iter().map(|column| column[row].abs());
+        let size = entries.fold(1e-3, f64::max);
+        for (j, column) in columns.iter().enumerate() {
+            let (entry, expected) = (a[(row, j)], column[row]);
             let what = format!(
                 "{} by {}: {entry} is {expected}",
                 L::STATES[row],

@@ -292,8 +292,8 @@ fn a_loop() {
     };
     let near = FourBarState {
         o: hinge(0.7, 12.0),
-        a: hinge(0.513679 - 0.7, -2.6535519 - 12.0),
-        b: hinge(1.2395134 - 0.513679, 1.3396035 + 2.6535519),
+        a: hinge(0.513_679 - 0.7, -2.653_551_9 - 12.0),
+        b: hinge(1.239_513_4 - 0.513_679, 1.339_603_5 + 2.653_551_9),
     };
     let body = FourBar::<f64>::default();
     let input = FourBarInput { torque: 0.4 };

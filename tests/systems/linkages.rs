@@ -1,4 +1,5 @@
 //! Linkages of six bars: operations.
+#![allow(unused_variables, reason = "each linkage uses some of the points")]
 
 use newton_euler::operations::Operations;
 use newton_euler::prelude::*;

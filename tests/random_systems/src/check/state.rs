@@ -89,6 +89,7 @@ impl Drawn {
     }
 }
 
+#[cfg(test)]
 impl Drawn {
     /// Where the loops are drawn closed, or this far from there.
     fn beside(&self, far: f64, rng: &mut Rng) -> Option<(Wide, Vec<Rates>)> {
@@ -105,6 +106,7 @@ impl Drawn {
 
 impl State {
     /// Where the loops of a linkage are drawn closed, or this far from there.
+    #[cfg(test)]
     pub fn beside(drawn: &Drawn, far: f64, rng: &mut Rng) -> Option<Self> {
         let closed = drawn.beside(far, rng)?;
         Some(Self::moving(drawn, closed, rng))

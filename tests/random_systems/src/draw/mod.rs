@@ -5,6 +5,7 @@ mod bodies;
 mod closings;
 mod drives;
 mod joints;
+#[cfg(test)]
 pub mod linkages;
 mod loads;
 pub mod number;

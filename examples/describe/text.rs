@@ -33,6 +33,7 @@ pub fn system(system: &System) -> TokenStream {
     keys.push(list("joints", joints));
     keys.push(list("fields", top.loads.iter().map(load)));
     keys.push(definitions("potentials", &top.potentials));
+    keys.push(definitions("constraints", &top.constraints));
     keys.push(definitions("drives", &system.drives));
     keys.push(definitions("forces", &system.forces));
     keys.push(definitions("moments", &system.moments));
@@ -105,7 +106,8 @@ fn refers(system: &System, body: &Description, point: &Ident) -> bool {
         .into_iter()
         .flatten()
         .chain(&top.locals)
-        .chain(&top.potentials);
+        .chain(&top.potentials)
+        .chain(&top.constraints);
     let others = others
         .filter_map(|one| one.value.as_ref())
         .chain(&system.points);

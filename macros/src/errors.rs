@@ -85,6 +85,16 @@ impl Errors {
         ));
     }
 
+    /// An error in the place of a value.
+    pub fn report<T>(
+        &mut self,
+        place: impl Into<Extent>,
+        message: impl core::fmt::Display,
+    ) -> Option<T> {
+        self.push(place, message);
+        None
+    }
+
     /// A place in a file, which the errors that are found there name.
     pub fn source(&mut self, words: String) -> Source {
         self.sources.push(words);
@@ -118,6 +128,20 @@ impl Drop for Errors {
             "errors were collected and never reported"
         );
     }
+}
+
+/// Reads what was read before, whose mistakes are reported already.
+pub fn silently<T>(read: impl FnOnce(&mut Errors) -> T) -> T {
+    let mut reported = Errors::default();
+    let found = read(&mut reported);
+    let _ = reported.finish();
+    found
+}
+
+/// All of these, if none was reported. Every one is read, so that no mistake hides another.
+pub fn every<T>(read: impl IntoIterator<Item = Option<T>>) -> Option<Vec<T>> {
+    let all: Vec<Option<T>> = read.into_iter().collect();
+    all.into_iter().collect()
 }
 
 /// The one of `known` that `name` was probably meant to be.

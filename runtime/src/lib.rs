@@ -93,7 +93,7 @@ pub mod state;
 pub mod taylor;
 mod tops;
 
-pub use bodies::{body, columns, constrained, operations, structure};
+pub use bodies::{body, columns, constrained, linearization, operations, structure};
 pub use mechanics::{attitude, field, gyroscopic, inertia, load, principal, wrench};
 #[cfg(feature = "ensemble")]
 pub use numbers::lanes;

@@ -12,10 +12,13 @@ pub use crate::exact::Path as _;
 pub use crate::inertia::InertiaTensor;
 pub use crate::integrate::Integrate;
 #[doc(no_inline)]
+pub use crate::linearization::{Linearization, Linearized};
+#[doc(no_inline)]
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::state::{
     Cylinder, CylinderAcceleration, Hinge, Planar, PlanarAcceleration, PlanarTranslation, Rod,
-    RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State, Translation, Universal,
+    RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State, Still, Translation,
+    Universal,
 };
 pub use crate::taylor::Taylor;
 #[doc(no_inline)]

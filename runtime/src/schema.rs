@@ -62,7 +62,7 @@ pub struct Body {
     pub pole: (),
     /// Named sub-expressions: `[twist = thrust_1 - thrust_2]`.
     pub locals: (),
-    /// What to generate beyond the acceleration: `[energy, balance, reactions, taylor]`, ..
+    /// What to generate beyond the acceleration: `[energy, balance, reactions, linearization]`, ..
     pub outputs: (),
     /// Statements about this body that fail the build if they are false.
     pub checks: (),
@@ -97,8 +97,8 @@ pub struct System {
     /// each direction.
     pub bodies: (),
     /// The joints, which carry the bodies: `[elbow = revolute(upper.tip, lower.hinge, body(0, 0, 1))]`,
-    /// from a point of the carrier to one of what it carries. `cable(P, Q, length, stiffness)` among
-    /// them only pulls.
+    /// from a point of the carrier to one of what it carries. Among them `cable(P, Q, length, stiffness)`
+    /// only pulls, and `link(P, Q, length)` keeps a distance.
     pub joints: (),
     /// Loads along the coordinates of joints: `[motor = torque.on(elbow)]`; `_` marks an unknown one,
     /// for inverse dynamics.
@@ -115,7 +115,7 @@ pub struct System {
     /// and moments are derived: `[coil = 0.5 * stiffness * elbow.angle.powi(2)]`.
     pub potentials: (),
     /// Expressions that the motion keeps at zero, across bodies:
-    /// `[mesh = shaft.angle + 3 * axle.angle]`.
+    /// `[mesh = shaft.angle + 3 * axle.angle, rack = slide.position - 0.05[m] * pinion.angle]`.
     pub constraints: (),
     /// What is generated beyond the accelerations: `[energy, momentum, reactions, inverse]`.
     pub outputs: (),

@@ -152,8 +152,8 @@ fn what_is_wrong_with_joints_is_said() {
     let joint = |attributes: &str| body(&format!("<joint name=\"k\" {attributes}/>{BALL}"));
     let cases = [
         (
-            "armature=\"0.1\"",
-            "`armature`: an inertia of the rotor alone is not there yet: set it to 0, or give the rotor a body of its own",
+            "type=\"ball\" armature=\"0.1\"",
+            "`armature`: an armature of several coordinates is not read: set it to 0, or give the rotor a body of its own",
         ),
         (
             "frictionloss=\"1\"",
@@ -202,8 +202,20 @@ fn what_is_wrong_beside_the_bodies_is_said() {
     let with = |inside: &str| format!("{}\n{inside}", body(BALL));
     let cases = [
         (
-            "<actuator><position joint=\"j\"/></actuator>",
-            "`<position>`: only `<motor>` is read: write what `position` does in `drives`, and leave it out",
+            "<actuator><muscle joint=\"j\"/></actuator>",
+            "`<muscle>`: only `<motor>`, `<position>`, `<velocity>`, `<damper>`, `<general>` are read: write what `muscle` does in `drives`, and leave it out",
+        ),
+        (
+            "<actuator><general joint=\"j\" dyntype=\"filter\"/></actuator>",
+            "`<general>`: `dyntype`: actuators with a state of their own are not read",
+        ),
+        (
+            "<actuator><general joint=\"j\" gaintype=\"muscle\"/></actuator>",
+            "`<general>`: `gaintype`: `fixed` and `affine` are read, and this is `muscle`",
+        ),
+        (
+            "<actuator><motor tendon=\"t\"/></actuator>",
+            "`<motor>`: there is no tendon `t`",
         ),
         (
             "<actuator><motor joint=\"l\"/></actuator>",
@@ -214,8 +226,8 @@ fn what_is_wrong_beside_the_bodies_is_said() {
             "`<motor>`: there is no attribute `site`",
         ),
         (
-            "<equality><joint joint1=\"j\"/></equality>",
-            "`<joint>`: this is not read, and may change the motion",
+            "<equality><joint joint1=\"l\"/></equality>",
+            "`<joint>`: there is no joint `l`",
         ),
         (
             "<equality><connect body1=\"b\" anchor=\"0 0 0\"/></equality>",
@@ -226,8 +238,12 @@ fn what_is_wrong_beside_the_bodies_is_said() {
             "`<connect>`: it has no attribute `anchor`",
         ),
         (
+            "<tendon><spatial/></tendon>",
+            "`<spatial>`: this is not read, and may change the motion",
+        ),
+        (
             "<tendon><fixed/></tendon>",
-            "`<fixed>`: this is not read, and may change the motion",
+            "`<fixed>`: it has no `<joint>` that changes its length",
         ),
         (
             "<option density=\"1.2\"/>",

@@ -10,7 +10,7 @@ pub type Operation = (
     fn([f64; 3]) -> f64,
 );
 
-pub const OPERATIONS: [Operation; 35] = [
+pub const OPERATIONS: [Operation; 36] = [
     ("negate", |g, [a, ..]| g.negate(a), |[a, ..]| -a),
     ("add", |g, [a, b, _]| g.add(a, b), |[a, b, _]| a + b),
     (
@@ -33,6 +33,14 @@ pub const OPERATIONS: [Operation; 35] = [
         |[a, b, _]| a * b,
     ),
     ("divide", |g, [a, b, _]| g.divide(a, b), |[a, b, _]| a / b),
+    (
+        "pivot",
+        |g, [a, b, _]| {
+            let size = g.apply(Function::Abs, &[b]);
+            g.pivot(a, size)
+        },
+        |[a, ..]| 1.0 / a,
+    ),
     (
         "sum",
         |g, [a, b, c]| g.sum(&[a, b, c]),

@@ -165,6 +165,7 @@ impl Reference {
                 given: None,
                 twist,
                 rate,
+                armature: self.graph.zero(),
                 drive,
                 name: "freedom".to_owned(),
             });

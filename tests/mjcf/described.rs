@@ -19,3 +19,7 @@ rigid_system!(Swing {
 rigid_system!(Linkage {
     mjcf: "tests/mjcf/linkage.xml"
 });
+
+rigid_system!(Coupled {
+    mjcf: "tests/mjcf/coupled.xml"
+});

@@ -4,11 +4,11 @@
 mod described;
 mod printed;
 
-use described::{Arm, ArmInput, Linkage, Quadruped, QuadrupedInput, Swing};
+use described::{Arm, ArmInput, Coupled, CoupledInput, Linkage, Quadruped, QuadrupedInput, Swing};
 use newton_euler::prelude::*;
 use printed::{
-    ArmPrinted, ArmPrintedInput, LinkagePrinted, QuadrupedPrinted, QuadrupedPrintedInput,
-    SwingPrinted,
+    ArmPrinted, ArmPrintedInput, CoupledPrinted, CoupledPrintedInput, LinkagePrinted,
+    QuadrupedPrinted, QuadrupedPrintedInput, SwingPrinted,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -117,4 +117,32 @@ fn a_loop_that_is_closed_and_a_body_that_is_welded() {
         found,
         compare("linkage", &LinkagePrinted::default(), |_| ())
     );
+}
+
+#[test]
+fn armatures_tendons_actuators_and_coordinates_that_follow_others() {
+    // in the order of the alphabet
+    macro_rules! input {
+        ($kind:ident, $given:expr) => {{
+            let [brake, haul, law, pull, servo, spindle, squeeze, turn] =
+                $given.try_into().unwrap();
+            $kind {
+                turn,
+                servo,
+                squeeze,
+                spindle,
+                brake,
+                law,
+                pull,
+                haul,
+            }
+        }};
+    }
+    let coupled = Coupled::default();
+    let found = compare("coupled", &coupled, |given| input!(CoupledInput, given));
+    let printed = CoupledPrinted::default();
+    let same = compare("coupled", &printed, |given| {
+        input!(CoupledPrintedInput, given)
+    });
+    assert_eq!(found, same);
 }

@@ -16,7 +16,11 @@ import numpy as np
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 LOCKED = {"swing": {"held": 0.05}}
 NAMES = {"linkage": {"crank": "crank_joint"}, "swing": {"": "body_3_joint"}}
-INPUTS = {"arm": ["pan_motor", "slip_motor"], "quadruped": ["thigh_1_motor", "motor_2"]}
+INPUTS = {
+    "arm": ["pan_motor", "slip_motor"],
+    "quadruped": ["thigh_1_motor", "motor_2"],
+    "coupled": ["turn", "servo", "squeeze", "spindle", "brake", "law", "pull", "haul"],
+}
 
 
 def held(model, data, closing):
@@ -43,12 +47,41 @@ def held(model, data, closing):
     return sum(rows), sum(rates) @ data.qvel
 
 
+def coupled(model, data, closing):
+    """Gap, Jacobian, and what it gives without accelerations, of joints or fixed tendons that follow others."""
+    first, second = model.eq_obj1id[closing], model.eq_obj2id[closing]
+
+    def length(number):
+        row = np.zeros(model.nv)
+        if model.eq_type[closing] == mujoco.mjtEq.mjEQ_JOINT:
+            row[model.jnt_dofadr[number]] = 1
+            at = model.jnt_qposadr[number]
+            return data.qpos[at] - model.qpos0[at], row
+        start = model.tendon_adr[number]
+        for part in range(start, start + model.tendon_num[number]):
+            row[model.jnt_dofadr[model.wrap_objid[part]]] = model.wrap_prm[part]
+        return data.ten_length[number] - model.tendon_length0[number], row
+
+    (own, row), (other, led) = length(first), length(second)
+    polynomial = np.polynomial.Polynomial(model.eq_data[closing][:5])
+    slope, bend = polynomial.deriv()(other), polynomial.deriv(2)(other)
+    return own - polynomial(other), row - slope * led, -bend * (led @ data.qvel) ** 2
+
+
+COUPLED = (int(mujoco.mjtEq.mjEQ_JOINT), int(mujoco.mjtEq.mjEQ_TENDON))
+
+
 def assembled(model, data, closings):
     """Moves coordinates, then rates, to where what is held together is."""
     for _ in range(50):
         mujoco.mj_forward(model, data)
         gaps, rows = [], []
         for closing in closings:
+            if int(model.eq_type[closing]) in COUPLED:
+                gap, row, _ = coupled(model, data, closing)
+                gaps.append([gap])
+                rows.append(row[None, :])
+                continue
             row, _ = held(model, data, closing)
             first, second = model.eq_obj1id[closing], model.eq_obj2id[closing]
             turns = [data.xmat[body].reshape(3, 3) for body in (first, second)]
@@ -68,11 +101,18 @@ def assembled(model, data, closings):
         mujoco.mj_integratePos(model, data.qpos, step, 1.0)
         if np.abs(step).max() < 1e-15:
             break
-    rows = np.vstack([held(model, data, closing)[0] for closing in closings])
+    rows = np.vstack([kept(model, data, closing)[0] for closing in closings])
     data.qvel[:] -= np.linalg.lstsq(rows, rows @ data.qvel, rcond=None)[0]
 
 
 ASSEMBLY = {}
+
+
+def kept(model, data, closing):
+    if int(model.eq_type[closing]) in COUPLED:
+        _, row, rate = coupled(model, data, closing)
+        return row[None, :], np.array([rate])
+    return held(model, data, closing)
 
 
 def accelerations(model, data, name):
@@ -85,7 +125,7 @@ def accelerations(model, data, name):
     closings = [i for i in range(model.neq) if model.eq_active0[i]]
     found = np.zeros(size)
     if closings:
-        parts = [held(model, data, closing) for closing in closings]
+        parts = [kept(model, data, closing) for closing in closings]
         rows, rates = np.vstack([part[0] for part in parts]), np.concatenate([part[1] for part in parts])
         count = len(rates)
         whole = np.block([[mass, rows.T], [rows, np.zeros((count, count))]])
@@ -137,6 +177,8 @@ def rows(name, random):
     mujoco.mj_forward(model, data)
     closings = [i for i in range(model.neq) if model.eq_active0[i]]
     for closing in closings:
+        if int(model.eq_type[closing]) in COUPLED:
+            continue
         first, second = model.eq_obj1id[closing], model.eq_obj2id[closing]
         turns = [data.xmat[body].reshape(3, 3).copy() for body in (first, second)]
         ASSEMBLY[closing] = (turns[0].T @ (data.xpos[second] - data.xpos[first]), turns[0].T @ turns[1])
@@ -158,7 +200,7 @@ def rows(name, random):
 
 if __name__ == "__main__":
     generator = np.random.default_rng(5)
-    whole = {name: list(rows(name, generator)) for name in ("arm", "quadruped", "swing", "linkage")}
+    whole = {name: list(rows(name, generator)) for name in ("arm", "quadruped", "swing", "linkage", "coupled")}
     whole["origin"] = f"MuJoCo {mujoco.__version__}, by reference.py"
     with open(os.path.join(FOLDER, "reference.json"), "w", encoding="utf-8") as file:
         json.dump(whole, file, indent=1)

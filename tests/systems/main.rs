@@ -2,6 +2,7 @@
 #![allow(missing_docs)]
 
 mod along_axes;
+mod armatures;
 mod balanced;
 mod balances;
 mod compare;
@@ -15,6 +16,8 @@ mod frames;
 mod kinds;
 mod large;
 mod laws;
+mod linkages;
+mod links;
 mod loops;
 mod matrices;
 mod mechanisms;
@@ -26,9 +29,11 @@ mod potentials;
 mod reference;
 mod references;
 mod rolling;
+mod screws;
 mod series;
 mod shapes;
 mod spatial;
 mod squeezer;
 mod statics;
+mod still;
 mod unequal;

@@ -146,5 +146,5 @@ fn operations_stay_few() {
     let mut rows = Squeezer::OPERATIONS.iter();
     let row = rows.find(|row| row.function == "acceleration").unwrap();
     let count = row.mul + row.add + row.div;
-    assert!(count <= 1733, "{row:?}");
+    assert!(count <= 289, "{row:?}");
 }

@@ -2,6 +2,7 @@
 #![allow(missing_docs)]
 
 mod described;
+mod mimics;
 mod oracle;
 mod printed;
 mod round_trip;

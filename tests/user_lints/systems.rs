@@ -94,3 +94,44 @@ pub mod generic {
         outputs: [reactions, energy, momentum],
     });
 }
+
+/// What does not move by itself.
+pub mod still {
+    newton_euler::rigid_system!(Boom::<Real> {
+        doc: "A boom that turns as it is told.",
+        params: [m = 2.5[kg], speed[rad / s]],
+        inputs: [wind[N]],
+        bodies: [
+            mast {
+                mass: 2 * m,
+                inertia: principal(3, 3, 1)[kg * m ^ 2],
+                points: [top = (0, 0, 2)[m]],
+                forces: [push = world(wind, 0, 0).at(top)],
+            },
+            jib {
+                mass: m,
+                inertia: principal(1, 3, 3)[kg * m ^ 2],
+                points: [root = (-1, 0, 0)[m]],
+            },
+        ],
+        joints: [
+            foot = weld(world(0, 0, 0), mast.G),
+            slew = revolute(mast.top, jib.root, body(0, 0, 1)).driven(speed * t),
+        ],
+        fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
+        outputs: [energy, momentum, reactions, balance],
+    });
+
+    newton_euler::rigid_system!(Shelf {
+        doc: "A shelf.",
+        motion: planar,
+        bodies: [board {
+            mass: 1[kg],
+            inertia: 1[kg * m ^ 2],
+            points: [end = (-1, 0)[m]],
+        },],
+        joints: [wall = weld(world(0, 0), board.end)],
+        fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+        outputs: [reactions, energy],
+    });
+}

@@ -1,13 +1,9 @@
 //! A description, read in order: what it declares, the body, its loads.
 
-use proc_macro2::Ident;
-
-use crate::errors::Errors;
-use crate::lower::definitions::{INVERSE, check_names};
+use crate::errors::{Errors, every};
+use crate::lower::definitions::{INVERSE, LINEARIZATION, check_names, unused};
 use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
-use crate::model::{
-    Declared, Drawn, ENTRIES, Labels, Load, Model, Outline, Reaction, Workspace, state_symbols,
-};
+use crate::model::{Declared, Drawn, ENTRIES, Labels, Model, Outline, Workspace, state_symbols};
 use crate::syntax::{self, Description};
 
 /// Gives a description its meaning. `None` if anything was wrong with it.
@@ -20,7 +16,7 @@ pub fn lower_description(
     let mut work = Workspace::new();
     let mut state = state_symbols(outline.motion, &mut work);
     let mut scope = Scope::new(description, repeated);
-    let named = outline.reactions.iter();
+    let names = outline.reactions.iter().map(|(name, _)| name.to_string());
     let mut lowering = Lowering {
         work: &mut work,
         scope: &mut scope,
@@ -30,7 +26,7 @@ pub fn lower_description(
         composed: None,
         has_parts: description.composition.is_some(),
         drawn: Drawn::Alone,
-        reactions: named.map(|(name, _)| name.to_string()).collect(),
+        reactions: names.collect(),
         is_constrained: outline.is_constrained,
         members: &Members::default(),
         is_whole: false,
@@ -41,21 +37,15 @@ pub fn lower_description(
     let inertia = lowering.inertia(description, mass, &defaults);
     let potentials = lowering.potentials(description);
     let [unknown, driving, known] = loads_by_kind(description);
-    let is_asked_for = outline.rank(INVERSE).is_some();
-    let drives: Vec<Option<Reaction>> = driving
-        .into_iter()
-        .map(|load| lowering.drive(load, is_asked_for))
-        .collect();
+    let is_inverse = outline.rank(INVERSE).is_some();
+    let drives = driving.into_iter();
+    let drives = every(drives.map(|load| lowering.drive(load, is_inverse)));
     let constraints = lowering.constraints(description, &outline.inputs);
-    let reactions: Vec<Option<Reaction>> = unknown
-        .into_iter()
-        .enumerate()
-        .map(|(index, load)| lowering.reaction(index, load))
-        .collect();
-    if outline.is_constrained {
-        lowering.name_reactions(description, &reactions);
-    }
-    let loads: Vec<Option<Load>> = known.into_iter().map(|load| lowering.load(load)).collect();
+    let reactions = unknown.into_iter().enumerate();
+    let reactions = reactions.map(|(index, load)| lowering.reaction(index, load));
+    let reactions: Vec<_> = reactions.collect();
+    lowering.name_reactions(description, &reactions);
+    let loads = every(known.into_iter().map(|load| lowering.load(load)));
     let pole = lowering.pole(description.pole.as_ref());
 
     outline.unused = unused(description, &scope);
@@ -66,11 +56,12 @@ pub fn lower_description(
         state,
         mass: mass.known(),
         inertia: inertia?,
+        is_differentiated: outline.rank(LINEARIZATION).is_some(),
         has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
-        loads: loads.into_iter().collect::<Option<_>>()?,
+        loads: loads?,
         potentials: potentials?,
-        reactions: reactions.into_iter().collect::<Option<_>>()?,
-        drives: drives.into_iter().collect::<Option<_>>()?,
+        reactions: every(reactions)?,
+        drives: drives?,
         constraints: constraints?,
         pole: pole?,
         defaults,
@@ -105,17 +96,4 @@ fn name_properties(model: &Model, labels: &mut Labels) {
     if let Some(mass) = model.mass {
         labels.name(mass, "mass");
     }
-}
-
-/// The names that nothing refers to; the rates of an input come with it.
-fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
-    let inputs = description.inputs.iter().filter(|input| input.order == 0);
-    let declared = description.params.iter().chain(inputs);
-    let defined = description.points.iter().chain(&description.locals);
-    declared
-        .map(|declaration| &declaration.name)
-        .chain(defined.map(|definition| &definition.name))
-        .filter(|name| !scope.is_used(name))
-        .cloned()
-        .collect()
 }

@@ -6,6 +6,7 @@
 mod answers;
 mod balances;
 mod closed_forms;
+mod linearization;
 mod proofs;
 mod report;
 mod structure;
@@ -20,12 +21,13 @@ pub use answers::{
 };
 pub use balances::uniform_field;
 pub use closed_forms::{Flow, Free, Rotation, derive_flow};
+pub use linearization::{Block, Column, Linearization, Row, linearize_body, linearize_system};
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
 pub use system::{
-    BodyBalance, Inertias, Jacobian, SystemEquations, check_followers, derive_inertias,
-    derive_jacobians, derive_system, derive_system_balances, derive_system_consistency,
-    derive_system_driving, derive_system_energy, derive_system_inverse, derive_system_momentum,
-    derive_system_reactions, derive_system_spare, derive_system_taylor, describe_system,
+    Inertias, Jacobian, SystemEquations, check_followers, derive_inertias, derive_jacobians,
+    derive_system, derive_system_balances, derive_system_consistency, derive_system_driving,
+    derive_system_energy, derive_system_inverse, derive_system_momentum, derive_system_reactions,
+    derive_system_spare, derive_system_taylor, describe_system,
 };
 pub use unknowns::{Consistency, Reach, derive_inverse, derive_reach};
 pub use variation::{with_potentials, with_system_potentials};

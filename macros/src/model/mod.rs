@@ -15,12 +15,12 @@ pub use body::{
     least_moment, matrix, thinnest, words,
 };
 pub use joints::{
-    Coordinate, Field, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
+    Coordinate, Field, Group, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
 };
 pub use kinematics::{
     Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use system::{Axes, Cable, Closing, Holds, JointKind, Kept, Member, Part, System, TreeJoint};
+pub use system::{Axes, Closing, Holds, JointKind, Kept, Member, Part, System, Tie, TreeJoint};
 pub use words::{
     AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
 };
@@ -35,6 +35,8 @@ pub struct Model {
     pub state: State,
     pub mass: Option<Id>,
     pub inertia: Inertia,
+    /// Its equations are differentiated.
+    pub is_differentiated: bool,
     /// An inertia was written for a body that does not turn.
     pub has_idle_inertia: bool,
     pub loads: Vec<Load>,

@@ -1,9 +1,12 @@
 //! What is generated beside the accelerations, one file each: what it derives, what it emits, what
 //! it documents. What both one body and a system have is here, the rest in a wing of each.
 
+mod balance;
 mod body;
+mod by_name;
 mod constrained;
 mod energy;
+mod linearization;
 mod loads;
 mod momentum;
 mod output;
@@ -35,7 +38,10 @@ pub struct Outputs<S: Listed>(Vec<Box<dyn Output<S>>>);
 /// What a body has, not yet derived: what a description with mistakes gets.
 pub fn wanted<S: Listed>(outline: &Outline) -> Outputs<S> {
     let all = S::outputs().into_iter();
-    let wanted = all.filter(|output| output.place(outline).is_some());
+    let is_meaningless = |offer: &Offer| offer.is_of_motion && outline.is_still();
+    let wanted = all.filter(|output| {
+        output.place(outline).is_some() && !output.offer().is_some_and(is_meaningless)
+    });
     Outputs(wanted.collect())
 }
 
@@ -85,7 +91,8 @@ impl<S: Listed> Outputs<S> {
         }
         let missed = offers::<S>()
             .into_iter()
-            .filter(|offer| (offer.is_missed)(outline) && outline.rank(offer.word).is_none());
+            .filter(|offer| (offer.is_missed)(outline) && outline.rank(offer.word).is_none())
+            .filter(|offer| !(outline.is_still() && offer.is_of_motion));
         let missed: Vec<&str> = missed.map(|offer| offer.word).collect();
         if !missed.is_empty() {
             let missed = missed.join(", ");

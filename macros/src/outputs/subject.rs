@@ -1,17 +1,37 @@
 //! What outputs are of: a body alone, or a system. What both can be asked for is one output.
 
+use crate::emit::code::Shapes;
+use crate::emit::items::Equated;
 use crate::errors::{Errors, Extent};
 use crate::families::Family;
 use crate::mechanics::{
-    Consistency, Energy, Equations, Momentum, Reach, SystemEquations, Taylor, derive_energy,
-    derive_momentum, derive_reach, derive_system_consistency, derive_system_energy,
-    derive_system_momentum, derive_system_taylor, derive_taylor, uniform_field,
+    Balance, Consistency, Energy, Equations, Linearization, Momentum, Reach, Report,
+    SystemEquations, Taylor, check_followers, derive_balance, derive_energy, derive_equations,
+    derive_momentum, derive_reach, derive_system, derive_system_balances,
+    derive_system_consistency, derive_system_energy, derive_system_momentum, derive_system_taylor,
+    derive_taylor, describe_equations, describe_system, linearize_body, linearize_system,
+    uniform_field, with_potentials, with_system_potentials,
 };
-use crate::model::{Frame, Load, Model, System, Workspace};
+use crate::model::{Defaults, Frame, Load, Model, Outline, Substance, System, Workspace};
 
 /// A body alone, or a system.
 pub trait Subject: Sized + 'static {
     type Equations;
+
+    /// Its equations of motion, where its potentials are loads. `None` if there are none, as the
+    /// errors say.
+    fn derive(self, work: &mut Workspace, errors: &mut Errors) -> Option<(Self, Self::Equations)>;
+
+    /// What its equations are like, and what does not appear in them.
+    fn describe(&self, work: &mut Workspace, equations: &Self::Equations) -> Report;
+
+    /// Its accelerations, in the order in which the state has them, and when they change.
+    fn equated(&self, outline: &Outline, equations: Self::Equations) -> Equated;
+
+    /// What its bodies are made of.
+    fn substances(&self) -> Vec<Substance>;
+
+    fn defaults(&self) -> &Defaults;
 
     fn energy(&self, work: &mut Workspace) -> Energy;
 
@@ -19,6 +39,14 @@ pub trait Subject: Sized + 'static {
     fn fields_without_potential(&self, work: &Workspace) -> Vec<&Load>;
 
     fn momentum(&self, work: &mut Workspace) -> Momentum;
+
+    /// The balances of each body, in the order in which the outline has them.
+    fn balances(
+        &self,
+        work: &mut Workspace,
+        equations: &Self::Equations,
+        outline: &Outline,
+    ) -> Vec<Balance>;
 
     /// The constraints that the motion keeps, and how far rounding reaches in each.
     fn constraints(
@@ -35,10 +63,43 @@ pub trait Subject: Sized + 'static {
         asked: Extent,
         errors: &mut Errors,
     ) -> Option<Taylor>;
+
+    fn linearization(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &Self::Equations,
+    ) -> Linearization;
 }
 
 impl Subject for Model {
     type Equations = Equations;
+
+    fn derive(self, work: &mut Workspace, errors: &mut Errors) -> Option<(Self, Equations)> {
+        let model = with_potentials(self, work);
+        let equations = derive_equations(&model, work, errors)?;
+        Some((model, equations))
+    }
+
+    fn describe(&self, work: &mut Workspace, equations: &Equations) -> Report {
+        describe_equations(self, work, equations)
+    }
+
+    fn equated(&self, outline: &Outline, equations: Equations) -> Equated {
+        Equated {
+            accelerations: Shapes::of(outline).pair_part(&equations.accelerations),
+            switches: equations.switches,
+            partial: equations.partial,
+        }
+    }
+
+    fn substances(&self) -> Vec<Substance> {
+        vec![self.substance()]
+    }
+
+    fn defaults(&self) -> &Defaults {
+        &self.defaults
+    }
 
     fn energy(&self, work: &mut Workspace) -> Energy {
         derive_energy(self, work)
@@ -51,6 +112,10 @@ impl Subject for Model {
 
     fn momentum(&self, work: &mut Workspace) -> Momentum {
         derive_momentum(self, work)
+    }
+
+    fn balances(&self, work: &mut Workspace, equations: &Equations, _: &Outline) -> Vec<Balance> {
+        vec![derive_balance(self, work, &equations.reactions)]
     }
 
     fn constraints(
@@ -79,10 +144,54 @@ impl Subject for Model {
             errors,
         )
     }
+
+    fn linearization(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &Equations,
+    ) -> Linearization {
+        linearize_body(outline, self, work, equations.accelerations)
+    }
 }
 
 impl Subject for System {
     type Equations = SystemEquations;
+
+    fn derive(self, work: &mut Workspace, errors: &mut Errors) -> Option<(Self, SystemEquations)> {
+        check_followers(&self, work, errors)?;
+        let system = with_system_potentials(self, work);
+        let equations = derive_system(&system, work);
+        equations.check(&system, errors)?;
+        Some((system, equations))
+    }
+
+    fn describe(&self, work: &mut Workspace, equations: &SystemEquations) -> Report {
+        describe_system(self, work, equations)
+    }
+
+    fn equated(&self, _: &Outline, equations: SystemEquations) -> Equated {
+        // the state has the joints as they are written, the tree each after its carrier
+        let written = self.written.iter();
+        let accelerations = written.flat_map(|joint| equations.accelerations[*joint].clone());
+        Equated {
+            accelerations: accelerations.collect(),
+            switches: equations.switches,
+            partial: equations.partial,
+        }
+    }
+
+    fn substances(&self) -> Vec<Substance> {
+        let bodies = self.bodies.iter().map(|body| Substance {
+            mass: Some(body.mass),
+            inertia: body.inertia,
+        });
+        bodies.collect()
+    }
+
+    fn defaults(&self) -> &Defaults {
+        &self.defaults
+    }
 
     fn energy(&self, work: &mut Workspace) -> Energy {
         derive_system_energy(self, work)
@@ -97,6 +206,18 @@ impl Subject for System {
 
     fn momentum(&self, work: &mut Workspace) -> Momentum {
         derive_system_momentum(self, work)
+    }
+
+    fn balances(
+        &self,
+        work: &mut Workspace,
+        equations: &SystemEquations,
+        outline: &Outline,
+    ) -> Vec<Balance> {
+        let all = derive_system_balances(self, work, equations, &outline.holding);
+        let mut named: Vec<_> = self.bodies.iter().map(|body| &body.name).zip(all).collect();
+        named.sort_by_key(|(name, _)| outline.bodies.iter().position(|body| body == *name));
+        named.into_iter().map(|(_, balance)| balance).collect()
     }
 
     fn constraints(
@@ -115,6 +236,15 @@ impl Subject for System {
         errors: &mut Errors,
     ) -> Option<Taylor> {
         derive_system_taylor(self, work, asked, &equations.accelerations, errors)
+    }
+
+    fn linearization(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &SystemEquations,
+    ) -> Linearization {
+        linearize_system(outline, self, work, equations)
     }
 }
 

@@ -14,7 +14,10 @@ use crate::symbolic::Id;
 use super::output::{Basis, Output};
 use super::subject::Subject;
 
-const OFFER: Offer = Offer::new("taylor");
+const OFFER: Offer = Offer {
+    is_of_motion: true,
+    ..Offer::new("taylor")
+};
 
 /// Of a system with more products of series than this, Runge–Kutta steps are faster: at 1e-9 a
 /// double pendulum (15 products) takes 0.8 of the time with series, a satellite with three wheels

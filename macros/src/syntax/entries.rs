@@ -41,22 +41,13 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.inputs.push(input);
             into.inputs.extend(derivatives);
         }
-        "points" => {
-            let value = parse_value(&name, rest, errors);
-            into.points.push(Definition { name, value });
-        }
-        "locals" => {
-            let value = parse_value(&name, rest, errors);
-            into.locals.push(Definition { name, value });
-        }
+        "points" => into.points.push(parse_definition(name, rest, errors)),
+        "locals" => into.locals.push(parse_definition(name, rest, errors)),
+        "constraints" => into.constraints.push(parse_definition(name, rest, errors)),
         "potentials" => {
-            let value = parse_value(&name, rest, errors);
+            let Definition { name, value } = parse_definition(name, rest, errors);
             let value = value.map(|value| without_point(value, errors));
             into.potentials.push(Definition { name, value });
-        }
-        "constraints" => {
-            let value = parse_value(&name, rest, errors);
-            into.constraints.push(Definition { name, value });
         }
         "outputs" => {
             // an output that is not there yet is reported as such
@@ -86,11 +77,10 @@ pub fn parse_name<'t>(
         [TokenTree::Ident(word), TokenTree::Group(group), ..]
             if group.delimiter() == Delimiter::Parenthesis && key != "outputs" =>
         {
-            errors.push(
+            errors.report(
                 word.span(),
                 format!("every entry has a name: write `name = {word}(..)`"),
-            );
-            None
+            )
         }
         [TokenTree::Ident(name), rest @ ..] => {
             let what = if key == "outputs" {
@@ -105,20 +95,14 @@ pub fn parse_name<'t>(
             }
             Some((name.clone(), rest))
         }
-        [first, ..] if key == "outputs" => {
-            errors.push(
-                start(first),
-                "expected the name of an output, such as `energy`",
-            );
-            None
-        }
-        [first, ..] => {
-            errors.push(
-                start(first),
-                "expected a name: an entry is written `name = ..`",
-            );
-            None
-        }
+        [first, ..] if key == "outputs" => errors.report(
+            start(first),
+            "expected the name of an output, such as `energy`",
+        ),
+        [first, ..] => errors.report(
+            start(first),
+            "expected a name: an entry is written `name = ..`",
+        ),
         [] => None,
     }
 }
@@ -178,19 +162,22 @@ fn parse_declaration(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> De
     }
 }
 
+fn parse_definition(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Definition {
+    let value = parse_value(&name, rest, errors);
+    Definition { name, value }
+}
+
 /// The value behind the `=`.
 pub fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Value {
     let Some((_, value)) = after_sign(rest, '=') else {
         let place = rest.first().map_or(name.span(), start);
-        errors.push(place, format!("expected a value: write `{name} = ..`"));
-        return None;
+        return errors.report(place, format!("expected a value: write `{name} = ..`"));
     };
     if value.is_empty() {
-        errors.push(
+        return errors.report(
             name.span(),
             format!("`{name}` has no value: write `{name} = ..`"),
         );
-        return None;
     }
     Expression::parse(stream(value), errors)
 }
@@ -249,20 +236,14 @@ fn parse_load(
                 }
                 value = *inner;
             }
-            Kind::Call(function, mut arguments)
+            Kind::Call(function, arguments)
                 if function == "moment" && load.kind == LoadKind::Force =>
             {
-                let message = if kind.is_some() {
-                    "a force is expected here: moments stand in `moments` or `joint_moments`"
-                } else {
-                    "`moment` takes one vector: write `moment(body(0, 0, 1))`"
-                };
-                if kind.is_some() || arguments.len() != 1 {
-                    errors.push(function.span(), message);
+                let Some(vector) = vector_of_moment(&function, arguments, kind, errors) else {
                     return load;
-                }
+                };
                 load.kind = LoadKind::Moment;
-                value = arguments.remove(0);
+                value = vector;
             }
             _ => break,
         }
@@ -272,6 +253,23 @@ fn parse_load(
     }
     load.vector = Some(value);
     load
+}
+
+/// The vector of `moment(vector)`, which stands where a load says itself of what `kind` it is.
+fn vector_of_moment(
+    function: &Ident,
+    mut arguments: Vec<Expression>,
+    kind: Option<LoadKind>,
+    errors: &mut Errors,
+) -> Option<Expression> {
+    let message = if kind.is_some() {
+        "a force is expected here: moments stand in `moments` or `joint_moments`"
+    } else if arguments.len() == 1 {
+        return arguments.pop();
+    } else {
+        "`moment` takes one vector: write `moment(body(0, 0, 1))`"
+    };
+    errors.report(function.span(), message)
 }
 
 /// Reads what `.at(..)` says, once.

@@ -78,6 +78,25 @@ pub enum Operator {
     Or,
 }
 
+/// A function or a method, with its arguments.
+pub type Called<'e> = (&'e Ident, &'e [Expression]);
+
+/// `kind(arguments)`, and the methods behind it.
+pub fn call(value: &Expression) -> Option<(Called<'_>, Vec<Called<'_>>)> {
+    let mut methods = Vec::new();
+    let mut inner = value;
+    loop {
+        match &inner.kind {
+            Kind::Method(receiver, method, arguments) => {
+                methods.push((method, arguments.as_slice()));
+                inner = receiver;
+            }
+            Kind::Call(word, arguments) => return Some(((word, arguments), methods)),
+            _ => return None,
+        }
+    }
+}
+
 impl Expression {
     /// How many names and numbers it consists of.
     pub fn size(&self) -> usize {

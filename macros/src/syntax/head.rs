@@ -18,27 +18,24 @@ const TYPES: [&str; 19] = [
 pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, TokenStream)> {
     let all: Vec<TokenTree> = tokens.into_iter().collect();
     let [TokenTree::Group(runtime), rest @ ..] = all.as_slice() else {
-        errors.push(
+        return errors.report(
             Span::call_site(),
             "call this macro as `newton_euler::rigid_body!`",
         );
-        return None;
     };
     let rest = from_name(rest, errors)?;
     let [TokenTree::Ident(name), rest @ ..] = rest else {
         let place = rest.first().map_or_else(Span::call_site, start);
-        errors.push(place, "expected the name of the body, as in `Name { .. }`");
-        return None;
+        return errors.report(place, "expected the name of the body, as in `Name { .. }`");
     };
     check_name(name, "the name of the body", errors)?;
     let is_group = |token: &TokenTree| matches!(token, TokenTree::Group(_));
     let Some(position) = rest.iter().position(is_group) else {
         let place = rest.first().map_or(name.span(), start);
-        errors.push(
+        return errors.report(
             place,
             format!("expected the description in braces: `{name} {{ .. }}`"),
         );
-        return None;
     };
     let (between, after) = (&rest[..position], &rest[position + 1..]);
     let scalar = parse_scalar(name, between, errors);
@@ -83,13 +80,10 @@ fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [To
             }
         }
         [_, ..] => Some(tokens),
-        [] => {
-            errors.push(
-                Span::call_site(),
-                "write a description: `rigid_body!(Name { motion: spatial, mass: 1[kg], .. })`",
-            );
-            None
-        }
+        [] => errors.report(
+            Span::call_site(),
+            "write a description: `rigid_body!(Name { motion: spatial, mass: 1[kg], .. })`",
+        ),
     }
 }
 
@@ -98,8 +92,7 @@ fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [To
 fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
     let first = between.first()?;
     if !is_punct(first, '<') && !is_punct(first, ':') {
-        errors.push(first.span(), format!("expected a brace: `{name} {{ .. }}`"));
-        return None;
+        return errors.report(first.span(), format!("expected a brace: `{name} {{ .. }}`"));
     }
     let scalar = match between {
         [a, b, open, TokenTree::Ident(scalar), close]
@@ -110,13 +103,10 @@ fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Opt
         {
             check_scalar(name, scalar, errors).map(|()| scalar.clone())
         }
-        _ => {
-            errors.push(
-                Extent::of(stream(between)),
-                format!("a body that is generic over its scalar is `{name}::<T> {{ .. }}`"),
-            );
-            None
-        }
+        _ => errors.report(
+            Extent::of(stream(between)),
+            format!("a body that is generic over its scalar is `{name}::<T> {{ .. }}`"),
+        ),
     };
     Some(scalar.unwrap_or_else(|| Ident::new("AnyScalar", Span::call_site())))
 }
@@ -133,6 +123,5 @@ fn check_scalar(name: &Ident, scalar: &Ident, errors: &mut Errors) -> Option<()>
     } else {
         return Some(());
     };
-    errors.push(scalar.span(), message);
-    None
+    errors.report(scalar.span(), message)
 }

@@ -28,10 +28,10 @@ use crate::errors::Extent;
 use crate::families::Family;
 use crate::families::LoadKind;
 pub use composition::{Composition, Part};
-pub use expression::{Expression, Kind, Operator, Prefix, Step};
+pub use expression::{Called, Expression, Kind, Operator, Prefix, Step, call};
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
-pub use system::{CABLE, Center, File, System, parse_system};
+pub use system::{CABLE, Center, File, LINK, System, parse_system};
 pub use unit::UnitExpression;
 pub use words::BUILT_IN;
 

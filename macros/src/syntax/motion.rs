@@ -41,14 +41,11 @@ pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> 
                 support: None,
             })
         }
-        [first, ..] => {
-            errors.push(
-                start(first),
-                "expected a kind of motion: `planar`, `planar_translation`, `spatial`, \
+        [first, ..] => errors.report(
+            start(first),
+            "expected a kind of motion: `planar`, `planar_translation`, `spatial`, \
                  `translation`, `rotation`, or one with a support such as `pivot(P)`",
-            );
-            None
-        }
+        ),
     }
 }
 

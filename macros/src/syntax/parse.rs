@@ -1,7 +1,6 @@
 //! From tokens to a [`Description`]: its head and its keys.
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
-use syn::{Lit, LitStr};
 
 use crate::errors::{Errors, Extent, similar};
 
@@ -11,7 +10,7 @@ use super::expression::Expression;
 use super::head::parse_head;
 use super::motion::parse_motion;
 use super::tokens::{
-    Entry, after_sign, is_punct, split, start, stream, token_beyond, without_attributes,
+    Entry, after_sign, is_punct, split, start, stream, string, token_beyond, without_attributes,
 };
 use super::words::is_keyword;
 use super::{Description, Written};
@@ -56,8 +55,7 @@ pub fn check_length(tokens: &TokenStream, errors: &mut Errors) -> Option<()> {
     let message = format!(
         "here this description has more than {TOKENS} tokens: take forces together, or make them inputs"
     );
-    errors.push(start(&crossed), message);
-    None
+    errors.report(start(&crossed), message)
 }
 
 /// The keys of a body.
@@ -91,29 +89,8 @@ pub fn parse_key(
     entry: &[TokenTree],
     errors: &mut Errors,
 ) -> Option<&'static str> {
-    let (key, rest) = match entry {
-        [TokenTree::Ident(key), rest @ ..] => (key, rest),
-        [first, second, ..] if is_punct(first, '.') && is_punct(second, '.') => {
-            errors.push(
-                Extent::from(first.span()).to(second.span().into()),
-                "a description is complete in itself: `..` cannot be used",
-            );
-            return None;
-        }
-        [first, ..] => {
-            errors.push(start(first), "expected a key, such as `mass: 1[kg]`");
-            return None;
-        }
-        [] => return None,
-    };
+    let (key, rest) = key_word(entry, errors)?;
     let word = key.to_string();
-    if is_keyword(&word) || word == "_" || word.starts_with("r#") {
-        errors.push(
-            key.span(),
-            format!("`{word}` is no key: expected one such as `mass: 1[kg]`"),
-        );
-        return None;
-    }
     let value = key_value(key, rest, errors);
     let meant = key_meant(&word);
     let exact = meant.is_some_and(|meant| meant == word);
@@ -150,6 +127,32 @@ pub fn parse_key(
         return None;
     };
     parse_list(into, list, example, value, errors)
+}
+
+/// The word that an entry begins with, and what is behind it.
+fn key_word<'t>(
+    entry: &'t [TokenTree],
+    errors: &mut Errors,
+) -> Option<(&'t Ident, &'t [TokenTree])> {
+    match entry {
+        [TokenTree::Ident(key), rest @ ..] => {
+            let word = key.to_string();
+            if !is_keyword(&word) && word != "_" && !word.starts_with("r#") {
+                return Some((key, rest));
+            }
+            errors.push(
+                key.span(),
+                format!("`{word}` is no key: expected one such as `mass: 1[kg]`"),
+            );
+        }
+        [first, second, ..] if is_punct(first, '.') && is_punct(second, '.') => errors.push(
+            Extent::from(first.span()).to(second.span().into()),
+            "a description is complete in itself: `..` cannot be used",
+        ),
+        [first, ..] => errors.push(start(first), "expected a key, such as `mass: 1[kg]`"),
+        [] => {}
+    }
+    None
 }
 
 /// What follows the colon, if anything does.
@@ -282,23 +285,16 @@ fn names_in(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
 }
 
 fn parse_doc(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
-    let text = match value {
-        [] => return Vec::new(),
-        [TokenTree::Literal(literal)] => match Lit::new(literal.clone()) {
-            Lit::Str(text) => Some(text),
-            _ => None,
-        },
-        _ => None,
-    };
-    let Some(text) = text else {
+    if value.is_empty() {
+        return Vec::new();
+    }
+    let Some(text) = string(value) else {
         errors.push(
             Extent::of(stream(value)),
             "expected a string: `doc: \"..\"`",
         );
         return Vec::new();
     };
-    LitStr::value(&text)
-        .lines()
-        .map(|line| line.trim().to_owned())
-        .collect()
+    let text = text.value();
+    text.lines().map(|line| line.trim().to_owned()).collect()
 }

@@ -59,10 +59,7 @@ impl Reader<'_> {
     fn expression(&mut self, expr: &Expr, depth: usize) -> Expression {
         let extent = Extent::of(expr);
         let kind = match expr {
-            _ if depth > DEPTH => {
-                self.errors.push(extent, too_deep());
-                None
-            }
+            _ if depth > DEPTH => self.errors.report(extent, too_deep()),
             Expr::Paren(inner) => return self.expression(&inner.expr, depth + 1),
             Expr::Group(inner) => return self.expression(&inner.expr, depth + 1),
             Expr::Block(block) if block.label.is_none() => {
@@ -95,8 +92,7 @@ impl Reader<'_> {
     }
 
     fn refuse<T>(&mut self, place: impl ToTokens, message: &str) -> Option<T> {
-        self.errors.push(Extent::of(place), message);
-        None
+        self.errors.report(Extent::of(place), message)
     }
 
     fn all<'e>(
@@ -190,8 +186,7 @@ impl Reader<'_> {
         } else {
             format!("a unit stands in brackets: write `{digits}[{suffix}]`")
         };
-        self.errors.push(literal.span(), message);
-        None
+        self.errors.report(literal.span(), message)
     }
 
     fn name(&mut self, path: &syn::ExprPath) -> Option<Kind> {

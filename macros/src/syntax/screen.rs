@@ -31,8 +31,7 @@ pub struct Screened {
 /// Refuses what is not part of the language; `None` if anything was.
 pub fn screen(tokens: TokenStream, errors: &mut Errors) -> Option<Screened> {
     if let Some((place, message)) = crossed_limit(&tokens) {
-        errors.push(place, message);
-        return None;
+        return errors.report(place, message);
     }
     let mut screen = Screen {
         units: Vec::new(),

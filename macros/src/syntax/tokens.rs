@@ -2,6 +2,7 @@
 //! hides nothing, and nothing here recurses into what a user can nest.
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Span, TokenStream, TokenTree};
+use syn::{Lit, LitStr};
 
 use crate::errors::Errors;
 
@@ -164,4 +165,15 @@ pub fn group_beyond(tokens: &TokenStream, depth: usize) -> Option<Group> {
         }
     }
     None
+}
+
+/// A string, if it is one.
+pub fn string(value: &[TokenTree]) -> Option<LitStr> {
+    let [TokenTree::Literal(literal)] = value else {
+        return None;
+    };
+    match Lit::new(literal.clone()) {
+        Lit::Str(text) => Some(text),
+        _ => None,
+    }
 }

@@ -30,20 +30,17 @@ impl UnitExpression {
         let tokens = brackets.stream();
         if tokens.is_empty() {
             let message = "empty unit: write for example `[kg]`, or no brackets";
-            errors.push(brackets.span(), message);
-            return None;
+            return errors.report(brackets.span(), message);
         }
         let extent = Extent::of(&tokens);
         if group_beyond(&tokens, NESTING).is_some() {
             let message = format!("parentheses nested more than {NESTING} deep in a unit");
-            errors.push(extent, message);
-            return None;
+            return errors.report(extent, message);
         }
         let factors = product(tokens, brackets, errors)?;
         if factors.len() > FACTORS {
             let message = format!("a unit of more than {FACTORS} factors");
-            errors.push(extent, message);
-            return None;
+            return errors.report(extent, message);
         }
         Some(Self { factors, extent })
     }
@@ -61,20 +58,17 @@ fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<F
             TokenTree::Punct(sign) if sign.as_char() == '*' => false,
             TokenTree::Punct(sign) if sign.as_char() == '/' => true,
             TokenTree::Ident(word) => {
-                errors.push(
+                return errors.report(
                     word.span(),
                     format!("expected `*` or `/` between units: write `* {word}`"),
                 );
-                return None;
             }
             other => {
-                errors.push(other.span(), "expected `*`, `/` or `^` between units");
-                return None;
+                return errors.report(other.span(), "expected `*`, `/` or `^` between units");
             }
         };
         if tail.is_empty() {
-            errors.push(operator.span(), "expected a unit after this");
-            return None;
+            return errors.report(operator.span(), "expected a unit after this");
         }
         rest = tail;
         let next = power(&mut rest, around, errors)?;
@@ -87,8 +81,7 @@ fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<F
 /// `unit`, `unit ^ exponent`, or the same of a product in parentheses.
 fn power(rest: &mut &[TokenTree], around: &Group, errors: &mut Errors) -> Option<Factors> {
     let Some((first, tail)) = rest.split_first() else {
-        errors.push(around.span(), "expected a unit such as `kg`, `m` or `N`");
-        return None;
+        return errors.report(around.span(), "expected a unit such as `kg`, `m` or `N`");
     };
     *rest = tail;
     let factors = match first {
@@ -99,26 +92,23 @@ fn power(rest: &mut &[TokenTree], around: &Group, errors: &mut Errors) -> Option
         TokenTree::Literal(number)
             if number.to_string().starts_with(|c: char| c.is_ascii_digit()) =>
         {
-            errors.push(
+            return errors.report(
                 number.span(),
                 "no number stands in a unit, except in `1 / unit`: write it in front of the \
                  brackets",
             );
-            return None;
         }
         TokenTree::Ident(word) if word == "in" => {
-            errors.push(
+            return errors.report(
                 word.span(),
                 "`in` is a keyword of Rust: inches are written `inch`",
             );
-            return None;
         }
         TokenTree::Ident(word) if !is_keyword(&word.to_string()) && word != "_" => {
             vec![(word.clone(), Fraction::ONE)]
         }
         other => {
-            errors.push(other.span(), "expected a unit such as `kg`, `m` or `N`");
-            return None;
+            return errors.report(other.span(), "expected a unit such as `kg`, `m` or `N`");
         }
     };
     let [TokenTree::Punct(hat), tail @ ..] = *rest else {
@@ -167,8 +157,7 @@ fn exponent<'t>(
         [TokenTree::Punct(_), _, after @ ..] => (&tokens[..2], after),
         [_, after @ ..] => (&tokens[..1], after),
         [] => {
-            errors.push(hat, "expected a whole number after this, as in `m ^ 2`");
-            return None;
+            return errors.report(hat, "expected a whole number after this, as in `m ^ 2`");
         }
     };
     *rest = after;
@@ -187,8 +176,7 @@ fn exponent<'t>(
     if denominator == Some(0)
         && let Some(zero) = below.last()
     {
-        errors.push(zero.span(), "nothing can be divided by zero");
-        return None;
+        return errors.report(zero.span(), "nothing can be divided by zero");
     }
     let exponent = whole_number(above)
         .zip(denominator)

@@ -48,6 +48,5 @@ pub fn check_name(name: &Ident, what: &str, errors: &mut Errors) -> Option<()> {
     } else {
         return Some(());
     };
-    errors.push(name.span(), message);
-    None
+    errors.report(name.span(), message)
 }

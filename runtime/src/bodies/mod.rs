@@ -3,6 +3,7 @@
 pub mod body;
 pub mod columns;
 pub mod constrained;
+pub mod linearization;
 pub mod operations;
 pub(crate) mod path;
 pub mod structure;

@@ -9,6 +9,7 @@ pub use crate::bodies::body::{
 };
 pub use crate::bodies::columns::{Columns, Generic, Sink, Source};
 pub use crate::bodies::constrained::{Constrained, Inconsistent, Violation};
+pub use crate::bodies::linearization::{Linearization, Linearized, place, rates_of_places};
 pub use crate::bodies::operations::{Operations, Stage};
 pub use crate::bodies::structure::{Dependence, Structure, Structured, Symmetry};
 pub use crate::exact::{
@@ -24,7 +25,7 @@ pub use crate::numbers::scalar::Scalar;
 pub use crate::state::{
     Coordinates, Cylinder, CylinderAcceleration, Hinge, List, Planar, PlanarAcceleration,
     PlanarTranslation, Rod, RodAcceleration, Rotation, Slide, Spatial, SpatialAcceleration, State,
-    Translation, Universal,
+    Still, Translation, Universal,
 };
 pub use crate::taylor::{Arithmetic, Axes, Products, Series, Taylor};
 

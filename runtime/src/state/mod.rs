@@ -26,6 +26,7 @@ mod rotation;
 mod slide;
 mod space;
 mod spatial;
+mod still;
 mod translation;
 mod universal;
 
@@ -44,6 +45,7 @@ pub mod generic {
     pub use super::rotation::Rotation;
     pub use super::slide::Slide;
     pub use super::spatial::{Spatial, SpatialAcceleration};
+    pub use super::still::Still;
     pub use super::translation::Translation;
     pub use super::universal::Universal;
 }
@@ -79,3 +81,5 @@ pub type CylinderAcceleration = generic::CylinderAcceleration<f64>;
 /// State of what turns about two axes, one after another, two degrees of freedom; its acceleration
 /// has the second derivatives of both angles \[rad/s²\].
 pub type Universal = generic::Universal<f64>;
+/// State of a system in which nothing moves by itself, without coordinates.
+pub type Still = generic::Still<f64>;

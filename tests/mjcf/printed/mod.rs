@@ -1,11 +1,13 @@
 //! What the descriptions with files amount to, a file each.
 
 mod arm;
+mod coupled;
 mod linkage;
 mod quadruped;
 mod swing;
 
 pub use arm::*;
+pub use coupled::*;
 pub use linkage::*;
 pub use quadruped::*;
 pub use swing::*;

@@ -62,6 +62,7 @@ mod tests {
     use super::check::check;
     use super::check::compiled::Compiled;
     use super::check::state::State;
+    use super::draw::linkages::LINKAGES;
     use super::draw::{Drawn, Extent, drawn};
     use super::*;
     use fuzz::symbolic::{Id, Number};
@@ -98,6 +99,38 @@ mod tests {
         // light bodies than the state does
         assert!(report.trees[0][0].0 < 1e-11, "{report}");
         assert!(report.loops[0][0].0 < 1e-7, "{report}");
+    }
+
+    /// Linkages where two of their links are in line, next to there, and anywhere: what stands still there
+    /// is not divided by.
+    #[test]
+    fn linkages_move_by_the_law() {
+        let mut rng = fastrand::Rng::with_seed(7);
+        let mut errors: Vec<(f64, &str)> = Vec::new();
+        for linkage in &LINKAGES {
+            for line in (0..linkage.lines()).map(Some).chain([None]) {
+                let drawn = linkage.drawn(rng.u64(..), line);
+                let compiled = Compiled::new(&drawn.text).expect(&drawn.text);
+                for far in [0.0, 1e-9, 1e-5, 0.2] {
+                    let Some(state) = State::beside(&drawn, far, &mut rng) else {
+                        assert!(far > 0.1, "{}", drawn.text);
+                        continue;
+                    };
+                    match check(&drawn, &compiled, &state, &mut rng) {
+                        None => {}
+                        Some(Ok(found)) => errors.push((found.acceleration, linkage.name)),
+                        Some(Err(failure)) => {
+                            panic!("{}, {far:e}: {failure}\n{}", linkage.name, drawn.text)
+                        }
+                    }
+                }
+            }
+        }
+        let largest = errors
+            .iter()
+            .fold(0.0, |most: f64, (one, _)| most.max(*one));
+        assert!(errors.len() > 80, "{}", errors.len());
+        assert!(largest < 1e-10, "{errors:?}");
     }
 
     /// How many of the first systems of a kind are wrong after a change, and how many are seen to be.

@@ -22,7 +22,7 @@ type Place = (Source, TokenStream, Vec<String>, Component);
 
 /// Where the parts of a state and of an acceleration are.
 fn places(outline: &Outline) -> Vec<Place> {
-    if outline.has_joints() {
+    if outline.is_system {
         return outline.joints.iter().flat_map(places_of_joint).collect();
     }
     let places = places_of_body(outline.motion).into_iter();
@@ -178,6 +178,10 @@ impl Block<'_> {
         if self.writer.stage == Stage::Parameter {
             let params = Ident::new("params", Span::call_site());
             return component_at_hand(&params, outline.params.first());
+        }
+        if outline.is_still() {
+            let kind = self.writer.shapes.scalar.kind();
+            return quote!(<#kind as ::core::default::Default>::default());
         }
         if !self.writer.has_state {
             self.reads.push(Source::Input);

@@ -29,7 +29,7 @@ impl Shapes {
     pub fn of(outline: &Outline) -> Self {
         Self {
             motion: outline.motion,
-            system: outline.has_joints().then(|| {
+            system: outline.is_system.then(|| {
                 let joints = outline.joints.iter();
                 let joints = joints.map(|joint| (joint.name.clone(), joint.shape));
                 (outline.name.clone(), joints.collect())
@@ -52,7 +52,7 @@ impl Shapes {
             let (name, applied) = (format_ident!("{name}State"), self.scalar.applied());
             return quote!(#name #applied);
         }
-        self.scalar.holder(self.motion.state)
+        self.scalar.holder(self.motion.shape.state)
     }
 
     pub fn vector_type(&self) -> TokenStream {
@@ -74,11 +74,13 @@ impl Shapes {
     }
 
     pub fn acceleration_type(&self) -> TokenStream {
-        if let Some((name, _)) = &self.system {
-            let (name, applied) = (format_ident!("{name}Acceleration"), self.scalar.applied());
+        if let Some((name, joints)) = &self.system {
+            let name = format_ident!("{name}Acceleration");
+            // that of a state without coordinates has no numbers
+            let applied = (!joints.is_empty()).then(|| self.scalar.applied());
             return quote!(#name #applied);
         }
-        match self.motion.acceleration {
+        match self.motion.shape.acceleration {
             Some(name) => self.scalar.holder(name),
             None if self.motion.is_hinged() => self.scalar.kind(),
             None => self.vector_type(),
@@ -239,6 +241,9 @@ impl Shapes {
 
     pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
         if let Some((name, joints)) = &self.system {
+            if joints.is_empty() {
+                return TokenStream::new();
+            }
             let name = format_ident!("{name}Acceleration");
             let fields = joints.iter().map(|(joint, shape)| {
                 let value = self.joint_acceleration(shape, values);
@@ -246,7 +251,7 @@ impl Shapes {
             });
             return quote!(#name { #(#fields),* });
         }
-        match self.motion.acceleration {
+        match self.motion.shape.acceleration {
             Some(_) => {
                 let is_rod = self.motion.is_line();
                 let part = format_ident!("{}", if is_rod { "axis" } else { "angular" });
@@ -272,6 +277,9 @@ impl Shapes {
                 quote!(#joint: #rates)
             });
             let joints: Vec<TokenStream> = joints.collect();
+            if joints.is_empty() {
+                return quote!(*#state);
+            }
             let name = format_ident!("{system}State");
             return quote!(#name { #(#joints),* });
         }

@@ -4,8 +4,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::emit::code::{Method, Site, Source};
+use crate::model::Outline;
 use crate::symbolic::Cost;
 
+use super::record::Record;
 use super::rigid_body::Best;
 
 /// Implementations of traits, and what is said of them.
@@ -45,5 +47,12 @@ impl Addition {
                 .collect(),
             ..Self::default()
         }
+    }
+
+    /// A struct beside what is implemented with it.
+    pub fn with(mut self, outline: &Outline, record: &Record) -> Self {
+        self.implementations.extend(record.declared(outline));
+        self.structs.push(record.name(outline));
+        self
     }
 }

@@ -8,9 +8,9 @@ use crate::model::{Declared, Outline};
 
 use super::constructor::Constructor;
 
-/// Nothing for a body of `f64`.
+/// Nothing for a body of `f64`, and for what has no motion.
 pub fn emit_columns(outline: &Outline, constructor: &Constructor) -> TokenStream {
-    if outline.scalar.is_none() {
+    if outline.scalar.is_none() || outline.is_still() {
         return TokenStream::new();
     }
     let count = |declared: &[Declared]| -> usize {

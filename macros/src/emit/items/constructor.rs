@@ -104,16 +104,10 @@ impl Constructor {
         let (inertia, values) = values.split_at(inertia.len());
         let (tensor, values) = values.split_at(tensor.len());
 
-        let (mut text, mut rest) = (code.facts.text, TokenStream::new());
         let value_text = &code.facts.output_text[code.outputs.len() - values.len()..];
         let stored: Vec<Ident> = fields.0.iter().map(|(_, name)| name.clone()).collect();
-        for ((name, value), value_text) in stored.iter().zip(values).zip(value_text) {
-            // what is a statement has its name already
-            if *name != to_text(value) {
-                text.push(format!("{name} = {value_text}"));
-                rest.extend(quote!(let #name = #value;));
-            }
-        }
+        let (rest, text_of_rest) = let_fields(&stored, values, value_text);
+        let text = [code.facts.text, text_of_rest].concat();
         let private = &writer.shapes.private;
         let (finite, statements) = (finite_checks(outline), code.statements);
         let possible = check_possible(&open, mass, inertia, private);
@@ -146,6 +140,21 @@ impl Constructor {
             ..Self::default()
         }
     }
+}
+
+/// `let arm = ..;` of each field, but of what is a statement and has its name already; and as text.
+fn let_fields(
+    stored: &[Ident],
+    values: &[TokenStream],
+    value_text: &[String],
+) -> (TokenStream, Vec<String>) {
+    let all = stored.iter().zip(values).zip(value_text);
+    let open = all.filter(|((name, value), _)| **name != to_text(value));
+    let both = open.map(|((name, value), text)| {
+        let statement = quote!(let #name = #value;);
+        (statement, format!("{name} = {text}"))
+    });
+    both.unzip()
 }
 
 /// Whether there is a body of this mass and inertia, as far as parameters decide it.

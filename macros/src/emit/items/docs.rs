@@ -77,7 +77,7 @@ fn lines(
 ) -> TokenStream {
     let motion = outline.motion.word;
     let title = if outline.doc.is_empty() {
-        vec![if outline.has_joints() {
+        vec![if outline.is_system {
             "A system of rigid bodies.".to_owned()
         } else {
             format!("A rigid body in `{motion}` motion.")

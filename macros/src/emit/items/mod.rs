@@ -5,6 +5,7 @@ mod columns;
 mod constructor;
 mod docs;
 mod open;
+mod record;
 mod rigid_body;
 mod structs;
 
@@ -12,6 +13,7 @@ pub use addition::Addition;
 pub use columns::emit_columns;
 pub use constructor::{Constructor, Roots, stored_fields};
 pub use docs::Documentation;
-pub use open::write_open;
+pub use open::{open_drives, open_reactions, write_open};
+pub use record::{Field, Record};
 pub use rigid_body::{Best, Equated, emit_integrate, emit_rigid_body, write_acceleration};
-pub use structs::{emit_checks, emit_items, lints, with_private_fields};
+pub use structs::{emit_checks, emit_items, with_private_fields};

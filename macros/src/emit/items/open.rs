@@ -1,16 +1,61 @@
 //! Loads with unknown components, as they are solved for.
 
 use proc_macro2::Ident;
-use quote::{format_ident, quote};
+use quote::quote;
 
-use crate::emit::code::{Method, Writer};
+use crate::emit::code::{Method, Shapes, Writer};
 use crate::families::LoadKind;
+use crate::model::Outline;
 use crate::symbolic::{Components, Id};
 
-/// `BodyReactions { pin: .., guide: .. }`
+use super::record::{Field, Record};
+
+/// `BodyReactions { pin: Vector3, .. }`
+pub fn open_reactions(outline: &Outline) -> Record {
+    Record {
+        suffix: "Reactions",
+        doc: format!(
+            " The unknown reactions of [`{}`], world axes.",
+            outline.name
+        ),
+        fields: open_fields(outline, &outline.reactions),
+        has_default: true,
+    }
+}
+
+/// `BodyDrives { motor: f64, .. }`
+pub fn open_drives(outline: &Outline) -> Record {
+    Record {
+        suffix: "Drives",
+        doc: format!(
+            " The unknown drives of [`{}`], in the axes in which they are written.",
+            outline.name
+        ),
+        fields: open_fields(outline, &outline.drives),
+        has_default: true,
+    }
+}
+
+fn open_fields(outline: &Outline, open: &[(Ident, LoadKind)]) -> Vec<Field> {
+    let shapes = Shapes::of(outline);
+    let fields = open.iter().map(|(name, kind)| {
+        let (kind, unit) = match kind {
+            LoadKind::Force => (shapes.vector_type(), "N"),
+            LoadKind::Moment => (shapes.moment_type(), "N * m"),
+        };
+        Field {
+            name: name.clone(),
+            doc: format!(" `{name}` in {unit}."),
+            kind,
+        }
+    });
+    fields.collect()
+}
+
+/// `BodyReactions { pin: .., guide: .. }`, of `open` loads.
 pub fn write_open(
     writer: &Writer<'_>,
-    suffix: &str,
+    record: &Record,
     open: &[(Ident, LoadKind)],
     solved: &[Components],
 ) -> Method {
@@ -18,13 +63,10 @@ pub fn write_open(
     let parts = open.iter().zip(solved);
     let parts = parts.flat_map(|((_, kind), solved)| &solved[shapes.motion.axes_of(*kind)]);
     let outputs: Vec<Id> = parts.copied().collect();
-    let name = format_ident!("{}{suffix}", writer.outline.name);
     Method::write(writer, &outputs, |values| {
-        let fields = open.iter().map(|(field, kind)| {
-            let value = shapes.load(*kind, values);
-            quote!(#field: #value)
+        let solved = record.filled(writer.outline, values, |number, values| {
+            shapes.load(open[number].1, values)
         });
-        let solved = quote!(#name { #(#fields),* });
         if writer.is_fallible {
             quote!(::core::result::Result::Ok(#solved))
         } else {

@@ -182,8 +182,11 @@ fn emit_input_after(site: &Site<'_>) -> Option<TokenStream> {
     })
 }
 
-/// `impl Integrate for Body { type Best = ..; }`
+/// `impl Integrate for Body { type Best = ..; }`, of what moves.
 pub fn emit_integrate(site: &Site<'_>, best: Best) -> TokenStream {
+    if site.outline.is_still() {
+        return TokenStream::new();
+    }
     let site = site.double();
     let (header, private) = (site.header("Integrate"), &site.shapes.private);
     let method = match best {

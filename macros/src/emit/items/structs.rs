@@ -4,68 +4,41 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::code::{Scalar, Shapes, allow_constants, local_name, private};
-use crate::families::LoadKind;
-use crate::model::Declared;
-use crate::model::Outline;
+use crate::model::{Declared, Outline};
 
 use super::constructor::Constructor;
 use super::docs::{Documentation, declared_doc};
-
-/// A field: its name, what is said of it, and its type.
-type Field<'a> = (&'a Ident, String, TokenStream);
-
-fn emit_struct(
-    outline: &Outline,
-    suffix: &str,
-    doc: &str,
-    derives: &TokenStream,
-    fields: &[Field<'_>],
-) -> TokenStream {
-    let name = format_ident!("{}{suffix}", outline.name);
-    let lints = lints(fields.iter().map(|(name, ..)| *name));
-    let fields = fields.iter();
-    let fields = fields.map(|(name, doc, kind)| quote!(#[doc = #doc] pub #name: #kind));
-    let generics = Scalar::of(outline).declared();
-    quote! {
-        #[doc = #doc]
-        #lints
-        #derives
-        pub struct #name #generics { #(#fields),* }
-    }
-}
+use super::open::{open_drives, open_reactions};
+use super::record::{Field, Record, lints};
 
 /// One field for each quantity that is declared.
-fn declared_fields<'a>(outline: &Outline, declared: &'a [Declared]) -> Vec<Field<'a>> {
+fn declared_fields(outline: &Outline, declared: &[Declared]) -> Vec<Field> {
     let shapes = Shapes::of(outline);
-    let kind = |declared: &Declared| match declared.frame {
-        None => shapes.scalar.kind(),
-        Some(_) => shapes.vector_type(),
-    };
-    let declared = declared.iter();
-    declared
-        .map(|declared| (&declared.name, declared_doc(declared), kind(declared)))
-        .collect()
-}
-
-/// One field for each load with unknown components.
-fn open_fields<'a>(outline: &Outline, open: &'a [(Ident, LoadKind)]) -> Vec<Field<'a>> {
-    let shapes = Shapes::of(outline);
-    let fields = open.iter().map(|(field, kind)| {
-        let (kind, unit) = match kind {
-            LoadKind::Force => (shapes.vector_type(), "N"),
-            LoadKind::Moment => (shapes.moment_type(), "N * m"),
-        };
-        (field, format!(" `{field}` in {unit}."), kind)
+    let fields = declared.iter().map(|declared| Field {
+        name: declared.name.clone(),
+        doc: declared_doc(declared),
+        kind: match declared.frame {
+            None => shapes.scalar.kind(),
+            Some(_) => shapes.vector_type(),
+        },
     });
     fields.collect()
 }
 
-/// Users may call a parameter `J`, a reaction `R_v`, and inputs `thrust_1`, `thrust_2`, ...
-pub fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
-    let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
-    let unusual = names.into_iter().any(has_capitals);
-    let snake_case = unusual.then(|| quote!(, non_snake_case));
-    quote!(#[allow(clippy::struct_field_names #snake_case)])
+/// What a body is given and what is solved for, as far as there is anything.
+fn records(outline: &Outline) -> impl Iterator<Item = Record> {
+    let input = Record {
+        suffix: "Input",
+        doc: format!(
+            " What [`{}`] is given at each evaluation, in SI units.",
+            outline.name
+        ),
+        fields: declared_fields(outline, &outline.inputs),
+        has_default: true,
+    };
+    let all = [input, open_reactions(outline), open_drives(outline)];
+    let all = all.into_iter();
+    all.filter(|record| !record.fields.is_empty())
 }
 
 fn default_value(outline: &Outline, declared: &Declared) -> Option<TokenStream> {
@@ -88,27 +61,7 @@ pub fn emit_items(
 ) -> TokenStream {
     let (name, scalar) = (&outline.name, Scalar::of(outline));
     let Documentation { lines, constants } = documentation;
-    let beside = [
-        (
-            "Input",
-            declared_fields(outline, &outline.inputs),
-            format!(" What [`{name}`] is given at each evaluation, in SI units."),
-        ),
-        (
-            "Reactions",
-            open_fields(outline, &outline.reactions),
-            format!(" The unknown reactions of [`{name}`], world axes."),
-        ),
-        (
-            "Drives",
-            open_fields(outline, &outline.drives),
-            format!(" The unknown drives of [`{name}`], in the axes in which they are written."),
-        ),
-    ];
-    let derives = quote!(#[derive(Clone, Copy, Debug, Default, PartialEq)]);
-    let beside = beside.iter().filter(|(_, fields, _)| !fields.is_empty());
-    let beside =
-        beside.map(|(suffix, fields, doc)| emit_struct(outline, suffix, doc, &derives, fields));
+    let beside = records(outline).map(|record| record.declared(outline));
     let beside: TokenStream = beside.chain(emit_state(outline)).collect();
     let (declared, applied, kind) = (scalar.declared(), scalar.applied(), scalar.kind());
     if !outline.params.is_empty() {
@@ -127,7 +80,7 @@ pub fn emit_items(
 
 /// The state of a system and its acceleration, joint by joint.
 fn emit_state(outline: &Outline) -> Option<TokenStream> {
-    if !outline.has_joints() {
+    if !outline.is_system {
         return None;
     }
     let (name, shapes) = (&outline.name, Shapes::of(outline));
@@ -140,6 +93,15 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
     ];
     let [of_state, of_acceleration] = docs;
     let scalar = outline.scalar.iter();
+    if outline.is_still() {
+        let (applied, still) = (shapes.scalar.applied(), shapes.scalar.holder("Still"));
+        return Some(quote! {
+            #[doc = #of_state]
+            pub type #state #applied = #still;
+            #[doc = #of_acceleration]
+            pub type #acceleration = ();
+        });
+    }
     let joints = outline.joints.iter().map(|joint| {
         let (name, kind) = (&joint.name, format_ident!("{}", joint.shape.state));
         let second = shapes.joint_acceleration_type(joint.shape);
@@ -168,11 +130,14 @@ fn emit_built(
     let Constructor {
         stored, axes, body, ..
     } = constructor;
-    let (params, axes) = (format_ident!("{name}Params"), axes.iter());
-    let doc = format!(" Parameters of [`{name}`], in SI units.");
-    let derives = quote!(#[derive(Clone, Copy, Debug, PartialEq)]);
-    let fields = declared_fields(outline, &outline.params);
-    let param_struct = emit_struct(outline, "Params", &doc, &derives, &fields);
+    let record = Record {
+        suffix: "Params",
+        doc: format!(" Parameters of [`{name}`], in SI units."),
+        fields: declared_fields(outline, &outline.params),
+        has_default: false,
+    };
+    let (params, axes) = (record.name(outline), axes.iter());
+    let param_struct = record.declared(outline);
     let constants_of_new = allow_constants(body);
     let default = outline.has_default().then(|| emit_default(outline));
     let new_doc = " Checks the parameters, and computes what depends on them alone.";
@@ -207,16 +172,14 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident
     let name = &outline.name;
     let module = format_ident!("equations_of_{name}");
     let others = [
-        ("State", outline.has_joints()),
-        ("Acceleration", outline.has_joints()),
+        ("State", outline.is_system),
+        ("Acceleration", outline.is_system),
         ("Params", true),
-        ("Input", !outline.inputs.is_empty()),
-        ("Reactions", !outline.reactions.is_empty()),
-        ("Drives", !outline.drives.is_empty()),
     ];
     let others = others.iter().filter(|(_, is_there)| *is_there);
     let others = others.map(|(suffix, _)| format_ident!("{name}{suffix}"));
-    let others = others.chain(added.iter().cloned());
+    let records = records(outline).map(|record| record.name(outline));
+    let others = others.chain(records).chain(added.iter().cloned());
     quote! {
         #[allow(non_snake_case)]
         mod #module { #items }

@@ -7,6 +7,6 @@ mod outline;
 mod parameters;
 mod support;
 
-pub use names::{check_distinct, check_names};
+pub use names::{check_distinct, check_names, unused};
 pub use order::{Definition, definition_order, split_at_points};
-pub use outline::{INVERSE, Offer, outline};
+pub use outline::{INVERSE, LINEARIZATION, Offer, outline};

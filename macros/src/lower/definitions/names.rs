@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::lower::expressions::{BUILT_IN, OF_ROD, written_motion};
+use crate::lower::expressions::{BUILT_IN, OF_ROD, Scope, written_motion};
 use crate::model::Joint;
 use crate::syntax::Description;
 
@@ -76,4 +76,17 @@ pub fn check_distinct<'n>(what: &str, names: impl Iterator<Item = &'n Ident>, er
             );
         }
     }
+}
+
+/// The names that nothing refers to; the rates of an input come with it.
+pub fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
+    let inputs = description.inputs.iter().filter(|input| input.order == 0);
+    let declared = description.params.iter().chain(inputs);
+    let defined = description.points.iter().chain(&description.locals);
+    declared
+        .map(|declaration| &declaration.name)
+        .chain(defined.map(|definition| &definition.name))
+        .filter(|name| !scope.is_used(name))
+        .cloned()
+        .collect()
 }

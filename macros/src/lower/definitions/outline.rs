@@ -15,8 +15,7 @@ use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
 /// Outputs of later versions.
-const LATER: [&str; 7] = [
-    "linearization",
+const LATER: [&str; 6] = [
     "sensitivity",
     "mass_matrix",
     "jacobian",
@@ -28,6 +27,9 @@ const LATER: [&str; 7] = [
 /// The output that solves for drives: without it, none may be unknown.
 pub const INVERSE: &str = "inverse";
 
+/// The output whose equations are differentiated.
+pub const LINEARIZATION: &str = "linearization";
+
 /// An output that a description may ask for, beyond the accelerations.
 pub struct Offer {
     pub word: &'static str,
@@ -35,6 +37,8 @@ pub struct Offer {
     pub obstacle: fn(&Description) -> Option<&'static str>,
     /// Whether a description that does not ask for it is told so.
     pub is_missed: fn(&Outline) -> bool,
+    /// Whether it has no meaning where nothing moves by itself.
+    pub is_of_motion: bool,
 }
 
 impl Offer {
@@ -44,6 +48,7 @@ impl Offer {
             word,
             obstacle: |_| None,
             is_missed: |_| false,
+            is_of_motion: false,
         }
     }
 }
@@ -232,6 +237,7 @@ fn check_outputs(
             outputs.push(Asked {
                 word: offer.word,
                 place: place.into(),
+                is_of_motion: offer.is_of_motion,
             });
         }
     }

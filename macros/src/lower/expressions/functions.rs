@@ -121,29 +121,6 @@ impl Lowering<'_> {
         }
     }
 
-    pub fn expect_arguments(
-        &mut self,
-        method: &Ident,
-        arguments: &[Expression],
-        count: usize,
-    ) -> Option<()> {
-        if arguments.len() == count {
-            return Some(());
-        }
-        let expected = match count {
-            0 => "no argument".to_owned(),
-            1 => "one argument".to_owned(),
-            _ => format!("{count} arguments"),
-        };
-        self.report(
-            method.span(),
-            format!(
-                "`{method}` takes {expected}, and this has {}",
-                arguments.len()
-            ),
-        )
-    }
-
     fn scalar_method(
         &mut self,
         x: Id,
@@ -212,21 +189,29 @@ impl Lowering<'_> {
             operands.push(y);
             of_all = unified;
         }
-        let of_value = match function {
-            Function::Sqrt => self.raised(of_all, Fraction::new(1, 2), method)?,
-            Function::Cbrt => self.raised(of_all, Fraction::new(1, 3), method)?,
+        let of_value = self.dimension_of(function, of_all, method)?;
+        let value = self.work.graph.apply(function, &operands);
+        Some(Value::Scalar(value, of_value))
+    }
+
+    /// The dimension of a function of operands that have this one.
+    fn dimension_of(
+        &mut self,
+        function: Function,
+        operands: Dimension,
+        method: &Ident,
+    ) -> Option<Dimension> {
+        match function {
+            Function::Sqrt => self.raised(operands, Fraction::new(1, 2), method),
+            Function::Cbrt => self.raised(operands, Fraction::new(1, 3), method),
             Function::Abs
             | Function::Floor
             | Function::Ceil
             | Function::Hypot
             | Function::Min
-            | Function::Max => of_all,
-            _ => Dimension::NONE,
-        };
-        Some(Value::Scalar(
-            self.work.graph.apply(function, &operands),
-            of_value,
-        ))
+            | Function::Max => Some(operands),
+            _ => Some(Dimension::NONE),
+        }
     }
 
     /// The other argument of a function of two, and the dimension that both have.

@@ -1,21 +1,21 @@
-//! Expressions: from what was written to the graph, with frames and dimensions checked.
+//! What expressions are read with, and what is asked of a value.
 //!
 //! Every method returns `None` for what was reported, here or before; nothing is reported twice.
+
+use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
 use crate::model::{
     Composed, Defaults, Dimension, Doubtful, Drawn, Motion, State, Vector, Workspace, why_not,
 };
 use crate::symbolic::{Id, Number};
-use crate::syntax::{Expression, Kind, UnitExpression};
+use crate::syntax::{Expression, Kind};
 
 use super::scope::{Members, Scope};
-use super::unit::lower_unit;
 use super::value::Value;
 
 /// Messages that are given in more than one place.
-const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
-const CHARGES: &str = "a list of charges stands behind a field: `field.on([q.at(P)])`";
+pub const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
 pub const UNKNOWN: &str = "unknown components (`_`) stand alone in a reaction or a drive, or as `_ * direction`: write a \
      value here";
 
@@ -48,8 +48,7 @@ impl Lowering<'_> {
         place: impl Into<Extent>,
         message: impl core::fmt::Display,
     ) -> Option<T> {
-        self.errors.push(place, message);
-        None
+        self.errors.report(place, message)
     }
 
     /// Under which motion: of a system, whether it is in the plane or in space.
@@ -125,56 +124,6 @@ impl Lowering<'_> {
         }
     }
 
-    pub fn value(&mut self, expression: &Expression) -> Option<Value> {
-        let extent = expression.extent;
-        if let Some(found) = self.of_member(expression) {
-            return found;
-        }
-        let value = match &expression.kind {
-            Kind::Number(digits) => self.number(digits, extent),
-            Kind::Name(name) => self.name(name),
-            Kind::Poisoned => None,
-            Kind::Placeholder => self.report(extent, UNKNOWN),
-            Kind::Tuple(_) => self.report(extent, AXES),
-            Kind::List(_) => self.report(extent, CHARGES),
-            Kind::Unit(operand, unit) => self.unit(operand, unit),
-            Kind::Prefix(prefix, operand) => self.prefix(*prefix, operand),
-            Kind::Chain(first, rest) => self.chain(first, rest),
-            Kind::Call(function, arguments) => self.call(function, arguments, extent),
-            Kind::Method(receiver, method, arguments) => {
-                let Some(value) = self.value(receiver) else {
-                    self.visit(arguments);
-                    return None;
-                };
-                self.method(value, receiver, method, arguments)
-            }
-            Kind::Field(receiver, field) => self.field(receiver, field),
-            Kind::Record(name, _) if name == "tensor" || name == "products" => self.report(
-                name.span(),
-                format!("`{name} {{ .. }}` is an inertia: it stands behind `inertia:`"),
-            ),
-            Kind::Record(name, _) => self.report(
-                name.span(),
-                format!("`{name} {{ .. }}` is not part of the language"),
-            ),
-            Kind::If(parts) => self.choice(parts),
-        }?;
-        let undefined = |id: &Id| self.work.graph.is_undefined(*id);
-        let is_undefined = match &value {
-            Value::Scalar(id, _) | Value::Condition(id) => undefined(id),
-            Value::Components(_, components, _) => components.iter().any(undefined),
-            Value::Vector(vector, _) => self.work.entries(&[*vector]).iter().any(undefined),
-            Value::Point(_) | Value::Carried(..) | Value::Attitude => false,
-        };
-        if is_undefined {
-            return self.report(
-                extent,
-                "this has no value: it leads to a division by zero, or beyond all bounds",
-            );
-        }
-        Some(value)
-    }
-
     /// Refuses what has no value, at its word; what parameters may bring there is remembered.
     pub fn check_value(
         &mut self,
@@ -202,32 +151,6 @@ impl Lowering<'_> {
             });
         }
         Some(())
-    }
-
-    /// Looks for mistakes in what cannot be used, because something around it is wrong.
-    pub fn visit(&mut self, expressions: &[Expression]) {
-        for expression in expressions {
-            let is_value = !matches!(
-                expression.kind,
-                Kind::Tuple(_) | Kind::List(_) | Kind::Placeholder
-            );
-            let _ = is_value.then(|| self.value(expression));
-        }
-    }
-
-    fn number(&mut self, digits: &str, extent: Extent) -> Option<Value> {
-        match Number::parse(digits) {
-            Some(number) if number.fits_f64() => Some(Value::Scalar(
-                self.work.graph.number(number),
-                Dimension::ANY,
-            )),
-            _ => self.report(
-                extent,
-                format!(
-                    "`{digits}` is out of the range of `f64`, which is about 5e-324 to 1.8e308"
-                ),
-            ),
-        }
     }
 
     fn mismatch<T>(
@@ -314,40 +237,47 @@ impl Lowering<'_> {
         }
     }
 
+    /// Whether a method of a point is `.position()`; else it is `.velocity()`.
+    pub fn is_position(&mut self, method: &Ident, arguments: &[Expression]) -> Option<bool> {
+        if method != "position" && method != "velocity" {
+            return self.report(
+                method.span(),
+                format!("a point has `.position()` and `.velocity()`, and no `{method}`"),
+            );
+        }
+        self.expect_arguments(method, arguments, 0)?;
+        Some(method == "position")
+    }
+
+    pub fn expect_arguments(
+        &mut self,
+        method: &Ident,
+        arguments: &[Expression],
+        count: usize,
+    ) -> Option<()> {
+        if arguments.len() == count {
+            return Some(());
+        }
+        let expected = match count {
+            0 => "no argument".to_owned(),
+            1 => "one argument".to_owned(),
+            _ => format!("{count} arguments"),
+        };
+        self.report(
+            method.span(),
+            format!(
+                "`{method}` takes {expected}, and this has {}",
+                arguments.len()
+            ),
+        )
+    }
+
     pub fn check_unitless(&mut self, found: Dimension, place: Extent) -> Option<()> {
         if found.is_known() {
             let found = found.described();
             return self.report(place, format!("this has a unit already: it is {found}"));
         }
         Some(())
-    }
-
-    fn unit(&mut self, operand: &Expression, unit: &UnitExpression) -> Option<Value> {
-        let value = self.value(operand);
-        let (factor, dimension) = lower_unit(unit, self.errors)?;
-        let factor = self.work.graph.number(factor);
-        match value? {
-            Value::Scalar(id, found) => {
-                self.check_unitless(found, unit.extent)?;
-                Some(Value::Scalar(
-                    self.work.graph.multiply(factor, id),
-                    dimension,
-                ))
-            }
-            Value::Vector(vector, found) => {
-                self.check_unitless(found, unit.extent)?;
-                Some(Value::Vector(self.work.scale(factor, vector), dimension))
-            }
-            Value::Components(frame, components, found) => {
-                self.check_unitless(found, unit.extent)?;
-                Some(Value::Components(
-                    frame,
-                    self.work.graph.scale_vector(factor, components),
-                    dimension,
-                ))
-            }
-            other => self.report(unit.extent, format!("{} has no unit", other.kind())),
-        }
     }
 }
 

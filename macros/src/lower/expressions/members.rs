@@ -7,7 +7,7 @@ use crate::model::{Dimension, Frame, Vector};
 use crate::syntax::{Expression, Kind};
 
 use super::lowering::Lowering;
-use super::scope::Offset;
+use super::scope::{JointNames, Offset};
 use super::value::Value;
 
 impl Lowering<'_> {
@@ -57,37 +57,47 @@ impl Lowering<'_> {
             });
         }
         let joint = members.joint(&named)?;
-        if !members.are_moving {
+        Some(self.part_of_joint((name, joint), word, arguments.is_some()))
+    }
+
+    /// `elbow.angle`
+    fn part_of_joint(
+        &mut self,
+        (name, joint): (&Ident, &JointNames),
+        word: &Ident,
+        is_called: bool,
+    ) -> Option<Value> {
+        if !self.members.are_moving {
             let message = format!(
-                "this is fixed, and `{named}` moves: it cannot depend on how the system moves"
+                "this is fixed, and `{name}` moves: it cannot depend on how the system moves"
             );
-            return Some(self.report(name.span(), message));
+            return self.report(name.span(), message);
         }
         if joint.closes {
-            let message = format!("`{named}` closes a loop: the state has no coordinates of it");
-            return Some(self.report(name.span(), message));
+            let message = format!("`{name}` closes a loop: the state has no coordinates of it");
+            return self.report(name.span(), message);
         }
         if !joint.is_known {
-            return Some(None);
+            return None;
         }
         let written = word.to_string();
         let found = joint.values.iter().find(|(name, _)| *name == written);
-        let message = match (found, arguments) {
-            (Some((_, value)), None) => return Some(Some(*value)),
-            (Some(_), Some(_)) => format!("write `{named}.{written}`, without parentheses"),
-            _ if joint.values.is_empty() => {
-                format!("`{named}` does not move: it has no `{written}`")
+        let message = match found {
+            Some((_, value)) if !is_called => return Some(*value),
+            Some(_) => format!("write `{name}.{written}`, without parentheses"),
+            None if joint.values.is_empty() => {
+                format!("`{name}` does not move: it has no `{written}`")
             }
-            _ => {
+            None => {
                 let words: Vec<&str> = joint.values.iter().map(|(name, _)| *name).collect();
                 let hint = hint(&written, words.iter().copied());
                 format!(
-                    "the joint `{named}` has `{}`, and no `{written}`{hint}",
+                    "the joint `{name}` has `{}`, and no `{written}`{hint}",
                     words.join("`, `")
                 )
             }
         };
-        Some(self.report(word.span(), message))
+        self.report(word.span(), message)
     }
 
     /// `upper.body(x, y, z)`: a vector in the axes of a body.
@@ -156,14 +166,7 @@ impl Lowering<'_> {
         method: &Ident,
         arguments: &[Expression],
     ) -> Option<Value> {
-        let word = method.to_string();
-        if word != "position" && word != "velocity" {
-            return self.report(
-                method.span(),
-                format!("a point has `.position()` and `.velocity()`, and no `{word}`"),
-            );
-        }
-        self.expect_arguments(method, arguments, 0)?;
+        let is_position = self.is_position(method, arguments)?;
         let known = &self.members.bodies[body];
         let Some(motion) = known.motion else {
             return self.report(
@@ -172,7 +175,7 @@ impl Lowering<'_> {
             );
         };
         let frame = known.frame;
-        let (whole, part, dimension) = if word == "position" {
+        let (whole, part, dimension) = if is_position {
             (motion.position, offset, Dimension::LENGTH)
         } else {
             let swept = self.swept(offset, motion.angular_velocity, frame);

@@ -4,7 +4,7 @@
 mod along_axis;
 mod arithmetic;
 mod built_in;
-mod choice;
+mod evaluate;
 mod functions;
 mod lowering;
 mod members;

@@ -1,8 +1,8 @@
 //! Points, and the components of points and vectors.
 
-use crate::errors::Extent;
+use crate::errors::{Extent, every};
 use crate::model::{Dimension, Drawn, Frame, FrameWord, Point};
-use crate::symbolic::{Components, Id};
+use crate::symbolic::Components;
 use crate::syntax::{Expression, Kind};
 
 use super::lowering::{Lowering, UNKNOWN};
@@ -161,17 +161,14 @@ impl Lowering<'_> {
             self.visit(parts);
             return self.report(unknown.extent, UNKNOWN);
         }
-        let values: Vec<Option<(Id, Dimension)>> = parts
-            .iter()
-            .map(|part| match self.value(part)? {
-                Value::Scalar(id, dimension) => Some((id, dimension)),
-                other => self.report(
-                    part.extent,
-                    format!("a component is a scalar, and this is {}", other.kind()),
-                ),
-            })
-            .collect();
-        let values: Vec<(Id, Dimension)> = values.into_iter().collect::<Option<_>>()?;
+        let values = parts.iter().map(|part| match self.value(part)? {
+            Value::Scalar(id, dimension) => Some((id, dimension)),
+            other => self.report(
+                part.extent,
+                format!("a component is a scalar, and this is {}", other.kind()),
+            ),
+        });
+        let values = every(values)?;
         let dimensions: Vec<Dimension> = values.iter().map(|(_, dimension)| *dimension).collect();
         if let Some((odd, other)) = odd_one_out(&dimensions) {
             let place = self.culprit(&parts[odd], other);

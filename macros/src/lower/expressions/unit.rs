@@ -129,8 +129,7 @@ pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number,
             Some((total * factor, product.times(dimension)?))
         });
         if known.is_none() {
-            errors.push(name.span(), TOO_LARGE);
-            return None;
+            return errors.report(name.span(), TOO_LARGE);
         }
     }
     known.filter(|_| is_known)

@@ -92,28 +92,30 @@ impl Lowering<'_> {
                 let reciprocal = self.work.graph.quantity(reciprocal);
                 self.scaled(reciprocal, value, Dimension::NONE)
             }
-            "in_body" if self.motion.is_line() => self.report(
+            _ => {
+                let frame = self.named_frame(method, arguments)?;
+                let components = self.work.components(vector, frame);
+                Some(Value::Components(frame, components, of_vector))
+            }
+        }
+    }
+
+    /// The axes of `.in_world()`, `.in_body()` or `.in_body(upper)`.
+    fn named_frame(&mut self, method: &Ident, arguments: &[Expression]) -> Option<Frame> {
+        if method == "in_world" {
+            return Some(Frame::WORLD);
+        }
+        match arguments {
+            _ if self.motion.is_line() => self.report(
                 method.span(),
                 format!("{UNTURNED}: write `.in_world()`, or what is along it, `.dot(axis)`"),
             ),
-            _ if names_body => {
-                let frame = self.named_body(&arguments[0])?;
-                let components = self.work.components(vector, frame);
-                Some(Value::Components(frame, components, of_vector))
-            }
-            "in_body" if self.is_whole => self.report(
+            [body] => self.named_body(body),
+            _ if self.is_whole => self.report(
                 method.span(),
                 "in the axes of which body? write its name in the parentheses",
             ),
-            frame => {
-                let frame = if frame == "in_body" {
-                    self.state.body
-                } else {
-                    Frame::WORLD
-                };
-                let components = self.work.components(vector, frame);
-                Some(Value::Components(frame, components, of_vector))
-            }
+            _ => Some(self.state.body),
         }
     }
 
@@ -142,15 +144,8 @@ impl Lowering<'_> {
         method: &Ident,
         arguments: &[Expression],
     ) -> Option<Value> {
-        let word = method.to_string();
-        if !matches!(word.as_str(), "position" | "velocity") {
-            return self.report(
-                method.span(),
-                format!("a point has `.position()` and `.velocity()`, and no `{word}`"),
-            );
-        }
-        self.expect_arguments(method, arguments, 0)?;
-        let dimension = if word == "position" {
+        let is_position = self.is_position(method, arguments)?;
+        let dimension = if is_position {
             Dimension::LENGTH
         } else {
             Dimension::VELOCITY
@@ -159,20 +154,20 @@ impl Lowering<'_> {
             return self.report(
                 method.span(),
                 format!(
-                    "the {word} of a point of the body is not known under `motion: rotation`: \
+                    "the {method} of a point of the body is not known under `motion: rotation`: \
                      the motion of G is not modelled"
                 ),
             );
         }
         self.check_support_is_read(method)?;
-        let vector = match (point, word.as_str()) {
-            (point, "position") => self.state.place(self.work, point),
-            (Point::Fixed(Frame::WORLD, _), _) => Vector::ZERO,
-            (Point::Fixed(_, offset), _) => {
+        let vector = match point {
+            _ if is_position => self.state.place(self.work, point),
+            Point::Fixed(Frame::WORLD, _) => Vector::ZERO,
+            Point::Fixed(_, offset) => {
                 let swept = self.state.swept(self.work, offset);
                 self.work.add(self.state.velocity, swept)
             }
-            (Point::Moving(offset), _) => {
+            Point::Moving(offset) => {
                 let swept = self.swept(offset, self.state.angular_velocity, self.state.axes);
                 self.work.add(self.state.velocity, swept)
             }

@@ -4,7 +4,7 @@
 //! subtraction: offsets are taken from the first part, then from G, and the inertia is built up
 //! about G (`docs/trust.md`, H3).
 
-use crate::errors::Extent;
+use crate::errors::{Extent, every};
 use crate::lower::expressions::{Lowering, base, is_of_solid};
 use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, Origin, shown};
 use crate::symbolic::{Components, Id};
@@ -29,12 +29,8 @@ struct Member {
 impl Lowering<'_> {
     /// Reads the parts; from here on, points are offsets from G.
     pub fn compose(&mut self, written: &Composition, defaults: &Defaults) -> Option<Composed> {
-        let members: Vec<Option<Member>> = written
-            .parts
-            .iter()
-            .map(|part| self.member(part.as_ref()?, defaults))
-            .collect();
-        let members: Vec<Member> = members.into_iter().collect::<Option<_>>()?;
+        let parts = written.parts.iter();
+        let members = every(parts.map(|part| self.member(part.as_ref()?, defaults)))?;
         let masses: Vec<Id> = members.iter().map(|member| member.mass).collect();
         let mass = self.work.graph.sum(&masses);
         match self.known(mass, defaults) {

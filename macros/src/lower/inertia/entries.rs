@@ -2,10 +2,9 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::Extent;
+use crate::errors::{Extent, every};
 use crate::lower::expressions::Lowering;
 use crate::model::{Dimension, ENTRIES, Inertia};
-use crate::symbolic::Id;
 use crate::syntax::Expression;
 
 use super::draft::{Draft, Entry};
@@ -39,11 +38,10 @@ impl Lowering<'_> {
                 ),
             );
         }
-        let moments: Vec<Option<Id>> = parts
+        let moments = parts
             .iter()
-            .map(|part| self.scalar(part, Dimension::INERTIA, "a moment of inertia"))
-            .collect();
-        let moments: Vec<Id> = moments.into_iter().collect::<Option<_>>()?;
+            .map(|part| self.scalar(part, Dimension::INERTIA, "a moment of inertia"));
+        let moments = every(moments)?;
         let mut rows = [self.work.graph.zeros(); 3];
         for (i, moment) in moments.iter().enumerate() {
             rows[i][i] = *moment;
@@ -103,26 +101,31 @@ impl Lowering<'_> {
             rows[column][row] = entry;
             entries.push(Entry::new(row, column, value, entry));
         }
-        let missing: Vec<&str> = ["xx", "yy", "zz"]
-            .into_iter()
-            .filter(|diagonal| !fields.iter().any(|(name, _)| name == diagonal))
-            .collect();
-        if complete && !missing.is_empty() {
-            let (missing, verb) = (
-                missing.join("` and `"),
-                if missing.len() == 1 { "is" } else { "are" },
-            );
-            self.errors.push(
-                word.span(),
-                format!("`{missing}` {verb} missing: all three moments of inertia are needed"),
-            );
-            complete = false;
+        if !complete {
+            return None;
         }
-        complete.then_some(Draft {
+        self.check_diagonals(word, fields)?;
+        Some(Draft {
             inertia: Inertia::Spatial(rows),
             entries,
             extent,
         })
+    }
+
+    /// Reports moments of inertia that are not given.
+    fn check_diagonals(&mut self, word: &Ident, fields: &[(Ident, Expression)]) -> Option<()> {
+        let is_missing = |diagonal: &&str| !fields.iter().any(|(name, _)| name == diagonal);
+        let missing = ["xx", "yy", "zz"].into_iter().filter(is_missing);
+        let missing: Vec<&str> = missing.collect();
+        let (missing, verb) = match missing[..] {
+            [] => return Some(()),
+            [one] => (one.to_owned(), "is"),
+            _ => (missing.join("` and `"), "are"),
+        };
+        self.report(
+            word.span(),
+            format!("`{missing}` {verb} missing: all three moments of inertia are needed"),
+        )
     }
 
     fn place_of_entry(&mut self, name: &Ident) -> Option<(usize, usize)> {

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::Extent;
+use crate::errors::{Extent, every};
 use crate::lower::expressions::Lowering;
 use crate::model::{Dimension, Inertia, Mass, SOLIDS, Solid, shown};
 use crate::symbolic::{Id, Number};
@@ -86,11 +86,8 @@ impl Lowering<'_> {
                 ),
             );
         }
-        let lengths: Vec<Option<Id>> = written
-            .iter()
-            .map(|length| self.length(length, context))
-            .collect();
-        let lengths: Vec<Id> = lengths.into_iter().collect::<Option<_>>()?;
+        let lengths = written.iter().map(|length| self.length(length, context));
+        let lengths = every(lengths)?;
         if let Some((small, large, reason)) = solid.smaller
             && let (Some(a), Some(b)) = (
                 self.known(lengths[small], context.defaults),

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::lower::expressions::{Lowering, Value};
-use crate::model::{AXES, Constraint, Declared, Frame, Level, Meaning, Variable};
+use crate::model::{AXES, Constraint, Declared, Dimension, Frame, Level, Meaning, Variable};
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Description, Expression};
 
@@ -80,12 +80,20 @@ impl Lowering<'_> {
         Some(constraints)
     }
 
+    /// What a constraint is written as, or a link stands for.
+    pub fn constrained(&mut self, expression: &Expression) -> Option<Value> {
+        match self.link(expression) {
+            Some(link) => Some(Value::Scalar(link?, Dimension::LENGTH)),
+            None => self.value(expression),
+        }
+    }
+
     /// The scalars of one constraint: a vector counts as its components, in world axes unless it
     /// says otherwise.
     pub fn kept_at_zero(&mut self, written: &Definition) -> Option<Vec<(String, Id)>> {
         let expression = written.value.as_ref()?;
         let name = &written.name;
-        match self.value(expression)? {
+        match self.constrained(expression)? {
             Value::Scalar(id, _) => Some(vec![(name.to_string(), id)]),
             Value::Components(_, components, _) => Some(self.named_components(name, components)),
             Value::Vector(vector, _) => {

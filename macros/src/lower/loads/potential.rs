@@ -5,14 +5,12 @@
 //! axes, either of them can be turned: there are two forms then, and mechanics takes the cheaper
 //! one.
 
-use std::collections::HashSet;
-
-use crate::errors::{Errors, Extent};
+use crate::errors::{every, silently};
 use crate::lower::definitions::{Definition, definition_order};
-use crate::lower::expressions::{Lowering, Value, is_drive, is_unknown};
+use crate::lower::expressions::{Lowering, is_drive, is_unknown};
 use crate::model::{Charges, Dimension, Displaced, Form, Frame, Potential, Potentials, Turns};
-use crate::symbolic::{Components, Id, Node};
-use crate::syntax::{Description, Expression, Kind, Load};
+use crate::symbolic::{Components, Id};
+use crate::syntax::{Description, Expression, Load};
 
 /// Words of what moves.
 const RATES: [&str; 5] = [
@@ -71,20 +69,14 @@ impl Lowering<'_> {
             .loads
             .iter()
             .filter(|load| load.charges.is_some());
-        let fields: Vec<Option<(Id, Charges)>> =
-            on_charges.map(|load| self.uniform_field(load)).collect();
+        let fields = every(on_charges.map(|load| self.uniform_field(load)));
         let rates = self.rates();
-        let scalars = description.potentials.iter();
-        let scalars: Vec<Option<Id>> = scalars
-            .map(|potential| self.potential(potential.value.as_ref(), &rates))
-            .collect();
+        let scalars = self.energies(description, &rates);
         self.scope.restore(values);
         self.state.position = position;
         let turns = self.work.turns.take()?;
-        let fields = fields.into_iter().collect::<Option<Vec<_>>>()?;
-        let scalars = scalars.into_iter().collect::<Option<Vec<_>>>()?;
-        let (mut energies, charges): (Vec<Id>, Vec<Charges>) = fields.into_iter().unzip();
-        energies.extend(scalars);
+        let (mut energies, charges): (Vec<Id>, Vec<Charges>) = fields?.into_iter().unzip();
+        energies.extend(scalars?);
         let form = Form {
             values: energies,
             charges,
@@ -122,9 +114,7 @@ impl Lowering<'_> {
     /// Reads the locals again, with turned vectors kept apart.
     pub fn locals_apart(&mut self, description: &Description) {
         // circles are reported already
-        let mut reported = Errors::default();
-        let (order, _) = definition_order(description, &mut reported);
-        let _ = reported.finish();
+        let (order, _) = silently(|errors| definition_order(description, errors));
         for definition in order {
             let (Definition::Local(_), (name, Some(written))) =
                 (definition, definition.of(description))
@@ -138,9 +128,15 @@ impl Lowering<'_> {
         }
     }
 
+    /// All potentials of a description, as functions of what is kept apart.
+    pub fn energies(&mut self, description: &Description, rates: &[Id]) -> Option<Vec<Id>> {
+        let written = description.potentials.iter();
+        every(written.map(|potential| self.potential(potential.value.as_ref(), rates)))
+    }
+
     /// A potential follows from where the body is and how it is turned, from the time, parameters
     /// and inputs, and not from any of these `rates`.
-    pub fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
+    fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
         let written = written?;
         let energy = self.scalar(written, Dimension::MOMENT, "a potential")?;
         if !self.depends(&[energy], rates) {
@@ -159,70 +155,5 @@ impl Lowering<'_> {
         let mut all = self.work.entries(&[self.state.velocity]);
         all.extend(self.state.turn_rate());
         self.late_symbols(&all)
-    }
-
-    pub fn late_symbols(&self, roots: &[Id]) -> Vec<Id> {
-        let graph = &self.work.graph;
-        let symbols = graph.reachable(roots, |_| true).into_iter();
-        symbols
-            .filter(|id| matches!(graph.node(*id), Node::Symbol(_)) && !graph.is_early(*id))
-            .collect()
-    }
-
-    /// Whether any of `roots` depends on one of the symbols, through turned vectors too.
-    pub fn depends(&self, roots: &[Id], symbols: &[Id]) -> bool {
-        let mut followed = HashSet::new();
-        let mut pending = roots.to_vec();
-        while !pending.is_empty() {
-            let found = self.late_symbols(&pending);
-            if found.iter().any(|symbol| symbols.contains(symbol)) {
-                return true;
-            }
-            let turns = self.work.turns.iter();
-            let through = turns.flat_map(|turns| found.iter().filter_map(|id| turns.of(*id)));
-            let new: Vec<Id> = through
-                .filter(|turn| followed.insert(turn.turned))
-                .flat_map(|turn| turn.vector)
-                .collect();
-            pending = new;
-        }
-        false
-    }
-
-    /// The first of the names and methods in `expression` that is one of `words`, or whose value
-    /// depends on the symbols.
-    pub fn dependent_name(
-        &self,
-        expression: &Expression,
-        symbols: &[Id],
-        words: &[&str],
-    ) -> Extent {
-        let mut found = None;
-        expression.visit(|part| {
-            let name = match &part.kind {
-                Kind::Name(name) => name,
-                Kind::Method(_, method, _) | Kind::Field(_, method)
-                    if words.iter().any(|word| method == word) =>
-                {
-                    method
-                }
-                _ => return,
-            };
-            let word = name.to_string();
-            let depends = words.contains(&word.as_str())
-                || self.scope.peek(&word).is_some_and(|value| {
-                    let components = match value {
-                        Value::Scalar(id, _) | Value::Condition(id) => vec![id],
-                        Value::Components(_, components, _) => components.to_vec(),
-                        Value::Vector(vector, _) => self.work.entries(&[vector]),
-                        Value::Point(_) | Value::Carried(..) | Value::Attitude => Vec::new(),
-                    };
-                    self.depends(&components, symbols)
-                });
-            if depends && found.is_none() {
-                found = Some(name.span().into());
-            }
-        });
-        found.unwrap_or(expression.extent)
     }
 }

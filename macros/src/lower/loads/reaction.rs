@@ -3,7 +3,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::Extent;
+use crate::errors::every;
 use crate::families::LoadKind;
 use crate::lower::expressions::{
     Lowering, UNTURNED, Value, direction, is_unknown, lower_unit, placeholders,
@@ -141,16 +141,13 @@ impl Lowering<'_> {
             );
         }
         let of_component = unit.map_or(expected, |_| Dimension::NONE);
-        let known: Vec<Option<Id>> = parts
-            .iter()
-            .map(|part| match part.kind {
-                Kind::Placeholder => Some(zeros[0]),
-                _ => self.scalar(part, of_component, "a component"),
-            })
-            .collect();
+        let known = parts.iter().map(|part| match part.kind {
+            Kind::Placeholder => Some(zeros[0]),
+            _ => self.scalar(part, of_component, "a component"),
+        });
         let mut components = zeros;
-        for (component, known) in components.iter_mut().zip(known) {
-            *component = self.work.graph.multiply(factor, known?);
+        for (component, known) in components.iter_mut().zip(every(known)?) {
+            *component = self.work.graph.multiply(factor, known);
         }
         Some((frame, components))
     }
@@ -182,6 +179,9 @@ impl Lowering<'_> {
 
     /// Under constraints, loads may depend on the unknown reactions, by their names: friction does.
     pub fn name_reactions(&mut self, description: &Description, reactions: &[Option<Reaction>]) {
+        if !self.is_constrained {
+            return;
+        }
         let unknown = description.loads.iter().filter(|load| is_unknown(load));
         for (written, reaction) in unknown.zip(reactions) {
             let name = written.name.to_string();
@@ -200,14 +200,5 @@ impl Lowering<'_> {
             };
             self.scope.define(&name, Some(value));
         }
-    }
-
-    /// Where an expression names an unknown reaction.
-    pub fn mentioned_reaction(&self, value: &Expression) -> Option<Extent> {
-        let names = value.names();
-        let found = names
-            .iter()
-            .find(|name| self.reactions.contains(&name.to_string()));
-        found.map(|name| name.span().into())
     }
 }

@@ -3,7 +3,7 @@
 //! Its potential is `U = -E . (R sum e + p)` with `p = sum e r`: the force E sum e and the moment
 //! p x E follow from it, with both sums folded; a net charge of zero is no special case.
 
-use crate::errors::Extent;
+use crate::errors::{Extent, every};
 use crate::lower::expressions::{Lowering, Value, dimension};
 use crate::model::{Charges, Dimension, Frame, Vector};
 use crate::symbolic::{Components, Graph, Id};
@@ -28,11 +28,9 @@ impl Lowering<'_> {
             .as_ref()
             .and_then(|field| self.field_strength(field));
         let charges = written.charges.iter().flatten();
-        let charges: Vec<Option<(Id, Components)>> = charges
-            .map(|charge| self.charge(charge, field.map(|(_, dimension)| dimension)))
-            .collect();
-        let (field, _) = field?;
-        let charges = charges.into_iter().collect::<Option<Vec<_>>>()?;
+        let of_field = field.map(|(_, dimension)| dimension);
+        let charges = every(charges.map(|charge| self.charge(charge, of_field)));
+        let ((field, _), charges) = (field?, charges?);
         let graph = &mut self.work.graph;
         let net: Vec<Id> = charges.iter().map(|(charge, _)| *charge).collect();
         let net = graph.sum(&net);

@@ -6,14 +6,17 @@
 //! whatever carries it; its velocity, and the coordinates of joints that are driven, as symbols of
 //! their own.
 
-use std::collections::HashMap;
+use std::collections::HashSet;
 
-use crate::errors::Errors;
-use crate::lower::expressions::{BodyMotion, Value};
+use crate::errors::{Errors, every, silently};
+use crate::lower::expressions::{BodyMotion, Lowering, Value};
 use crate::model::{Along, Displaced, Form, Frame, State, TreeJoint, Turns, Variable, Vector};
 use crate::symbolic::{Components, Id, Stage};
 
+use crate::syntax::Description;
+
 use super::reading::body::Draft;
+use super::reading::names::for_copy;
 use super::reading::reader::Reader;
 
 /// What is put in the place of bodies and joints that move.
@@ -47,9 +50,7 @@ impl Reader<'_> {
         let bodies = apart.bodies.iter().map(|displaced| displaced.body);
         self.work.turns = Some(Turns::of_bodies(self.motion.axes(), bodies));
         // what is wrong with these is reported already
-        let mut reported = Errors::default();
-        self.late_points(drafts, &mut reported);
-        let _ = reported.finish();
+        silently(|errors| self.late_points(drafts, errors));
         let values = read(self, drafts, &rates);
         let turns = self.work.turns.take()?;
         for (draft, ((state, scope), carrier)) in drafts
@@ -72,6 +73,33 @@ impl Reader<'_> {
         };
         self.tell_rates(&mut form, drafts, joints);
         Some(form)
+    }
+
+    /// Reads scalars of what stands beside the bodies, and of each of them, with their locals apart.
+    pub fn each_apart(
+        &mut self,
+        drafts: &mut [Draft<'_>],
+        errors: &mut Errors,
+        read: impl Fn(&mut Lowering<'_>, &Description) -> Option<Vec<Id>>,
+    ) -> Option<Vec<Id>> {
+        let top = &self.system.top;
+        let read = |lowering: &mut Lowering<'_>, description: &Description| {
+            lowering.locals_apart(description);
+            read(lowering, description)
+        };
+        let mut all = vec![self.at_top(errors, |lowering| read(lowering, top))];
+        let mut wrong = HashSet::new();
+        for (number, draft) in drafts.iter_mut().enumerate() {
+            for local in &top.locals {
+                let name = local.name.to_string();
+                draft.scope.redefine(&name, self.scope.peek(&name));
+            }
+            let (body, first) = (draft.description, self.system.firsts[number]);
+            all.push(for_copy(first, number, &mut wrong, errors, |errors| {
+                self.in_body(draft, errors, |lowering, _| read(lowering, body))
+            }));
+        }
+        Some(every(all)?.concat())
     }
 
     /// What the symbols of velocities stand for, if there are any in what was read.
@@ -110,20 +138,9 @@ impl Reader<'_> {
     fn displace(&mut self, drafts: &mut [Draft<'_>], joints: &[TreeJoint]) -> Apart {
         let copies = self.work.copied_frames();
         let mut apart = Apart::default();
-        let places = |joint: &TreeJoint| {
-            let all = joint.coordinates.0.clone().into_iter();
-            all.filter(|one| matches!(one.variable, Variable::Position | Variable::Angle))
-        };
-        let graph = &mut self.work.graph;
-        // what is prescribed is a function of time, or a number that stands elsewhere too
-        let open = joints.iter().filter(|joint| !joint.is_driven());
-        let held: HashMap<Id, Id> = open
-            .flat_map(places)
-            .map(|place| (place.id, graph.symbol(Stage::State)))
-            .collect();
-        apart
-            .stands_for
-            .extend(held.iter().map(|(place, held)| (*held, *place)));
+        let held = self.held_coordinates(joints);
+        let symbols = held.iter().map(|(place, held)| (*held, *place));
+        apart.stands_for.extend(symbols);
         for joint in joints {
             let draft = &mut drafts[joint.carried];
             let Some(state) = &mut draft.state else {
@@ -142,11 +159,7 @@ impl Reader<'_> {
             let at_joint = self.work.add(state.position, pin);
             let mut position = self.work.vector(Frame::WORLD, displacement);
             for (frame, part) in self.work.parts(at_joint).to_vec() {
-                let part = self
-                    .work
-                    .graph
-                    .substitute(&part, |id| held.get(&id).copied());
-                let part = [part[0], part[1], part[2]];
+                let part = self.work.graph.replaced(part, &held);
                 let part = self.work.vector(copies[frame.index()], part);
                 position = self.work.add(position, part);
             }
@@ -179,6 +192,18 @@ impl Reader<'_> {
             self.work.set_carrier(draft.frame, Frame::WORLD);
         }
         apart
+    }
+
+    /// The coordinates of joints, each with the symbol by which it is held.
+    fn held_coordinates(&mut self, joints: &[TreeJoint]) -> Vec<(Id, Id)> {
+        // what is prescribed is a function of time, or a number that stands elsewhere too
+        let open = joints.iter().filter(|joint| !joint.is_driven());
+        let places = open.flat_map(|joint| &joint.coordinates.0);
+        let places =
+            places.filter(|one| matches!(one.variable, Variable::Position | Variable::Angle));
+        places
+            .map(|place| (place.id, self.work.graph.symbol(Stage::State)))
+            .collect()
     }
 
     /// Tells all of how a body moves now; returns what its angle is told by, in the plane.

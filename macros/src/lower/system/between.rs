@@ -1,14 +1,14 @@
 //! What acts between bodies: tensions along a line, cables, and moments.
 
-use crate::errors::Errors;
+use crate::errors::{Errors, every};
 use crate::families::Family;
 use crate::lower::expressions::Lowering;
-use crate::model::{Cable, Dimension, Frame, Load, Meaning, Point, Vector};
+use crate::model::{Dimension, Frame, Load, Point, Tie, Vector};
 use crate::symbolic::{Comparison, Components, Id, Number};
-use crate::syntax::{Definition, Expression, Kind};
+use crate::syntax::{Definition, Expression, Kind, call};
 
 use super::drives::behind;
-use super::joints::joint::{End, call};
+use super::joints::joint::End;
 use super::reading::reader::Reader;
 
 /// Loads, each with the number of the body that it acts on.
@@ -20,7 +20,7 @@ pub struct Between {
     pub loads: Loads,
     /// The energies of cables.
     pub energies: Vec<Id>,
-    pub cables: Vec<Cable>,
+    pub cables: Vec<Tie>,
 }
 
 impl Reader<'_> {
@@ -49,12 +49,11 @@ impl Reader<'_> {
     fn tension(&mut self, load: &Definition, errors: &mut Errors) -> Option<Loads> {
         let value = load.value.as_ref()?;
         let Some((tension, [p, q])) = behind(value, "between") else {
-            errors.push(
+            return errors.report(
                 value.extent,
                 "a force of a system acts between two points: write `tension.between(P, Q)`; what acts \
                  on one body stands in its braces",
             );
-            return None;
         };
         let ends = self.ends([p, q], "a tension", errors);
         let size = self.at_top(errors, |lowering| {
@@ -76,17 +75,15 @@ impl Reader<'_> {
         let ((word, arguments), methods) = call(value)?;
         let form = "cable(P, Q, length, stiffness)";
         if let Some((method, _)) = methods.first() {
-            errors.push(method.span(), format!("nothing follows `{form}`"));
-            return None;
+            return errors.report(method.span(), format!("nothing follows `{form}`"));
         }
         let [p, q, length, stiffness] = arguments else {
             let excess = arguments.get(4).map(|extra| extra.extent);
             let count = arguments.len();
-            errors.push(
+            return errors.report(
                 excess.unwrap_or(word.span().into()),
                 format!("`{form}` takes 4 arguments, and this has {count}"),
             );
-            return None;
         };
         let ends = self.ends([p, q], "a cable", errors);
         let written = [
@@ -94,9 +91,7 @@ impl Reader<'_> {
             (stiffness, Dimension::STIFFNESS, "the stiffness of a cable"),
         ];
         let [length, stiffness] = written.map(|(value, dimension, what)| {
-            self.at_top(errors, |lowering| {
-                property(lowering, value, dimension, what)
-            })
+            self.at_top(errors, |lowering| lowering.property(value, dimension, what))
         });
         let ((ends, line), length, stiffness) = (ends?, length?, stiffness?);
         let graph = &mut self.work.graph;
@@ -118,7 +113,7 @@ impl Reader<'_> {
         }
         let system = self.system;
         let bodies = ends.map(|(body, _)| Some(system.bodies[body?].name.clone()));
-        into.cables.push(Cable {
+        into.cables.push(Tie {
             name: cable.name.clone(),
             bodies,
         });
@@ -139,8 +134,7 @@ impl Reader<'_> {
         let (start, end) = (start?, end?);
         if start.0 == end.0 {
             let message = format!("{what} acts between two bodies, or a body and the ground");
-            errors.push(q.extent, message);
-            return None;
+            return errors.report(q.extent, message);
         }
         let [start_place, end_place] = [start, end].map(|end| self.place(end));
         let back = self.work.negate(start_place?);
@@ -149,8 +143,7 @@ impl Reader<'_> {
         let line = self.work.graph.quantities(line);
         if self.work.graph.is_zero_vector(&line) {
             let message = format!("the ends of {what} are at the same place: it has no direction");
-            errors.push(q.extent, message);
-            return None;
+            return errors.report(q.extent, message);
         }
         Some(([start, end], line))
     }
@@ -206,27 +199,22 @@ impl Reader<'_> {
                 _ => None,
             });
         let Some((moment, bodies)) = written else {
-            errors.push(
+            return errors.report(
                 value.extent,
                 "a moment of a system is `moment(v).on(body)` or `moment(v).between(first, second)`",
             );
-            return None;
         };
-        let numbers: Vec<Option<usize>> = bodies
-            .iter()
-            .map(|body| self.body_number(body, errors))
-            .collect();
+        let numbers = every(bodies.iter().map(|body| self.body_number(body, errors)));
         let is_planar = self.system.is_planar;
         let vector = self.at_top(errors, |lowering| read_moment(lowering, moment, is_planar));
-        let numbers: Vec<usize> = numbers.into_iter().collect::<Option<_>>()?;
+        let numbers = numbers?;
         if let ([first, second], [_, again]) = (numbers.as_slice(), bodies)
             && first == second
         {
-            errors.push(
+            return errors.report(
                 again.extent,
                 "a moment between two bodies, and both are one: it cancels",
             );
-            return None;
         }
         let vector = vector?;
         let zeros = self.work.graph.zeros();
@@ -270,34 +258,8 @@ impl Reader<'_> {
                 self.members.hint(&name, bodies)
             )
         };
-        errors.push(written.extent, message);
-        None
+        errors.report(written.extent, message)
     }
-}
-
-/// Length or stiffness: a number that is not negative, and follows from no state.
-fn property(
-    lowering: &mut Lowering<'_>,
-    written: &Expression,
-    dimension: Dimension,
-    what: &str,
-) -> Option<Id> {
-    let value = lowering.scalar(written, dimension, what)?;
-    let is_negative = |number: &Number| !number.is_zero() && !number.is_positive();
-    let graph = &lowering.work.graph;
-    if graph.as_number(value).is_some_and(is_negative) {
-        return lowering.report(written.extent, format!("{what} is not negative"));
-    }
-    let work = &*lowering.work;
-    let of_state = |id| matches!(work.meaning(id), Some(Meaning::Of(..)));
-    if graph.depends_on(&[value], of_state) {
-        let place = lowering.late_name(written);
-        let message = format!(
-            "{what} does not depend on the state: write `tension.between(P, Q)` in `forces` for what does"
-        );
-        return lowering.report(place, message);
-    }
-    Some(value)
 }
 
 fn read_moment(

@@ -34,11 +34,10 @@ fn joint_named<'e>(
         }
         _ => {}
     }
-    errors.push(
+    errors.report(
         target.extent,
         "a drive acts on a joint, by its name, or on one of its coordinates",
-    );
-    None
+    )
 }
 
 /// The coordinates of a joint that have names, by the fields of its state.
@@ -61,8 +60,7 @@ fn chosen(
             "`{name}` moves as is prescribed: the drive that makes it do so is found, and is a field of the \
              reactions"
         );
-        errors.push(target.extent, message);
-        return None;
+        return errors.report(target.extent, message);
     }
     if all.is_empty() || joint.kind.is_free() {
         let place = joint_named(target, errors)?.0.span();
@@ -73,8 +71,7 @@ fn chosen(
                 "nothing holds `{name}`: what acts on its body is a force or a moment in its braces"
             )
         };
-        errors.push(place, message);
-        return None;
+        return errors.report(place, message);
     }
     let words: Vec<&str> = coordinates(joint).map(|field| field.path).collect();
     let Some(word) = word else {
@@ -84,19 +81,17 @@ fn chosen(
         }
         let words: Vec<String> = words.iter().map(|word| format!("{name}.{word}")).collect();
         let all = words.join(")` or `.on(");
-        errors.push(
+        return errors.report(
             target.extent,
             format!("along which coordinate? write `.on({all})`"),
         );
-        return None;
     };
     let Some(field) = coordinates(joint).find(|field| *word == field.path) else {
         let all = words.join("`, `");
-        errors.push(
+        return errors.report(
             word.span(),
             format!("a drive acts on a coordinate of `{name}`: `{all}`"),
         );
-        return None;
     };
     let rate = match field.variable {
         Variable::Position => Variable::Velocity,
@@ -139,8 +134,7 @@ impl Reader<'_> {
                 }
                 _ => value.extent,
             };
-            errors.push(place, message);
-            return None;
+            return errors.report(place, message);
         };
         let (name, word) = joint_named(target, errors)?;
         self.check_joint(name, errors)?;
@@ -218,8 +212,7 @@ impl Reader<'_> {
         } else {
             format!("there is no joint `{name}`{hint}")
         };
-        errors.push(name.span(), message);
-        None
+        errors.report(name.span(), message)
     }
 
     /// Leaves the load along a coordinate open, for inverse dynamics.
@@ -232,28 +225,25 @@ impl Reader<'_> {
         errors: &mut Errors,
     ) -> Option<()> {
         if !self.is_inverse {
-            errors.push(
+            return errors.report(
                 load.extent,
                 "an unknown drive is for `outputs: [inverse]`: ask for that, or write a value",
             );
-            return None;
         }
         let [chosen] = *chosen else {
             let (kind, count) = (joint.kind.word, chosen.len());
-            errors.push(
+            return errors.report(
                 load.extent,
                 format!(
                     "an open drive is along one freedom, and these are {count} of the {kind} joint: \
                      prescribe its loads by inputs"
                 ),
             );
-            return None;
         };
         let open = &mut joint.open[chosen];
         if let Some(other) = open {
             let message = format!("`{other}` is open on this coordinate already");
-            errors.push(drive.name.span(), message);
-            return None;
+            return errors.report(drive.name.span(), message);
         }
         *open = Some(drive.name.clone());
         Some(())

@@ -17,17 +17,14 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::lower::definitions::{INVERSE, check_names};
-use crate::lower::expressions::{Members, Scope};
-use crate::model::{
-    Closing, Constraint, Declared, Defaults, Kept, Meaning, Member, Outline, PLANAR, SPATIAL,
-    System, TreeJoint, Workspace,
-};
-use crate::symbolic::{Components, Stage};
-use crate::syntax;
+use crate::lower::definitions::unused;
+use crate::model::{Closing, Constraint, Member, Outline, System, Tie, TreeJoint, Workspace};
+use crate::symbolic::Components;
+use crate::syntax::{self, LINK, call};
 
+use joints::joint::first_name_of;
 use reading::body::{Draft, common_gravity};
-use reading::names::{check_driving, check_members, declared, for_copy, late_locals};
+use reading::names::for_copy;
 use reading::reader::Reader;
 
 pub use outline::outline_system;
@@ -38,40 +35,14 @@ pub fn lower_system(
     outline: &mut Outline,
     errors: &mut Errors,
 ) -> Option<(System, Workspace)> {
-    let mut repeated = check_names(&system.top, errors);
-    repeated.extend(check_members(system, errors));
-    check_driving(system, outline, errors);
-    let mut work = Workspace::new();
-    let time = work.symbol(Stage::State, Meaning::Time);
-    let mut reader = Reader {
-        system,
-        work,
-        scope: Scope::new(&system.top, repeated),
-        members: Members {
-            declared: declared(system),
-            late: late_locals(system),
-            ..Members::default()
-        },
-        is_inverse: outline.rank(INVERSE).is_some(),
-        turning: vec![false; system.bodies.len()],
-        motion: if system.is_planar { &PLANAR } else { &SPATIAL },
-        time,
-        defaults: Defaults::new(),
-        derivatives: Vec::new(),
-        kept: Some(Kept::default()),
-        first_load: 2 * outline.holding.len(),
-    };
-    reader.defaults = reader.at_top(errors, |lowering| {
-        lowering.declarations(&system.top, outline)
-    });
-    reader.derivatives = outline.inputs.iter().map(Declared::derivatives).collect();
-    reader.locals(errors, false);
+    let mut reader = Reader::new(system, outline, errors);
+    reader.fixed(outline, errors);
     let mut wrong = HashSet::new();
     let mut drafts = reader.drafts(&mut wrong, errors);
     let joints = reader.joints(errors);
     reader.check_held(&joints, &outline.kept, errors);
     let (order, closing) = reader.tree(&joints, errors);
-    let (closings, joints) = reader.closings(&closing, joints, errors);
+    let (mut closings, joints) = reader.closings(&closing, joints, errors);
     let joints = reader.motions(order, joints, &mut drafts);
     reader.members.are_moving = true;
     reader.late_points(&mut drafts, errors);
@@ -84,8 +55,7 @@ pub fn lower_system(
     let between = reader.loads_between(errors);
     let points = reader.asked_points(errors);
     outline.unused = reader.unused(&drafts);
-    let (mut bodies, mut joints, mut points) = (bodies?, joints?, points?);
-    let between = between?;
+    let (mut bodies, mut joints, mut points, between) = (bodies?, joints?, points?, between?);
     for (body, load) in between.loads {
         bodies[body].loads.push(load);
     }
@@ -96,18 +66,17 @@ pub fn lower_system(
         ..
     } = reader;
     let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
-    let mut closings = closings;
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
+    let written = tell_frames(outline, &joints);
+    let kept = constraints.iter().flat_map(|kept| &kept.list);
+    outline.kept = kept.map(load_of).collect();
     // a file may have reported the same
     if errors.is_empty() {
         frames::check_frames(&work, &bodies, &joints, errors);
     }
-    let written = tell_frames(outline, &joints);
-    outline.kept = constraints
-        .iter()
-        .flat_map(|kept| &kept.list)
-        .map(load_of)
-        .collect();
+    if errors.is_empty() && outline.is_still() {
+        check_still(outline, errors);
+    }
     let system = System {
         is_planar: system.is_planar,
         bodies,
@@ -120,14 +89,46 @@ pub fn lower_system(
         potentials: potentials?,
         energies: between.energies,
         cables: between.cables,
+        links: links(system),
         derivatives,
         defaults,
     };
-    if errors.is_empty() && outline.joints.is_empty() {
-        let message = "nothing moves by itself: all joints are welds, or driven";
+    errors.is_empty().then_some((system, work))
+}
+
+/// Reports what is asked of a system in which nothing moves by itself and has no meaning there.
+fn check_still(outline: &Outline, errors: &mut Errors) {
+    if outline.outputs.is_empty() {
+        let message = "nothing moves by itself, because all joints are welds, or driven: ask for what there is \
+                       without a motion, such as `outputs: [reactions]`";
         errors.push(outline.name.span(), message);
     }
-    errors.is_empty().then_some((system, work))
+    for asked in outline.outputs.iter().filter(|asked| asked.is_of_motion) {
+        let message = format!(
+            "nothing moves by itself, because all joints are welds, or driven, and `{}` is of what does: \
+             `reactions` has the drives of joints that are driven",
+            asked.word
+        );
+        errors.push(asked.place, message);
+    }
+}
+
+/// What is written as `link(P, Q, length)`.
+fn links(system: &syntax::System) -> Vec<Tie> {
+    let constraints = system.top.constraints.iter();
+    let links = constraints.filter_map(|one| {
+        let ((word, arguments), _) = one.value.as_ref().and_then(call)?;
+        let [p, q, _] = arguments else { return None };
+        let of_body = |end| {
+            let bodies = system.bodies.iter().map(|body| &body.name);
+            first_name_of(end).filter(|name| bodies.clone().any(|body| body == *name))
+        };
+        (word == LINK).then(|| Tie {
+            name: one.name.clone(),
+            bodies: [p, q].map(|end| of_body(end).cloned()),
+        })
+    });
+    links.collect()
 }
 
 /// What the load is called that keeps a constraint.
@@ -191,12 +192,9 @@ impl<'a> Reader<'a> {
 
     /// The names of the system that nothing refers to.
     fn unused(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
-        let top = &self.system.top;
-        let inputs = top.inputs.iter().filter(|input| input.order == 0);
-        let declared = top.params.iter().chain(inputs).map(|one| &one.name);
-        let names = declared.chain(top.locals.iter().map(|local| &local.name));
-        let unused = names.filter(|name| !self.scope.is_used(name)).cloned();
-        unused.chain(self.unused_of_bodies(drafts)).collect()
+        let mut unused = unused(&self.system.top, &self.scope);
+        unused.extend(self.unused_of_bodies(drafts));
+        unused
     }
 
     /// The points and locals of bodies that nothing refers to, of copies no copy.

@@ -7,11 +7,11 @@ use quote::format_ident;
 
 use crate::errors::similar;
 use crate::model::{JointKind, Jointed, Outline};
-use crate::syntax::{self, Definition, Expression, Kind};
+use crate::syntax::{self, Definition, Expression, Kind, call};
 
 use super::drives::behind;
 use super::joints::driven::coordinates;
-use super::joints::joint::{call, first_name_of, kind_of};
+use super::joints::joint::{first_name_of, kind_of};
 
 /// The joints that move are the fields of its state.
 pub fn outline_system(system: &syntax::System, outline: &mut Outline) {

@@ -2,14 +2,15 @@
 
 use crate::families::Family;
 use crate::mechanics::balances::{about_pole, arm, moments_about, resultant};
-use crate::model::{Frame, Inertia, Model, Point, Vector, Workspace};
+use crate::model::{Frame, Inertia, Load, Model, Point, State, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
-/// The expressions of `outputs: [balance]`, in world axes.
+/// The expressions of `outputs: [balance]` of one body, in world axes.
 pub struct Balance {
-    /// Given loads; moment about G.
+    /// Given loads, in systems with the weight; moment about G.
     pub applied: Resultant,
-    /// (1.3) and (1.4) about the pole: zero on a true motion.
+    /// (1.3) and (1.4) about the pole, in systems about G and with the loads of all joints: zero on
+    /// a true motion.
     pub residual: Resultant,
     pub loads: Vec<LoadExpressions>,
 }
@@ -28,6 +29,16 @@ impl Balance {
         let loads = loads.flat_map(|load| [load.force, load.point, load.moment]);
         resultants.chain(loads).flatten().collect()
     }
+
+    /// Puts what was solved for into the given loads that depend on it.
+    pub fn put_solved(&mut self, work: &mut Workspace, values: &[(Id, Id)]) {
+        let own = [&mut self.applied.force, &mut self.applied.moment];
+        let listed = self.loads.iter_mut();
+        let listed = listed.flat_map(|load| [&mut load.force, &mut load.point, &mut load.moment]);
+        for components in own.into_iter().chain(listed) {
+            *components = work.graph.replaced(*components, values);
+        }
+    }
 }
 
 /// One load, world axes.
@@ -40,11 +51,30 @@ pub struct LoadExpressions {
     pub moment: Components,
 }
 
+impl LoadExpressions {
+    /// Of a load at this point, with this moment.
+    pub fn new(
+        state: &State,
+        work: &mut Workspace,
+        load: &Load,
+        (point, moment): (Point, Vector),
+    ) -> Self {
+        let place = state.place(work, point);
+        Self {
+            name: load.name.to_string(),
+            family: load.family,
+            force: work.components(load.force, Frame::WORLD),
+            point: work.components(place, Frame::WORLD),
+            moment: work.components(moment, Frame::WORLD),
+        }
+    }
+}
+
 /// Under constraints, loads may depend on reactions: these are what was `solved` for.
 pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]) -> Balance {
     let force = resultant(work, &model.loads);
     let center = model.state.mass_center(work);
-    let moments = moments_about(model, work, &model.loads, center);
+    let moments = moments_about(&model.state, work, &model.loads, center);
     let moment = work.sum(moments);
     let applied = in_world(work, force, moment);
 
@@ -67,28 +97,14 @@ pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]
         loads,
     };
     if !model.constraints.is_empty() {
-        solve_loads(model, work, &mut balance, solved);
+        let reactions = model.reactions.iter();
+        let symbols = reactions.map(|reaction| work.part(reaction.symbols, Frame::WORLD));
+        let values = symbols.zip(solved);
+        let values = values.flat_map(|(symbols, value)| symbols.into_iter().zip(*value));
+        let values: Vec<(Id, Id)> = values.collect();
+        balance.put_solved(work, &values);
     }
     balance
-}
-
-/// Puts the reactions that were solved for into the given loads that depend on them.
-fn solve_loads(model: &Model, work: &mut Workspace, balance: &mut Balance, solved: &[Components]) {
-    let reactions = model.reactions.iter();
-    let symbols = reactions.map(|reaction| work.part(reaction.symbols, Frame::WORLD));
-    let values: Vec<(Id, Id)> = symbols
-        .zip(solved)
-        .flat_map(|(symbols, value)| symbols.into_iter().zip(*value))
-        .collect();
-    let graph = &mut work.graph;
-    let own = [&mut balance.applied.force, &mut balance.applied.moment];
-    let listed = balance.loads.iter_mut();
-    let all = own
-        .into_iter()
-        .chain(listed.flat_map(|load| [&mut load.force, &mut load.point, &mut load.moment]));
-    for components in all {
-        *components = graph.replaced(*components, &values);
-    }
 }
 
 fn in_world(work: &mut Workspace, force: Vector, moment: Vector) -> Resultant {
@@ -114,7 +130,7 @@ fn with_reactions(
     let center = model.state.mass_center(work);
     let (mut forces, mut moments) = (vec![force], vec![moment]);
     for reaction in &model.reactions {
-        let (force, moment) = about_pole(model, work, reaction, reaction.symbols, center);
+        let (force, moment) = about_pole(&model.state, work, reaction, reaction.symbols, center);
         forces.push(force);
         moments.push(moment);
     }
@@ -124,7 +140,7 @@ fn with_reactions(
 /// `G - O`, of the pole O.
 pub fn from_pole(model: &Model, work: &mut Workspace) -> Vector {
     let (center, pole) = (model.state.mass_center(work), model.pole);
-    arm(model, work, center, pole)
+    arm(&model.state, work, center, pole)
 }
 
 /// (1.8): `F_iG = -m a`.
@@ -144,19 +160,16 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
         model.state.angular_acceleration,
     );
     let graph = &mut work.graph;
-    let change = match model.inertia {
-        Inertia::Absent => graph.zeros(),
-        Inertia::Scalar(inertia) => graph.scale_vector(inertia, rate),
-        Inertia::Spatial(rows) => {
-            let momentum = graph.transform(&rows, w);
-            let momentum = graph.quantities(momentum);
-            work.labels.describe("momentum", "J w, body axes");
-            work.labels.vector("momentum", momentum);
-            let gyroscopic = graph.cross(w, momentum);
-            let driven = graph.transform(&rows, rate);
-            graph.add_vectors(driven, gyroscopic)
-        }
-    };
+    let mut gyroscopic = graph.zeros();
+    if let Inertia::Spatial(rows) = model.inertia {
+        let momentum = graph.transform(&rows, w);
+        let momentum = graph.quantities(momentum);
+        work.labels.describe("momentum", "J w, body axes");
+        work.labels.vector("momentum", momentum);
+        gyroscopic = graph.cross(w, momentum);
+    }
+    let driven = model.inertia.times(graph, rate);
+    let change = graph.add_vectors(driven, gyroscopic);
     let moment = graph.negate_vector(change);
     work.vector(model.state.axes, moment)
 }
@@ -164,26 +177,15 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
 /// What is spread over the body is listed at G.
 fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
     let center = model.state.mass_center(work);
-    let about_center = moments_about(model, work, &model.loads, center);
+    let about_center = moments_about(&model.state, work, &model.loads, center);
     let loads = model.loads.iter().zip(about_center);
     let list = loads.map(|(load, about_center)| {
-        let (point, moment) = if load.potential.is_some() {
+        let at = if load.potential.is_some() {
             (center, about_center)
         } else {
             (load.point, load.moment)
         };
-        LoadExpressions {
-            name: load.name.to_string(),
-            family: load.family,
-            force: work.components(load.force, Frame::WORLD),
-            point: position(model, work, point),
-            moment: work.components(moment, Frame::WORLD),
-        }
+        LoadExpressions::new(&model.state, work, load, at)
     });
     list.collect()
-}
-
-fn position(model: &Model, work: &mut Workspace, point: Point) -> Components {
-    let position = model.state.place(work, point);
-    work.components(position, Frame::WORLD)
 }

@@ -17,6 +17,7 @@ use crate::model::{Attitude, Frame, Meaning, Model, Pair, Workspace};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
 
 use super::axes::{self, Axes};
+use super::partial::parts;
 
 /// The recurrences of a motion, with its coordinates in the order in which the runtime lists them.
 #[derive(Debug)]
@@ -62,14 +63,7 @@ pub fn derive_taylor(
     let loads = model.loads.iter();
     let moving = Moving {
         coordinates,
-        loads: loads
-            .map(|load| {
-                (
-                    load.name.to_string(),
-                    work.entries(&[load.force, load.moment]),
-                )
-            })
-            .collect(),
+        loads: loads.map(|load| parts(load, work)).collect(),
         derivatives: &model.derivatives,
     };
     moving.expand(work, axes, asked, errors)
@@ -111,12 +105,11 @@ impl Moving<'_> {
         let moves =
             |id: Id| matches!(work.meaning(id), Some(Meaning::Input(input, _)) if is_given(input));
         if graph.depends_on(&rates, moves) {
-            errors.push(
+            return errors.report(
                 asked,
                 "series of what an input that is `.moving` drives are not there yet: leave `taylor` out, and \
                  `integrate` takes Runge-Kutta steps, or `.moving`, and the input is held",
             );
-            return None;
         }
         Some(())
     }

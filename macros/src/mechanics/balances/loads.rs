@@ -2,34 +2,34 @@
 
 use crate::errors::Errors;
 use crate::families::{Family, LoadKind};
-use crate::model::{Frame, Load, Meaning, Model, Point, Reaction, Vector, Workspace};
+use crate::model::{Frame, Load, Meaning, Model, Point, Reaction, State, Vector, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
 /// The sum of all forces.
-pub fn resultant(work: &mut Workspace, loads: &[Load]) -> Vector {
-    work.sum(loads.iter().map(|load| load.force))
+pub fn resultant<'l>(work: &mut Workspace, loads: impl IntoIterator<Item = &'l Load>) -> Vector {
+    work.sum(loads.into_iter().map(|load| load.force))
 }
 
 /// The moment of each load about `pole`.
-pub fn moments_about(
-    model: &Model,
+pub fn moments_about<'l>(
+    state: &State,
     work: &mut Workspace,
-    loads: &[Load],
+    loads: impl IntoIterator<Item = &'l Load>,
     pole: Point,
 ) -> Vec<Vector> {
     let moment = |load: &Load| {
         if load.force.is_zero() {
             return load.moment;
         }
-        let arm = arm(model, work, load.point, pole);
+        let arm = arm(state, work, load.point, pole);
         let moment = work.cross(arm, load.force);
         work.add(moment, load.moment)
     };
-    loads.iter().map(moment).collect()
+    loads.into_iter().map(moment).collect()
 }
 
 /// `P - O`, from the pole O to the point P.
-pub fn arm(model: &Model, work: &mut Workspace, point: Point, pole: Point) -> Vector {
+pub fn arm(state: &State, work: &mut Workspace, point: Point, pole: Point) -> Vector {
     let from_center = |work: &mut Workspace, point: Point| match point {
         Point::Fixed(Frame::WORLD, _) => None,
         Point::Fixed(body, offset) => Some(work.fixed_in(body, offset)),
@@ -39,8 +39,8 @@ pub fn arm(model: &Model, work: &mut Workspace, point: Point, pole: Point) -> Ve
         let backwards = work.negate(start);
         return work.add(end, backwards);
     }
-    let end = model.state.place(work, point);
-    let start = model.state.place(work, pole);
+    let end = state.place(work, point);
+    let start = state.place(work, pole);
     let backwards = work.negate(start);
     work.add(end, backwards)
 }
@@ -53,7 +53,7 @@ pub fn check_moment_free(
     errors: &mut Errors,
 ) -> Option<()> {
     let center = model.state.center(work);
-    let moments = moments_about(model, work, loads, center);
+    let moments = moments_about(&model.state, work, loads, center);
     let total = work.sum(moments.iter().copied());
     if total.is_zero() {
         return Some(());
@@ -73,7 +73,7 @@ pub fn check_moment_free(
 
 /// The force of a load of this kind, at its point, and its moment about `pole`.
 pub fn about_pole(
-    model: &Model,
+    state: &State,
     work: &mut Workspace,
     Reaction { kind, point, .. }: &Reaction,
     vector: Vector,
@@ -82,7 +82,7 @@ pub fn about_pole(
     match kind {
         LoadKind::Moment => (Vector::ZERO, vector),
         LoadKind::Force => {
-            let arm = arm(model, work, *point, pole);
+            let arm = arm(state, work, *point, pole);
             (vector, work.cross(arm, vector))
         }
     }
@@ -92,7 +92,7 @@ pub fn about_pole(
 pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vector, Vector)> {
     let parts = model.reactions.iter().map(|reaction| {
         let known = work.vector(reaction.frame, reaction.known);
-        about_pole(model, work, reaction, known, pole)
+        about_pole(&model.state, work, reaction, known, pole)
     });
     parts.collect()
 }

@@ -64,7 +64,7 @@ pub fn solve_balances(
 ) -> (Pair, Option<EulerForm>) {
     let linear = linear_acceleration(model, work, loads, names[0]);
     let center = model.state.center(work);
-    let mut moments = moments_about(model, work, loads, center);
+    let mut moments = moments_about(&model.state, work, loads, center);
     let (angular, form) = if model.motion.has_attitude() {
         moments.extend(further);
         angular_acceleration(model, work, moments, names[1])

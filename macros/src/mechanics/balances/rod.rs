@@ -69,7 +69,7 @@ fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
             let force = work.part(load.force, Frame::WORLD);
             list.push(work.graph.scale_vector(along, force));
         } else if !load.force.is_zero() {
-            let arm = arm(model, work, load.point, center);
+            let arm = arm(&model.state, work, load.point, center);
             let moment = work.cross(arm, load.force);
             list.push(pull_of(work, axis, moment));
         }
@@ -167,7 +167,7 @@ pub fn check_loads(
     errors: &mut Errors,
 ) -> Option<()> {
     let center = model.state.mass_center(work);
-    let moments = moments_about(model, work, loads, center);
+    let moments = moments_about(&model.state, work, loads, center);
     let parts = parts_along(work, axis, moments);
     let together = work.graph.sum(&parts);
     if all_vanish(work, &[together]) {

@@ -27,38 +27,10 @@ pub fn about_axis(
     if work.graph.is_early(acceleration) {
         return Some(Rotation::Uniform(acceleration));
     }
-    if let Some((sine, cosine)) = swinging(model, work, acceleration) {
-        let graph = &mut work.graph;
-        let square = graph.apply(Function::Hypot, &[sine, cosine]);
-        let rate = graph.apply(Function::Sqrt, &[square]);
-        let opposite = graph.negate(sine);
-        let hanging = graph.apply(Function::Atan2, &[cosine, opposite]);
-        let labels = &mut work.labels;
-        labels.name(rate, "swing_rate");
-        labels.name(hanging, "hanging");
-        return Some(Rotation::Pendulum { rate, hanging });
+    if let Some(wave) = swinging(model, work, acceleration) {
+        return Some(pendulum(work, wave));
     }
-    let axis = match model.hinge(&mut work.graph) {
-        Some(axis) => axis,
-        None => [0, 0, 1].map(|component| work.graph.integer(component)),
-    };
-    let kinds: Vec<(&Contribution, Id, Kind)> = contributions
-        .iter()
-        .filter_map(|load| {
-            let moment = work.graph.dot(axis, load.moment);
-            if work.graph.is_zero(moment) {
-                return None;
-            }
-            let kind = if work.graph.is_early(moment) {
-                Kind::Constant
-            } else if swinging(model, work, moment).is_some() {
-                Kind::Swinging
-            } else {
-                Kind::Other
-            };
-            Some((load, moment, kind))
-        })
-        .collect();
+    let kinds = kinds(model, work, contributions);
     let of = |wanted: Kind| kinds.iter().filter(move |(_, _, kind)| *kind == wanted);
     let others = of(Kind::Other).map(|(load, moment, _)| {
         format!(
@@ -82,6 +54,46 @@ pub fn about_axis(
         ));
     }
     None
+}
+
+/// The pendulum of `w' = a sin theta + b cos theta`.
+fn pendulum(work: &mut Workspace, (sine, cosine): (Id, Id)) -> Rotation {
+    let graph = &mut work.graph;
+    let square = graph.apply(Function::Hypot, &[sine, cosine]);
+    let rate = graph.apply(Function::Sqrt, &[square]);
+    let opposite = graph.negate(sine);
+    let hanging = graph.apply(Function::Atan2, &[cosine, opposite]);
+    let labels = &mut work.labels;
+    labels.name(rate, "swing_rate");
+    labels.name(hanging, "hanging");
+    Rotation::Pendulum { rate, hanging }
+}
+
+/// The loads that have a moment about the axis, with that and its kind.
+fn kinds<'a>(
+    model: &Model,
+    work: &mut Workspace,
+    contributions: &'a [Contribution],
+) -> Vec<(&'a Contribution, Id, Kind)> {
+    let axis = match model.hinge(&mut work.graph) {
+        Some(axis) => axis,
+        None => [0, 0, 1].map(|component| work.graph.integer(component)),
+    };
+    let acting = contributions.iter().filter_map(|load| {
+        let moment = work.graph.dot(axis, load.moment);
+        if work.graph.is_zero(moment) {
+            return None;
+        }
+        let kind = if work.graph.is_early(moment) {
+            Kind::Constant
+        } else if swinging(model, work, moment).is_some() {
+            Kind::Swinging
+        } else {
+            Kind::Other
+        };
+        Some((load, moment, kind))
+    });
+    acting.collect()
 }
 
 /// `(a, b)` of `a sin theta + b cos theta`.

@@ -33,12 +33,11 @@ pub fn derive_flow(
     errors: &mut Errors,
 ) -> Option<Flow> {
     if !model.constraints.is_empty() {
-        errors.push(
+        return errors.report(
             place,
             "under constraints there is no closed form in this version: use a motion with a support, or leave out \
              `flow`, and the motion is integrated",
         );
-        return None;
     }
     let contributions = contributions(model, work);
     let mut obstacles = Vec::new();
@@ -68,7 +67,7 @@ pub fn derive_flow(
 
 fn contributions(model: &Model, work: &mut Workspace) -> Vec<Contribution> {
     let center = model.state.center(work);
-    let moments = moments_about(model, work, &model.loads, center);
+    let moments = moments_about(&model.state, work, &model.loads, center);
     let forces = model.loads.iter().map(|load| load.force);
     let mut parts: Vec<(Vector, Vector)> = forces.zip(moments).collect();
     if model.motion.has_attitude() {

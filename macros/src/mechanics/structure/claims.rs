@@ -130,7 +130,7 @@ fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
         return false;
     }
     let center = model.state.center(work);
-    let mut moments = moments_about(model, work, &model.loads, center);
+    let mut moments = moments_about(&model.state, work, &model.loads, center);
     let known = known_parts(model, work, center).into_iter();
     moments.extend(known.map(|(_, moment)| moment));
     let total = work.sum(moments);

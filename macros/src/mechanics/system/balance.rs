@@ -3,7 +3,7 @@
 
 use proc_macro2::Ident;
 
-use crate::mechanics::answers::{LoadExpressions, Resultant};
+use crate::mechanics::answers::{Balance, LoadExpressions, Resultant};
 use crate::mechanics::tree::{self, Moving};
 use crate::mechanics::variation::derive_unit_loads;
 use crate::model::{Frame, Load, Meaning, Member, System, Vector, Workspace};
@@ -12,87 +12,97 @@ use crate::symbolic::{Components, Id, Stage};
 use super::equations::SystemEquations;
 use super::loads::{by_link, given_accelerations};
 
-/// The expressions of `outputs: [balance]` of one body, world axes.
-pub struct BodyBalance {
-    /// Given loads, weight among them; moment about G.
-    pub applied: Resultant,
-    /// (1.3) and (1.4) about G, with the loads of all joints: zero on a true motion.
-    pub residual: Resultant,
-    pub loads: Vec<LoadExpressions>,
-}
-
-impl BodyBalance {
-    pub fn roots(&self) -> Vec<Id> {
-        let wrenches = [&self.applied, &self.residual].into_iter();
-        let resultants = wrenches.flat_map(|wrench| [wrench.force, wrench.moment]);
-        let loads = self.loads.iter();
-        let loads = loads.flat_map(|load| [load.force, load.point, load.moment]);
-        resultants.chain(loads).flatten().collect()
-    }
-}
-
 /// The balances of all bodies, each after its carrier; `holding` are the joints whose loads are given.
 pub fn derive_system_balances(
     system: &System,
     work: &mut Workspace,
     equations: &SystemEquations,
     holding: &[Ident],
-) -> Vec<BodyBalance> {
+) -> Vec<Balance> {
     let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
     let built = &equations.built;
     let by_link = by_link(equations, &built.tree, &given);
     let motions = tree::motions(&mut work.graph, &built.tree, &by_link);
     let carried = joint_loads(system, work, holding);
     let kept = loads_of_constraints(system, work, 2 * holding.len());
-    let mut all: Vec<BodyBalance> = Vec::new();
-    for (number, body) in system.bodies.iter().enumerate() {
+    let bodies = system.bodies.iter().enumerate();
+    let balances = bodies.map(|(number, body)| {
         let loads = || body.weights.iter().chain(&body.loads);
         let zeros = work.graph.zeros();
         let (force, moment) = tree::wrench(work, body, loads(), zeros);
-        let [force, moment] = [force, moment].map(|part| work.vector(body.state.body, part));
-        let mut sums = [force, moment];
-        for (joint, [force, moment]) in &carried {
-            let (on_it, is_carrier) = (joint.carried == number, joint.carrier == Some(number));
-            if !on_it && !is_carrier {
-                continue;
-            }
-            // where the joint holds what it carries
-            let other = &system.bodies[joint.carried];
-            let pin = work.vector(other.state.body, joint.pin);
-            let place = work.add(other.state.position, pin);
-            let back = work.negate(body.state.position);
-            let arm = work.add(place, back);
-            let lever = work.cross(arm, *force);
-            let whole = work.add(*moment, lever);
-            for (sum, part) in sums.iter_mut().zip([*force, whole]) {
-                let part = if on_it { part } else { work.negate(part) };
-                *sum = work.add(*sum, part);
-            }
+        let given = [force, moment].map(|part| work.vector(body.state.body, part));
+        let mut residual = given;
+        for load in of_joints(system, work, &carried, number) {
+            residual = summed(work, residual, load);
         }
-        let pin = work.vector(body.state.body, system.joints[number].pin);
-        for [force, moment] in kept.iter().filter_map(|on| on.get(number)) {
-            let lever = work.cross(pin, *force);
-            let whole = work.add(*moment, lever);
-            sums = [work.add(sums[0], *force), work.add(sums[1], whole)];
+        for load in of_constraints(system, work, &kept, number) {
+            residual = summed(work, residual, load);
         }
-        let [taken_force, taken_moment] =
-            taken(system, work, body, &motions[built.body(number)], number);
-        let given = in_world(work, [force, moment], &body.name);
-        let applied = applied(work, equations, &given);
-        let [less_force, less_moment] = [taken_force, taken_moment].map(|part| work.negate(part));
-        let residual = [
-            work.add(sums[0], less_force),
-            work.add(sums[1], less_moment),
-        ];
-        all.push(BodyBalance {
+        let moving = &motions[built.body(number)];
+        let taken = taken(system, work, body, moving, number);
+        let applied = in_world(work, given, &body.name);
+        let inertial = taken.map(|part| work.negate(part));
+        let residual = summed(work, residual, inertial);
+        let at = |load: &Load| (load.point, load.moment);
+        let listed = loads().map(|load| LoadExpressions::new(&body.state, work, load, at(load)));
+        let loads = listed.collect();
+        let mut balance = Balance {
             applied,
             residual: in_world(work, residual, &body.name),
-            loads: loads()
-                .map(|load| listed(work, equations, body, load))
-                .collect(),
-        });
-    }
-    all
+            loads,
+        };
+        balance.put_solved(work, equations.values());
+        balance
+    });
+    balances.collect()
+}
+
+fn summed(work: &mut Workspace, whole: [Vector; 2], part: [Vector; 2]) -> [Vector; 2] {
+    [work.add(whole[0], part[0]), work.add(whole[1], part[1])]
+}
+
+/// What joints do to a body, moment about its G.
+fn of_joints(
+    system: &System,
+    work: &mut Workspace,
+    carried: &[(Between<'_>, [Vector; 2])],
+    number: usize,
+) -> Vec<[Vector; 2]> {
+    let body = &system.bodies[number];
+    let at_body = |joint: &Between<'_>| joint.carried == number || joint.carrier == Some(number);
+    let loads = carried.iter().filter(|(joint, _)| at_body(joint));
+    let loads = loads.map(|(joint, [force, moment])| {
+        // where the joint holds what it carries
+        let other = &system.bodies[joint.carried];
+        let pin = work.vector(other.state.body, joint.pin);
+        let place = work.add(other.state.position, pin);
+        let back = work.negate(body.state.position);
+        let arm = work.add(place, back);
+        let lever = work.cross(arm, *force);
+        let whole = [*force, work.add(*moment, lever)];
+        if joint.carried == number {
+            whole
+        } else {
+            whole.map(|part| work.negate(part))
+        }
+    });
+    loads.collect()
+}
+
+/// What written constraints do to a body, moment about its G.
+fn of_constraints(
+    system: &System,
+    work: &mut Workspace,
+    kept: &[Vec<[Vector; 2]>],
+    number: usize,
+) -> Vec<[Vector; 2]> {
+    let pin = work.vector(system.bodies[number].state.body, system.joints[number].pin);
+    let loads = kept.iter().filter_map(|on| on.get(number));
+    let loads = loads.map(|[force, moment]| {
+        let lever = work.cross(pin, *force);
+        [*force, work.add(*moment, lever)]
+    });
+    loads.collect()
 }
 
 /// Which bodies a joint is between, and where it is on the one that it carries.
@@ -181,11 +191,8 @@ fn taken(
     let back = graph.negate_vector(system.joints[number].pin);
     let swept = graph.transform(&moving.sweep, back);
     let acceleration = graph.add_vectors(moving.acceleration.linear, swept);
-    let rows = body.inertia.rows(graph);
-    let momentum = graph.transform(&rows, moving.w);
-    let gyroscopic = graph.cross(moving.w, momentum);
-    let change = graph.transform(&rows, moving.acceleration.angular);
-    let change = graph.add_vectors(change, gyroscopic);
+    let rate = moving.acceleration.angular;
+    let change = body.inertia.change(graph, moving.w, rate);
     let falling = work.vector(body.state.body, acceleration);
     let gravity = work.vector(Frame::WORLD, system.gravity);
     let whole = work.add(falling, gravity);
@@ -205,35 +212,4 @@ fn in_world(work: &mut Workspace, parts: [Vector; 2], body: &Ident) -> Resultant
         components
     });
     Resultant { force, moment }
-}
-
-/// With what is found where loads follow those of constraints.
-fn applied(work: &mut Workspace, equations: &SystemEquations, given: &Resultant) -> Resultant {
-    let [force, moment] = [given.force, given.moment].map(|part| with_loads(work, equations, part));
-    Resultant { force, moment }
-}
-
-fn with_loads(work: &mut Workspace, equations: &SystemEquations, part: Components) -> Components {
-    let found = equations.with_loads(work, &part);
-    [found[0], found[1], found[2]]
-}
-
-fn listed(
-    work: &mut Workspace,
-    equations: &SystemEquations,
-    body: &Member,
-    load: &Load,
-) -> LoadExpressions {
-    let place: Vector = body.state.place(work, load.point);
-    let world = |work: &mut Workspace, vector: Vector| -> Components {
-        let found = work.components(vector, Frame::WORLD);
-        with_loads(work, equations, found)
-    };
-    LoadExpressions {
-        name: load.name.to_string(),
-        family: load.family,
-        force: world(work, load.force),
-        point: world(work, place),
-        moment: world(work, load.moment),
-    }
 }

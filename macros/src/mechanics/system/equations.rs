@@ -7,10 +7,11 @@ use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Built, Solved};
-use crate::model::{System, Workspace};
+use crate::model::{System, Tie, Workspace};
 use crate::symbolic::Id;
 
-use super::constraints::{self, Closed, check_kept, replace};
+use super::closed::{Closed, check_kept, close};
+use super::constraints::replace;
 use super::motion::motion;
 
 /// The equations of motion of a system.
@@ -35,7 +36,7 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         (found, None)
     } else {
         let motion = motion(system, work);
-        let mut closed = constraints::close(system, work, &built, &motion);
+        let mut closed = close(system, work, &built, &motion);
         let found = Solved {
             accelerations: take(&mut closed.accelerations),
             left_out: Vec::new(),
@@ -88,14 +89,10 @@ impl SystemEquations {
         closed.map_or(&self.built.tree, |closed| &closed.loaded)
     }
 
-    /// An expression without symbols of the loads of constraints.
-    pub fn with_loads(&self, work: &mut Workspace, roots: &[Id]) -> Vec<Id> {
-        match &self.closed {
-            Some(closed) if !closed.values.is_empty() => {
-                replace(&mut work.graph, roots, &closed.values)
-            }
-            _ => roots.to_vec(),
-        }
+    /// What is found for the symbols of the loads of constraints.
+    pub fn values(&self) -> &[(Id, Id)] {
+        let closed = self.closed.as_ref();
+        closed.map_or(&[], |closed| &closed.values)
     }
 
     /// The load of each written constraint.
@@ -120,6 +117,15 @@ pub fn loads(system: &System, work: &Workspace) -> Vec<(String, Vec<Id>)> {
     let drives = system.joints.iter().flat_map(|joint| &joint.driven_by);
     let drives = drives.map(|(name, parts)| (name.to_string(), parts.clone()));
     loads.chain(drives).collect()
+}
+
+/// `rope`: between `mast` and the ground
+fn described(tie: &Tie) -> String {
+    let ends = tie.bodies.each_ref().map(|body| match body {
+        Some(body) => format!("`{body}`"),
+        None => "the ground".to_owned(),
+    });
+    format!("`{}`: between {} and {}", tie.name, ends[0], ends[1])
 }
 
 /// The bodies and joints of a system, and what does not appear in its equations.
@@ -149,15 +155,10 @@ pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEqua
             .push("the weight of each body: the ground accelerates against it instead".to_owned());
     }
     let mut lists = vec![("Joints", joints.chain(closings).collect())];
-    if !system.cables.is_empty() {
-        let cables = system.cables.iter().map(|cable| {
-            let ends = cable.bodies.each_ref().map(|body| match body {
-                Some(body) => format!("`{body}`"),
-                None => "the ground".to_owned(),
-            });
-            format!("`{}`: between {} and {}", cable.name, ends[0], ends[1])
-        });
-        lists.push(("Cables", cables.collect()));
+    for (heading, ties) in [("Links", &system.links), ("Cables", &system.cables)] {
+        if !ties.is_empty() {
+            lists.push((heading, ties.iter().map(described).collect()));
+        }
     }
     Report { lists, skipped }
 }

@@ -3,12 +3,12 @@
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::link::{Freedom, Tree};
 use crate::mechanics::tree::{self, Pair};
 use crate::model::{Rates, System, TreeJoint, Variable, Workspace};
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Components, Graph, Id};
 
-use super::constraints::solve_drives;
+use super::closed::solve_drives;
 use super::equations::SystemEquations;
 
 /// The open drives, in the order of the joints, that make these accelerate as is given. One that
@@ -65,11 +65,20 @@ fn needed(system: &System, work: &mut Workspace, equations: &SystemEquations) ->
     let loads = loads(work, equations, tree, &given);
     let links = tree.links.iter().zip(loads);
     let freedoms = links.flat_map(|(link, load)| link.open().map(move |freedom| (freedom, load)));
-    let needed = freedoms.map(|(freedom, load)| {
-        let needed = freedom.twist.dot(&mut work.graph, load);
-        work.graph.subtract(needed, freedom.drive)
+    let accelerations = by_link(equations, tree, &given).concat();
+    let freedoms = freedoms.zip(accelerations);
+    let needed = freedoms.map(|((freedom, load), acceleration)| {
+        lacking(&mut work.graph, freedom, load, acceleration)
     });
     needed.collect()
+}
+
+/// What is lacking along a freedom for this acceleration of its coordinate, where its joint carries a load.
+fn lacking(graph: &mut Graph, freedom: &Freedom, load: Pair, acceleration: Id) -> Id {
+    let carried = freedom.twist.dot(graph, load);
+    let own = graph.multiply(freedom.armature, acceleration);
+    let needed = graph.add(carried, own);
+    graph.subtract(needed, freedom.drive)
 }
 
 /// The symbols of the accelerations of a joint, by its freedoms.
@@ -170,11 +179,10 @@ pub fn derive_system_driving(work: &mut Workspace, equations: &SystemEquations) 
         let links = links.clone().map(|link| (&tree.links[link], loads[link]));
         let freedoms = links.flat_map(|(link, load)| {
             let driven = link.freedoms.iter().filter(|one| one.given.is_some());
-            driven.map(move |freedom| (freedom, load))
+            driven.filter_map(move |freedom| Some((freedom, load, freedom.given?)))
         });
-        let drives = freedoms.map(|(freedom, load)| {
-            let needed = freedom.twist.dot(&mut work.graph, load);
-            let drive = work.graph.subtract(needed, freedom.drive);
+        let drives = freedoms.map(|(freedom, load, given)| {
+            let drive = lacking(&mut work.graph, freedom, load, given);
             work.graph.result(drive)
         });
         drives.collect()

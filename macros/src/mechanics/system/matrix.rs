@@ -4,7 +4,8 @@ use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
 
-use super::constraints::moved_in_world;
+use super::closed::moved_in_world;
+use super::constraints::replace;
 use super::equations::SystemEquations;
 use super::rates::order;
 
@@ -24,7 +25,7 @@ pub fn derive_inertias(
 ) -> Inertias {
     let tree = moved_in_world(work, &equations.built.tree);
     let found = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
-    let driving = equations.with_loads(work, &found.driving);
+    let driving = replace(&mut work.graph, &found.driving, equations.values());
     let order = order(system, equations);
     let mut result = |id: Id| work.graph.result(id);
     Inertias {

@@ -1,6 +1,7 @@
 //! The equations of a system, and what else is asked of it, from its tree of bodies.
 
 mod balance;
+mod closed;
 mod consistency;
 mod constraints;
 mod equations;
@@ -8,11 +9,14 @@ mod jacobian;
 mod loads;
 mod matrix;
 mod motion;
+mod plane;
 mod rates;
+mod reduced;
+mod response;
 mod series;
 mod totals;
 
-pub use balance::{BodyBalance, derive_system_balances};
+pub use balance::derive_system_balances;
 pub use consistency::derive_system_consistency;
 pub use constraints::check_followers;
 pub use equations::{SystemEquations, derive_system, describe_system};
@@ -21,5 +25,7 @@ pub use loads::{
     derive_system_driving, derive_system_inverse, derive_system_reactions, derive_system_spare,
 };
 pub use matrix::{Inertias, derive_inertias};
+pub use motion::unit_motion;
+pub use response::Response;
 pub use series::derive_system_taylor;
 pub use totals::{derive_system_energy, derive_system_momentum};

@@ -4,10 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::mechanics::answers::quaternion_rate;
 use crate::mechanics::variation::Direction;
-use crate::model::{
-    Frame, Part, Rates, System, TreeJoint, Variable, Vector, Workspace, input_rates,
-};
-use crate::symbolic::Coordinate;
+use crate::model::{Frame, Part, System, TreeJoint, Variable, Vector, Workspace, input_rates};
+use crate::symbolic::{Coordinate, Id};
 
 /// The rates of joints are held, and so are inputs, unless they move.
 pub fn motion(system: &System, work: &mut Workspace) -> Direction {
@@ -17,24 +15,60 @@ pub fn motion(system: &System, work: &mut Workspace) -> Direction {
     changes.extend(input_rates(work, &system.derivatives));
     let mut turns = BTreeMap::new();
     for joint in &system.joints {
+        let rates = |variable: Variable, part: usize| joint.coordinates.get(variable, part);
         // what is prescribed follows the time
         if !joint.is_driven() {
-            let moved = positions(work, joint).into_iter();
-            changes.extend(moved.map(|one| (one.symbol, one.rate)));
+            changes.extend(places(work, joint, rates));
         }
-        turns.extend(turns_of(joint, work, system.is_planar));
+        turns.extend(turns_of(joint, work, system.is_planar, rates));
     }
     Direction { changes, turns }
 }
 
-/// How fast the frames of a joint turn, each against the one before.
-fn turns_of(joint: &TreeJoint, work: &mut Workspace, is_planar: bool) -> Vec<(Frame, Vector)> {
+/// One rate of a joint is one, and nothing else moves.
+pub fn unit_motion(
+    system: &System,
+    work: &mut Workspace,
+    joint: &TreeJoint,
+    moving: (Variable, usize),
+) -> Direction {
+    let (zero, one) = (work.graph.zero(), work.graph.one());
+    let rates = |variable: Variable, part: usize| {
+        joint.coordinates.get(variable, part)?;
+        Some(if (variable, part) == moving {
+            one
+        } else {
+            zero
+        })
+    };
+    Direction {
+        changes: places(work, joint, rates).into_iter().collect(),
+        turns: turns_of(joint, work, system.is_planar, rates)
+            .into_iter()
+            .collect(),
+    }
+}
+
+/// What is before the rates in the state of a joint, with these rates.
+fn places(
+    work: &mut Workspace,
+    joint: &TreeJoint,
+    rates: impl Fn(Variable, usize) -> Option<Id>,
+) -> Vec<(Id, Id)> {
+    let moved = moved(work, joint, rates).into_iter();
+    moved.map(|one| (one.symbol, one.rate)).collect()
+}
+
+/// How fast the frames of a joint turn, each against the one before, with these rates.
+fn turns_of(
+    joint: &TreeJoint,
+    work: &mut Workspace,
+    is_planar: bool,
+    rates: impl Fn(Variable, usize) -> Option<Id>,
+) -> Vec<(Frame, Vector)> {
     let frames = &joint.frames[joint.turned.len()..];
     let zero = work.graph.zero();
-    let get = |part: usize| {
-        let rate = joint.coordinates.get(Variable::AngularVelocity, part);
-        rate.unwrap_or(zero)
-    };
+    let get = |part: usize| rates(Variable::AngularVelocity, part).unwrap_or(zero);
     let mut turns = Vec::new();
     for ((part, coordinate), frame) in joint.kind.numbered().zip(frames) {
         let graph = &mut work.graph;
@@ -52,16 +86,26 @@ fn turns_of(joint: &TreeJoint, work: &mut Workspace, is_planar: bool) -> Vec<(Fr
 
 /// What is before the rates in the state of a joint, with its rates.
 pub fn positions(work: &mut Workspace, joint: &TreeJoint) -> Vec<Coordinate> {
-    let rates: &Rates = &joint.coordinates;
+    moved(work, joint, |variable, part| {
+        joint.coordinates.get(variable, part)
+    })
+}
+
+/// The same, with these rates.
+fn moved(
+    work: &mut Workspace,
+    joint: &TreeJoint,
+    rates: impl Fn(Variable, usize) -> Option<Id>,
+) -> Vec<Coordinate> {
     let mut list = Vec::new();
     for field in joint.kind.shape.into_iter().flat_map(|shape| shape.fields) {
-        let of = |variable: Variable, part: usize| rates.get(variable, part);
+        let of = |variable: Variable, part: usize| joint.coordinates.get(variable, part);
         let rate_of = match field.variable {
             Variable::Position => Variable::Velocity,
             Variable::Angle => Variable::AngularVelocity,
             Variable::Quaternion => {
                 let symbols = [0, 1, 2, 3].map(|part| of(Variable::Quaternion, part));
-                let w = [0, 1, 2].map(|part| of(Variable::AngularVelocity, part));
+                let w = [0, 1, 2].map(|part| rates(Variable::AngularVelocity, part));
                 let ([Some(scalar), Some(x), Some(y), Some(z)], [Some(a), Some(b), Some(c)]) =
                     (symbols, w)
                 else {
@@ -80,7 +124,7 @@ pub fn positions(work: &mut Workspace, joint: &TreeJoint) -> Vec<Coordinate> {
         };
         let parts = field.first..field.first + field.names.len();
         list.extend(parts.filter_map(|part| {
-            let (symbol, rate) = (of(field.variable, part)?, of(rate_of, part)?);
+            let (symbol, rate) = (of(field.variable, part)?, rates(rate_of, part)?);
             Some(Coordinate { symbol, rate })
         }));
     }

@@ -2,13 +2,21 @@
 
 use crate::mechanics::answers::{Energy, Momentum, done_by_field};
 use crate::mechanics::balances::quadratic;
-use crate::model::{Frame, Member, System, Vector, Workspace};
+use crate::model::{Frame, System, Vector, Workspace};
 use crate::symbolic::Number;
 
 /// `sum of (m v^2 + w . J w) / 2`, and `-F . x` of every uniform field, `x` where it acts.
 pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
     let (mut twice, mut potential) = (work.graph.zero(), work.graph.zero());
     let gravity = work.vector(Frame::WORLD, system.gravity);
+    for joint in &system.joints {
+        let square = joint.armature.and_then(|armature| {
+            let rate = joint.rate()?;
+            let square = work.graph.multiply(rate, rate);
+            Some(work.graph.multiply(armature, square))
+        });
+        twice = square.map_or(twice, |square| work.graph.add(twice, square));
+    }
     for body in &system.bodies {
         let square = work.norm_squared(body.state.velocity);
         let moving = work.graph.multiply(body.mass, square);
@@ -47,7 +55,10 @@ pub fn derive_system_momentum(system: &System, work: &mut Workspace) -> Momentum
         first = work.add(first, moved);
         mass = work.graph.add(mass, body.mass);
         let lever = cross_in_world(work, body.state.position, own);
-        let spin = spin(work, body);
+        let spin = body
+            .inertia
+            .times(&mut work.graph, body.state.angular_velocity);
+        let spin = work.vector(body.state.body, spin);
         for part in [lever, spin] {
             about_origin = work.add(about_origin, part);
         }
@@ -70,11 +81,4 @@ fn cross_in_world(work: &mut Workspace, a: Vector, b: Vector) -> Vector {
     let [a, b] = [a, b].map(|vector| work.components(vector, Frame::WORLD));
     let product = work.graph.cross(a, b);
     work.vector(Frame::WORLD, product)
-}
-
-/// `J w`
-fn spin(work: &mut Workspace, body: &Member) -> Vector {
-    let rows = body.inertia.rows(&mut work.graph);
-    let spin = work.graph.transform(&rows, body.state.angular_velocity);
-    work.vector(body.state.body, spin)
 }

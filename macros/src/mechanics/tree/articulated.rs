@@ -3,7 +3,7 @@
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
-use super::link::Link;
+use super::link::{Freedom, Link};
 use super::pair::{Along, Pair};
 use super::properties::Properties;
 use super::turning::{Turning, transposed};
@@ -99,17 +99,21 @@ impl Articulated {
     pub fn eliminate(
         &mut self,
         graph: &mut Graph,
-        twist: Pair,
-        drive: Id,
+        freedom: &Freedom,
         lacking: &mut Pair,
     ) -> Eliminated {
+        let (twist, drive) = (freedom.twist, freedom.drive);
+        // with an armature something of the inertia along it is left
+        let axis = twist.axis(graph);
+        let axis = axis.filter(|_| graph.is_zero(freedom.armature));
         let of_rate = self.times(graph, &twist).quantities(graph);
         let inertia = twist.dot(graph, of_rate);
+        let inertia = graph.add(inertia, freedom.armature);
         let one = graph.one();
         let inverse = graph.divide(one, inertia);
         let inverse = graph.quantity(inverse);
         let mut share = of_rate.scaled(graph, inverse).quantities(graph);
-        match twist.axis(graph) {
+        match axis {
             Some(Along::Angular(axis)) => share.angular[axis] = twist.angular[axis],
             Some(Along::Linear(axis)) => share.linear[axis] = twist.linear[axis],
             None => {}
@@ -133,7 +137,7 @@ impl Articulated {
         self.mirror();
         let made = share.scaled(graph, driving);
         *lacking = lacking.plus(graph, made);
-        if let Some(axis) = twist.axis(graph) {
+        if let Some(axis) = axis {
             let drive = twist.scaled(graph, drive);
             self.give_way(graph, axis, drive, lacking);
         }

@@ -1,6 +1,7 @@
 //! From the bodies and joints of a system to the links of a tree.
 
-use crate::model::{Load, Member, Part, Rates, System, TreeJoint, Variable, Vector, Workspace};
+use crate::mechanics::balances::{moments_about, resultant};
+use crate::model::{Load, Member, Part, Point, Rates, System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Components, Function, Id};
 
 use super::link::{Freedom, Link, Tree};
@@ -66,30 +67,13 @@ pub fn build(system: &System, work: &mut Workspace) -> Built {
 pub fn wrench<'l>(
     work: &mut Workspace,
     body: &Member,
-    loads: impl IntoIterator<Item = &'l Load>,
+    loads: impl IntoIterator<Item = &'l Load> + Clone,
     pin: Components,
 ) -> (Components, Components) {
     let frame = body.state.body;
-    let pin = work.vector(frame, pin);
-    let (mut force, mut moment) = (Vector::ZERO, Vector::ZERO);
-    for load in loads {
-        force = work.add(force, load.force);
-        moment = work.add(moment, load.moment);
-        if !load.force.is_zero() {
-            // from the point to where the force acts
-            let arm = if let Some(offset) = load.point.offset(frame) {
-                work.vector(frame, offset)
-            } else {
-                let place = body.state.place(work, load.point);
-                let back = work.negate(body.state.position);
-                work.add(place, back)
-            };
-            let back = work.negate(pin);
-            let arm = work.add(arm, back);
-            let lever = work.cross(arm, load.force);
-            moment = work.add(moment, lever);
-        }
-    }
+    let force = resultant(work, loads.clone());
+    let moments = moments_about(&body.state, work, loads, Point::Fixed(frame, pin));
+    let moment = work.sum(moments);
     let [force, moment] = [force, moment].map(|vector| {
         let components = work.components(vector, frame);
         work.graph.quantities(components)
@@ -250,6 +234,10 @@ impl Making<'_> {
         Freedom {
             twist,
             rate,
+            armature: self
+                .joint
+                .armature
+                .unwrap_or_else(|| self.work.graph.zero()),
             drive: self.joint.drives[number],
             given: self.joint.given[number],
             name: self.joint.name.to_string(),

@@ -43,6 +43,9 @@ pub struct Freedom {
     pub twist: Pair,
     /// The rate of its coordinate.
     pub rate: Id,
+    /// The inertia along it alone, as a rotor behind gears has it: it takes a load of its own to accelerate,
+    /// and nothing else.
+    pub armature: Id,
     /// The load along it, which acts on the link, and on the carrier with the opposite sign.
     pub drive: Id,
     /// Its acceleration, if it moves as is prescribed.

@@ -46,8 +46,11 @@ impl MassMatrix {
                 let mut at = index;
                 loop {
                     for (number, other) in links[at].open().enumerate() {
-                        let entry = other.twist.dot(graph, wrench);
+                        let mut entry = other.twist.dot(graph, wrench);
                         let column = first[at] + number;
+                        if column == row {
+                            entry = graph.add(entry, freedom.armature);
+                        }
                         rows[row][column] = graph.quantity(entry);
                         rows[column][row] = rows[row][column];
                     }

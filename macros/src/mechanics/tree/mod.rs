@@ -25,3 +25,4 @@ pub use mass_matrix::MassMatrix;
 pub use pair::Pair;
 pub use properties::Properties;
 pub use recursion::{Solved, derive_tree};
+pub use regrouping::regroup;

@@ -91,7 +91,7 @@ fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Acceleratio
         own.name(labels, &link.name);
         load.name(labels, ["moment", "force"], &link.name);
         let gone = link.open().map(|freedom| {
-            let gone = own.eliminate(graph, freedom.twist, freedom.drive, &mut load);
+            let gone = own.eliminate(graph, freedom, &mut load);
             gone.name(labels, &freedom.name);
             own = own.quantities(graph);
             load = load.quantities(graph);

@@ -1,7 +1,7 @@
 //! What the given loads and the inertia leave of the balances.
 
 use crate::mechanics::balances::{inertia_about_center, known_parts, moments_about, resultant};
-use crate::model::{Frame, Inertia, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
+use crate::model::{Frame, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
 /// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
@@ -17,17 +17,7 @@ pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Ve
     let acceleration = work.map(acceleration, |graph, part| graph.replaced(part, &symbols));
     let w = model.state.angular_velocity;
     let inertia = inertia_about_center(model, work);
-    let graph = &mut work.graph;
-    let change = match inertia {
-        Inertia::Absent => graph.zeros(),
-        Inertia::Scalar(moment) => graph.scale_vector(moment, rate),
-        Inertia::Spatial(rows) => {
-            let momentum = graph.transform(&rows, w);
-            let gyroscopic = graph.cross(w, momentum);
-            let driven = graph.transform(&rows, rate);
-            graph.add_vectors(driven, gyroscopic)
-        }
-    };
+    let change = inertia.change(&mut work.graph, w, rate);
     resistance(model, work, acceleration, change)
 }
 
@@ -85,11 +75,7 @@ pub fn inertial_change(
         Some(support) => graph.cross(support.offset, rate),
         None => graph.zeros(),
     };
-    let change = match inertia {
-        Inertia::Absent => graph.zeros(),
-        Inertia::Scalar(moment) => graph.scale_vector(moment, rate),
-        Inertia::Spatial(rows) => graph.transform(&rows, rate),
-    };
+    let change = inertia.times(graph, rate);
     let swept = work.vector(model.state.body, swept);
     let linear = work.vector(Frame::WORLD, linear);
     let acceleration = work.add(swept, linear);
@@ -117,7 +103,7 @@ pub fn balances_of(
 ) -> (Vector, Vector) {
     let center = model.state.center(work);
     let mut force = resultant(work, loads);
-    let moments = moments_about(model, work, loads, center);
+    let moments = moments_about(&model.state, work, loads, center);
     let mut moment = work.sum(moments);
     for (known_force, known_moment) in further {
         force = work.add(force, known_force);

@@ -39,8 +39,7 @@ pub fn derive_reactions(
     {
         Ok(solved) => solved,
         Err(place) => {
-            errors.push(place, "in world axes the part of this reaction that is known turns against the body: write it in body axes, or leave all its components unknown");
-            return None;
+            return errors.report(place, "in world axes the part of this reaction that is known turns against the body: write it in body axes, or leave all its components unknown");
         }
     };
     let determined = check_supports(model, work, &solved, errors);
@@ -103,7 +102,7 @@ fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Res
         if let (Some(_), Some(place)) = (reaction.along, place) {
             return Err(place);
         }
-        let arm = arm(model, work, point, center);
+        let arm = arm(&model.state, work, point, center);
         let has_arm = kind == LoadKind::Force && !arm.is_zero();
         in_world &= !has_arm && (is_free || written == Frame::WORLD);
         if !is_free && written == Frame::WORLD {

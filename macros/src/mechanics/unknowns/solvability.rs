@@ -46,7 +46,7 @@ fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
         return true;
     }
     let center = model.state.center(work);
-    let arm = arm(model, work, point, center);
+    let arm = arm(&model.state, work, point, center);
     let arm = work.components(arm, model.state.body);
     let graph = &mut work.graph;
     // d.(P - C) x e = e.d x (P - C); without an axis, any d

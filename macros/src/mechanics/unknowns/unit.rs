@@ -30,9 +30,9 @@ impl<'m> Unit<'m> {
     ) -> Self {
         let direction = load.direction(work, frame, axis);
         let center = model.state.center(work);
-        let (force, moment) = about_pole(model, work, load, direction, center);
+        let (force, moment) = about_pole(&model.state, work, load, direction, center);
         let following = resultant(work, followers);
-        let mut moments = moments_about(model, work, followers, center);
+        let mut moments = moments_about(&model.state, work, followers, center);
         moments.insert(0, moment);
         let (force, moment) = (work.add(force, following), work.sum(moments));
         Self {

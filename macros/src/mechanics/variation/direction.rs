@@ -63,6 +63,15 @@ impl Direction {
         turn
     }
 
+    /// One symbol changes by one, and nothing else; without it, nothing.
+    pub fn of_symbol(work: &Workspace, symbol: Option<Id>) -> Self {
+        let one = work.graph.one();
+        Self {
+            changes: symbol.map(|symbol| (symbol, one)).into_iter().collect(),
+            turns: BTreeMap::new(),
+        }
+    }
+
     /// The body is turned, and nothing else changes.
     pub fn turn(work: &mut Workspace, body: Frame, phi: Vector) -> Self {
         let [own, world] = [body, Frame::WORLD].map(|frame| work.part(phi, frame));

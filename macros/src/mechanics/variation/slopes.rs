@@ -12,9 +12,10 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::model::{Attitude, Frame, Meaning, Turn, Variable, Workspace};
-use crate::symbolic::{Components, Id, Node};
+use crate::symbolic::{Components, Id};
 
 use super::direction::Direction;
+use super::leaves::Leaves;
 
 /// The slopes of an expression.
 pub struct Slopes {
@@ -27,7 +28,10 @@ pub struct Slopes {
 impl Slopes {
     /// Along all that moves.
     pub fn of(work: &mut Workspace, value: Id) -> Self {
-        let (leaves, turns) = leaves(work, value);
+        let Leaves { symbols, turns } = Leaves::of(work, &[value]);
+        let turned = turns.iter().flat_map(|turn| turn.turned);
+        let turned = turned.filter(|id| !work.graph.is_early(*id));
+        let leaves = symbols.into_iter().chain(turned).collect();
         let mut slopes = Self::along_leaves(work, value, leaves);
         for turn in turns.iter().rev() {
             let slope = slopes.take(work, turn);
@@ -128,40 +132,4 @@ fn along_turned(work: &mut Workspace, phi: Components, turn: &Turn, slope: Compo
         }
     };
     work.graph.dot(by, swept)
-}
-
-/// The late symbols that an expression follows, and the vectors that were turned in it, each after
-/// those it is made of.
-fn leaves(work: &Workspace, value: Id) -> (HashSet<Id>, Vec<Turn>) {
-    let graph = &work.graph;
-    let late = |parts: Components| parts.into_iter().filter(|id| !graph.is_early(*id));
-    let first = |turn: &Turn| late(turn.turned).min();
-    let mut turned: HashMap<Id, &Turn> = HashMap::new();
-    for turn in &work.turned {
-        // what is turned was made before, or the components do not say that they were turned
-        if late(turn.vector).max() < first(turn) {
-            for part in late(turn.turned) {
-                turned.entry(part).or_insert(turn);
-            }
-        }
-    }
-    let (mut leaves, mut turns) = (HashSet::new(), Vec::new());
-    let (mut pending, mut seen) = (vec![value], HashSet::new());
-    while let Some(id) = pending.pop() {
-        if graph.is_early(id) || !seen.insert(id) {
-            continue;
-        }
-        if let Some(turn) = turned.get(&id) {
-            leaves.insert(id);
-            turns.push(**turn);
-            pending.extend(turn.vector);
-        } else if let Node::Symbol(_) = graph.node(id) {
-            leaves.insert(id);
-        } else {
-            pending.extend(graph.node(id).operands());
-        }
-    }
-    turns.sort_by_key(first);
-    turns.dedup();
-    (leaves, turns)
 }

@@ -28,6 +28,26 @@ impl Inertia {
         }
     }
 
+    /// `J w`
+    pub fn times(self, graph: &mut Graph, w: Components) -> Components {
+        match self {
+            Self::Absent => graph.zeros(),
+            Self::Scalar(moment) => graph.scale_vector(moment, w),
+            Self::Spatial(rows) => graph.transform(&rows, w),
+        }
+    }
+
+    /// `J w' + w x J w`: the change of the angular momentum; of one number, `J w'`.
+    pub fn change(self, graph: &mut Graph, w: Components, rate: Components) -> Components {
+        let Self::Spatial(rows) = self else {
+            return self.times(graph, rate);
+        };
+        let momentum = graph.transform(&rows, w);
+        let gyroscopic = graph.cross(w, momentum);
+        let driven = graph.transform(&rows, rate);
+        graph.add_vectors(driven, gyroscopic)
+    }
+
     /// The sum of two of a kind.
     pub fn plus(self, graph: &mut Graph, other: Self) -> Self {
         match (self, other) {

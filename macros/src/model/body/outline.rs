@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use crate::errors::Extent;
 use crate::families::LoadKind;
-use crate::model::joints::{Motion, Shape};
+use crate::model::joints::{Group, Motion, Shape};
 use crate::model::words::Dimension;
 use crate::model::words::{Frame, FrameWord};
 use crate::symbolic::Number;
@@ -13,6 +13,8 @@ use crate::symbolic::Number;
 pub struct Asked {
     pub word: &'static str,
     pub place: Extent,
+    /// It has no meaning where nothing moves by itself.
+    pub is_of_motion: bool,
 }
 
 /// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it
@@ -91,9 +93,31 @@ impl Outline {
         second.map(|field| field.names.len()).sum()
     }
 
-    /// Its state is made of those of joints.
-    pub fn has_joints(&self) -> bool {
-        !self.joints.is_empty()
+    /// The coordinates of the tangent space of its states: what comes before the rates, joint by
+    /// joint, and then the rates.
+    pub fn tangent(&self) -> Vec<Group> {
+        let [places, rates] = [Shape::places, Shape::rates].map(|of| self.by_shape(of));
+        [places, rates].concat()
+    }
+
+    /// Its accelerations, in the order of the rates.
+    pub fn accelerations(&self) -> Vec<Group> {
+        self.by_shape(Shape::accelerations)
+    }
+
+    fn by_shape(&self, of: fn(&Shape, usize, &str) -> Vec<Group>) -> Vec<Group> {
+        if !self.is_system {
+            return of(self.motion.shape, 0, "");
+        }
+        let joints = self.joints.iter().enumerate();
+        joints
+            .flat_map(|(number, joint)| of(joint.shape, number, &format!("{}_", joint.name)))
+            .collect()
+    }
+
+    /// It is a system in which nothing moves by itself: its state has no coordinates.
+    pub fn is_still(&self) -> bool {
+        self.is_system && self.joints.is_empty()
     }
 
     /// The place of an output among those that are asked for.

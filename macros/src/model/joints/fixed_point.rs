@@ -1,13 +1,13 @@
 //! A body that turns about a point of it.
 
 use super::joint::{Center, Joint, Orientation};
+use super::shape::BALL;
 
 pub const FIXED_POINT: Joint = Joint {
     word: "fixed_point",
     is_planar: false,
     center: Center::Held,
     orientation: Orientation::Quaternion,
-    state: "Rotation",
-    acceleration: None,
+    shape: &BALL,
     missing: Some("the force balance: the reaction of the support has no moment about it"),
 };

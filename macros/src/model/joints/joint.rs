@@ -4,6 +4,8 @@ use core::ops::Range;
 
 use crate::families::LoadKind;
 
+use super::shape::Shape;
+
 /// A joint between a body and the ground, as `motion` says it.
 #[derive(Debug)]
 pub struct Joint {
@@ -13,10 +15,8 @@ pub struct Joint {
     pub is_planar: bool,
     pub center: Center,
     pub orientation: Orientation,
-    /// The runtime's type of its state.
-    pub state: &'static str,
-    /// The runtime's type of its acceleration, where that is linear and angular.
-    pub acceleration: Option<&'static str>,
+    /// Its state, as the runtime has it.
+    pub shape: &'static Shape,
     /// The balances that it leaves out, and why.
     pub missing: Option<&'static str>,
 }

@@ -10,6 +10,7 @@ mod rod;
 mod rotation;
 mod shape;
 mod spatial;
+mod tangent;
 mod translation;
 
 pub use fixed_axis::FIXED_AXIS;
@@ -25,6 +26,7 @@ pub use shape::{
     Shape, UNIVERSAL,
 };
 pub use spatial::SPATIAL;
+pub use tangent::Group;
 pub use translation::TRANSLATION;
 
 /// A kind of motion: how a body is joined to the ground.

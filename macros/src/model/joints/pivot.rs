@@ -1,13 +1,13 @@
 //! A body in the plane that turns about a point of it.
 
 use super::joint::{Center, Joint, Orientation};
+use super::shape::HINGE;
 
 pub const PIVOT: Joint = Joint {
     word: "pivot",
     is_planar: true,
     center: Center::Held,
     orientation: Orientation::Angle,
-    state: "Hinge",
-    acceleration: None,
+    shape: &HINGE,
     missing: Some("the force balance and out of the plane: the body turns about a point of it"),
 };

@@ -167,6 +167,25 @@ pub const SHIFT_IN_THE_PLANE: Shape = Shape {
     ],
     second: &[part("", &["ax", "ay"], Variable::LinearAcceleration, 0)],
 };
+pub const LINE: Shape = Shape {
+    state: "Rod",
+    acceleration: Some("RodAcceleration"),
+    fields: &[
+        part("position", &["x", "y", "z"], Variable::Position, 0),
+        part("axis", &["ux", "uy", "uz"], Variable::Axis, 0),
+        part("velocity", &["vx", "vy", "vz"], Variable::Velocity, 0),
+        part("axis_rate", &["rx", "ry", "rz"], Variable::AxisRate, 0),
+    ],
+    second: &[
+        part(
+            "linear",
+            &["ax", "ay", "az"],
+            Variable::LinearAcceleration,
+            0,
+        ),
+        part("axis", &["bx", "by", "bz"], Variable::AxisAcceleration, 0),
+    ],
+};
 
 /// A component of the state of a joint.
 #[derive(Clone, Copy, Debug)]

@@ -1,13 +1,13 @@
 //! A body that moves freely.
 
 use super::joint::{Center, Joint, Orientation};
+use super::shape::FREE;
 
 pub const SPATIAL: Joint = Joint {
     word: "spatial",
     is_planar: false,
     center: Center::Free,
     orientation: Orientation::Quaternion,
-    state: "Spatial",
-    acceleration: Some("SpatialAcceleration"),
+    shape: &FREE,
     missing: None,
 };

@@ -151,28 +151,7 @@ pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
         Orientation::Fixed | Orientation::Line => 0..0,
     };
     let time = work.symbol(Stage::State, Meaning::Time);
-    let symbol = |work: &mut Workspace, variable: Variable, part: usize| {
-        work.symbol(Stage::State, Meaning::Of(body, variable, part))
-    };
-    let mut angle = None;
-    match motion.orientation {
-        Orientation::Angle => {
-            let own = symbol(work, Variable::Angle, 0);
-            angle = Some(own);
-            let direction = work.graph.unit_vectors()[2];
-            let attitude = Attitude::Axis {
-                angle: own,
-                direction,
-            };
-            work.set_attitude(body, attitude);
-        }
-        Orientation::Quaternion => {
-            let scalar = symbol(work, Variable::Quaternion, 0);
-            let vector = [1, 2, 3].map(|part| symbol(work, Variable::Quaternion, part));
-            work.set_attitude(body, Attitude::Quaternion { scalar, vector });
-        }
-        Orientation::Fixed | Orientation::Line => {}
-    }
+    let angle = attitude_symbols(motion.orientation, body, work);
     let mut components = |axes: &Range<usize>, variable: Variable| {
         let meaning = |axis| Meaning::Of(body, variable, axis);
         work.symbols(Stage::State, axes.clone(), meaning)
@@ -204,5 +183,27 @@ pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
         angle,
         axis,
         support: None,
+    }
+}
+
+/// Gives a frame the attitude that its symbols make; returns the angle, if it is one.
+fn attitude_symbols(orientation: Orientation, body: Frame, work: &mut Workspace) -> Option<Id> {
+    let mut symbol = |variable: Variable, part: usize| {
+        work.symbol(Stage::State, Meaning::Of(body, variable, part))
+    };
+    match orientation {
+        Orientation::Angle => {
+            let angle = symbol(Variable::Angle, 0);
+            let direction = work.graph.unit_vectors()[2];
+            work.set_attitude(body, Attitude::Axis { angle, direction });
+            Some(angle)
+        }
+        Orientation::Quaternion => {
+            let scalar = symbol(Variable::Quaternion, 0);
+            let vector = [1, 2, 3].map(|part| symbol(Variable::Quaternion, part));
+            work.set_attitude(body, Attitude::Quaternion { scalar, vector });
+            None
+        }
+        Orientation::Fixed | Orientation::Line => None,
     }
 }

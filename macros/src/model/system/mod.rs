@@ -8,10 +8,10 @@ use proc_macro2::Ident;
 
 use crate::symbolic::{Components, Id};
 
-use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials, Substance};
+use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials};
 use super::joints::Rates;
 use super::kinematics::State;
-use super::words::Frame;
+use super::words::{Frame, Variable};
 
 /// A description of a system, understood.
 pub struct System {
@@ -27,7 +27,9 @@ pub struct System {
     pub points: Vec<(usize, Components)>,
     /// The acceleration of free fall in the field that acts on all mass alike, world axes.
     pub gravity: Components,
-    pub cables: Vec<Cable>,
+    pub cables: Vec<Tie>,
+    /// Links without mass, which written constraints keep.
+    pub links: Vec<Tie>,
     pub constraints: Kept,
     pub potentials: Potentials,
     /// Energies besides those of uniform fields: of cables, and of potentials once these are loads.
@@ -63,6 +65,8 @@ pub struct Closing {
     /// Unit vectors, in the axes of the carried body; behind the one axis of a joint in space two that
     /// are across it.
     pub directions: Vec<Components>,
+    /// Of a screw, metres per radian.
+    pub pitch: Option<Id>,
     /// How the carried body is turned where the coordinates are zero: axes and angles, the first one
     /// from the carrier's axes.
     pub turned: Vec<(Components, Id)>,
@@ -78,8 +82,8 @@ pub struct Kept {
     pub form: Option<Form>,
 }
 
-/// What only pulls.
-pub struct Cable {
+/// What is between two points and has no mass.
+pub struct Tie {
     pub name: Ident,
     /// At its ends; none: the ground.
     pub bodies: [Option<Ident>; 2],
@@ -113,6 +117,8 @@ pub struct TreeJoint {
     pub drives: Vec<Id>,
     /// The given drives, by name.
     pub driven_by: Vec<(Ident, Vec<Id>)>,
+    /// An inertia along its one coordinate, beside that of what it carries.
+    pub armature: Option<Id>,
     /// The acceleration along each freedom, if its motion is prescribed.
     pub given: Vec<Option<Id>>,
     /// The unknown load along a freedom, by its name, if there is one.
@@ -120,6 +126,14 @@ pub struct TreeJoint {
 }
 
 impl TreeJoint {
+    /// The rate of the coordinate, if it has one alone.
+    pub fn rate(&self) -> Option<Id> {
+        let rates = [Variable::Velocity, Variable::AngularVelocity];
+        rates
+            .iter()
+            .find_map(|variable| self.coordinates.get(*variable, 0))
+    }
+
     /// Its motion is prescribed.
     pub fn is_driven(&self) -> bool {
         self.given.iter().any(Option::is_some)
@@ -130,14 +144,5 @@ impl System {
     /// Nothing but the joints of its tree holds it.
     pub fn is_tree(&self) -> bool {
         self.closings.is_empty() && self.constraints.list.is_empty()
-    }
-
-    /// What the bodies are made of.
-    pub fn substances(&self) -> Vec<Substance> {
-        let bodies = self.bodies.iter().map(|body| Substance {
-            mass: Some(body.mass),
-            inertia: body.inertia,
-        });
-        bodies.collect()
     }
 }

@@ -26,6 +26,25 @@ pub enum Variable {
     AxisAcceleration,
 }
 
+impl Variable {
+    /// Whether it is a velocity of any kind.
+    pub fn is_rate(self) -> bool {
+        matches!(
+            self,
+            Self::Velocity | Self::AngularVelocity | Self::AxisRate
+        )
+    }
+
+    /// What an acceleration is called in the state's acceleration.
+    pub fn of_acceleration(self) -> &'static str {
+        match self {
+            Self::LinearAcceleration => "linear",
+            Self::AxisAcceleration => "axis",
+            _ => "angular",
+        }
+    }
+}
+
 /// What a symbol stands for; the last number is a component, one before it the index of a
 /// declaration.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

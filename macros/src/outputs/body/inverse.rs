@@ -3,7 +3,7 @@
 use quote::quote;
 
 use crate::emit::code::{Site, Source, Writer};
-use crate::emit::items::{Addition, write_open};
+use crate::emit::items::{Addition, open_drives, write_open};
 use crate::lower::{INVERSE, Offer, is_drive};
 use crate::mechanics::derive_inverse;
 use crate::symbolic::{Components, Id, Node};
@@ -56,7 +56,8 @@ impl Output<Model> for Inverse {
                 is_fallible: nodes.any(|node| matches!(node, Node::Pivot(..))),
                 ..writer.clone()
             };
-            write_open(&guarded, "Drives", &outline.drives, solved)
+            let record = open_drives(outline);
+            write_open(&guarded, &record, &outline.drives, solved)
         });
         if self.0.is_none() {
             method.facts.has_pivots = outline.has_turning_drive;

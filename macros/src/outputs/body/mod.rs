@@ -1,6 +1,5 @@
 //! The outputs of one body. One that is new is a file, and a line in one of two lists.
 
-mod balance;
 mod flow;
 mod inverse;
 mod reactions;
@@ -8,19 +7,22 @@ mod structured;
 
 use crate::model::Model;
 
+use super::balance::Balance;
 use super::constrained::Constrained;
 use super::energy::Energy;
+use super::linearization::Linearization;
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
 use super::taylor::Taylor;
 
 /// What is solved for, or looked for.
-fn solved() -> [Box<dyn Output<Model>>; 4] {
+fn solved() -> [Box<dyn Output<Model>>; 5] {
     [
         Box::<inverse::Inverse>::default(),
         Box::<flow::Flow>::default(),
         Box::<structured::Structured>::default(),
         Box::<Taylor>::default(),
+        Box::<Linearization>::default(),
     ]
 }
 
@@ -29,7 +31,7 @@ fn observed() -> [Box<dyn Output<Model>>; 5] {
     [
         Box::<Energy>::default(),
         Box::<Momentum>::default(),
-        Box::<balance::Balance>::default(),
+        Box::<Balance>::default(),
         Box::<reactions::Reactions>::default(),
         Box::<Constrained>::default(),
     ]

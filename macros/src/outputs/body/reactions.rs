@@ -3,7 +3,7 @@
 use quote::quote;
 
 use crate::emit::code::{COMMON, Site, Writer};
-use crate::emit::items::{Addition, write_open};
+use crate::emit::items::{Addition, open_reactions, write_open};
 use crate::lower::{Offer, is_unknown};
 use crate::symbolic::{Components, Id};
 
@@ -20,6 +20,7 @@ const OFFER: Offer = Offer {
         )
     },
     is_missed: |outline| !outline.reactions.is_empty(),
+    is_of_motion: false,
 };
 
 #[derive(Default)]
@@ -49,7 +50,8 @@ impl Output<Model> for Reactions {
                 is_fallible,
                 ..writer.clone()
             };
-            write_open(&writer, "Reactions", &outline.reactions, solved)
+            let record = open_reactions(outline);
+            write_open(&writer, &record, &outline.reactions, solved)
         });
         let kind = site.fallible(site.reactions_type(), is_fallible);
         let methods = [("reactions", &method, &COMMON[..], &kind)];

@@ -4,17 +4,16 @@ use proc_macro2::Ident;
 use quote::quote;
 
 use crate::emit::code::{Method, Site, Source};
-use crate::emit::items::Addition;
+use crate::emit::items::{Addition, Field, Record};
 use crate::lower::{INVERSE, Offer};
 use crate::mechanics::derive_system_inverse;
 use crate::model::System;
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::Id;
 
-use super::by_name::ByName;
-
 const OFFER: Offer = Offer {
     is_missed: |_| true,
+    is_of_motion: true,
     ..Offer::new(INVERSE)
 };
 
@@ -34,8 +33,7 @@ impl Output<System> for Inverse {
         if !system.is_tree() && open().all(Option::is_none) {
             let message =
                 "no drive is open: write `motor = _.on(elbow)` for each that is to be found";
-            basis.errors.push(basis.outline.place(INVERSE)?, message);
-            return None;
+            return basis.errors.report(basis.outline.place(INVERSE)?, message);
         }
         // what is kept moves some joints with the others
         let mut is_sound = true;
@@ -67,23 +65,19 @@ impl Output<System> for Inverse {
     fn emit(&self, site: &Site<'_>) -> Addition {
         let (shapes, outline) = (&site.shapes, site.outline);
         let scalar = shapes.scalar.kind();
-        let names: Vec<Ident> = match &self.0 {
-            Some(drives) => drives.iter().map(|(name, _)| name.clone()).collect(),
-            None => outline.open.clone(),
-        };
-        let by_name = ByName {
+        let derived = self.0.iter().flatten().map(|(name, _)| name);
+        let stub = outline.open.iter().filter(|_| self.0.is_none());
+        let names = derived.chain(stub);
+        let by_name = Record {
             suffix: "Drives",
             doc: format!(" The open drives of [`{}`], in N * m or N.", outline.name),
-            fields: names
-                .into_iter()
-                .map(|name| (name, scalar.clone()))
-                .collect(),
+            fields: names.map(|name| Field::new(name, scalar.clone())).collect(),
             has_default: true,
         };
         let method = site.method(self.0.as_ref(), |writer, drives| {
             let loads: Vec<Id> = drives.iter().map(|(_, load)| *load).collect();
             Method::write(writer, &loads, |values| {
-                by_name.filled(site, values, |_, values| {
+                by_name.filled(outline, values, |_, values| {
                     let value = values.next();
                     quote!(#value)
                 })
@@ -99,6 +93,6 @@ impl Output<System> for Inverse {
         let methods = [("inverse", &method, &arguments[..], &kind)];
         let types = quote!(type Drives = #kind;);
         let addition = Addition::implement(site, "Inverse", [types, quote!()], &methods);
-        by_name.beside(site, addition)
+        addition.with(outline, &by_name)
     }
 }

@@ -3,17 +3,16 @@
 use quote::quote;
 
 use crate::emit::code::{COMMON, Method, Site};
-use crate::emit::items::Addition;
+use crate::emit::items::{Addition, Field, Record};
 use crate::lower::Offer;
 use crate::mechanics::{self, derive_jacobians};
 use crate::model::System;
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::Id;
 
-use super::by_name::ByName;
-
 const OFFER: Offer = Offer {
     is_missed: |_| true,
+    is_of_motion: true,
     ..Offer::new("jacobian")
 };
 
@@ -41,13 +40,15 @@ impl Output<System> for Jacobian {
         let rows = if shapes.motion.is_planar { 3 } else { 6 };
         let size = [rows, outline.freedoms()];
         let (kind, points) = (shapes.matrix_type(size), outline.points.iter());
-        let by_name = ByName {
+        let by_name = Record {
             suffix: "Jacobians",
             doc: format!(
                 " Velocities of points of [`{}`] by the rates of its state: rows of the velocity, then of the angular velocity, world axes.",
                 outline.name
             ),
-            fields: points.map(|point| (point.clone(), kind.clone())).collect(),
+            fields: points
+                .map(|point| Field::new(point, kind.clone()))
+                .collect(),
             has_default: true,
         };
         let method = site.method(self.0.as_ref(), |writer, points| {
@@ -57,13 +58,13 @@ impl Output<System> for Jacobian {
             });
             let entries: Vec<Id> = entries.collect();
             Method::write(writer, &entries, |values| {
-                by_name.filled(site, values, |_, values| shapes.matrix(size, values))
+                by_name.filled(outline, values, |_, values| shapes.matrix(size, values))
             })
         });
         let kind = site.own_type("Jacobians");
         let methods = [("jacobian", &method, &COMMON[..], &kind)];
         let types = quote!(type Jacobians = #kind;);
         let addition = Addition::implement(site, "Jacobian", [types, quote!()], &methods);
-        by_name.beside(site, addition)
+        addition.with(outline, &by_name)
     }
 }

@@ -12,6 +12,7 @@ use crate::symbolic::Id;
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,
+    is_of_motion: true,
     ..Offer::new("mass_matrix")
 };
 

@@ -1,7 +1,5 @@
 //! The outputs of a system. One that is new is a file, and a line in the list.
 
-mod balance;
-mod by_name;
 mod inverse;
 mod jacobian;
 mod mass_matrix;
@@ -9,8 +7,10 @@ mod reactions;
 
 use crate::model::System;
 
+use super::balance::Balance;
 use super::constrained::Constrained;
 use super::energy::Energy;
+use super::linearization::Linearization;
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
 use super::taylor::Taylor;
@@ -20,12 +20,13 @@ impl Listed for System {
         vec![
             Box::<Energy>::default(),
             Box::<Momentum>::default(),
-            Box::<balance::Balance>::default(),
+            Box::<Balance>::default(),
             Box::<reactions::Reactions>::default(),
             Box::<inverse::Inverse>::default(),
             Box::<mass_matrix::MassMatrix>::default(),
             Box::<jacobian::Jacobian>::default(),
             Box::<Taylor>::default(),
+            Box::<Linearization>::default(),
             Box::<Constrained>::default(),
         ]
     }

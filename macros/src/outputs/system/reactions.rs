@@ -9,11 +9,11 @@ use crate::emit::code::{COMMON, Method, Site};
 use crate::emit::items::Addition;
 use crate::lower::Offer;
 use crate::mechanics::{derive_system_driving, derive_system_reactions, derive_system_spare};
-use crate::model::{AXES, Outline, System};
+use crate::model::{AXES, System};
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::{Components, Id};
 
-use super::by_name::ByName;
+use crate::outputs::by_name::{driving_of, held, reactions_by_name};
 
 const OFFER: Offer = Offer {
     is_missed: |_| true,
@@ -89,7 +89,7 @@ impl Output<System> for Reactions {
             let scalars = carried.scalars.iter().map(|(_, load)| *load);
             let parts: Vec<Id> = parts.chain(scalars).collect();
             Method::write(writer, &parts, |values| {
-                by_name.filled(site, values, |field, values| {
+                by_name.filled(outline, values, |field, values| {
                     if field < count {
                         shapes.wrench(values)
                     } else {
@@ -103,7 +103,7 @@ impl Output<System> for Reactions {
         let methods = [("reactions", &method, &COMMON[..], &kind)];
         let types = quote!(type Reactions = #kind;);
         let addition = Addition::implement(site, "Reactions", [types, quote!()], &methods);
-        by_name.beside(site, addition)
+        addition.with(outline, &by_name)
     }
 }
 
@@ -137,36 +137,7 @@ fn check_determined(basis: &mut Basis<'_, System>) -> Option<()> {
          `reactions(..)`",
         all.join(", ")
     );
-    basis.errors.push(basis.outline.place(OFFER.word)?, message);
-    None
-}
-
-/// The struct that holds them.
-pub fn reactions_by_name(site: &Site<'_>) -> ByName {
-    let (shapes, outline) = (&site.shapes, site.outline);
-    let (wrench, scalar) = (shapes.wrench_type(), shapes.scalar.kind());
-    let wrenches = held(outline).map(|name| (name.clone(), wrench.clone()));
-    let kept = outline.kept.iter().filter(|name| outline.is_held(name));
-    let scalars = driving_of(outline).map(|(_, name)| name).chain(kept);
-    let scalars = scalars.map(|name| (name.clone(), scalar.clone()));
-    ByName {
-        suffix: "Reactions",
-        doc: format!(
-            " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
-            outline.name
-        ),
-        fields: wrenches.chain(scalars).collect(),
-        has_default: true,
-    }
-}
-
-/// The joints whose reactions are asked for.
-fn held(outline: &Outline) -> impl Iterator<Item = &Ident> {
-    outline.holding.iter().filter(|name| outline.is_held(name))
-}
-
-/// The drives of joints whose reactions are asked for.
-fn driving_of(outline: &Outline) -> impl Iterator<Item = &(Ident, Ident)> {
-    let all = outline.driving.iter();
-    all.filter(|(joint, _)| outline.is_held(joint))
+    basis
+        .errors
+        .report(basis.outline.place(OFFER.word)?, message)
 }

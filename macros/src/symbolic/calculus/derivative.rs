@@ -4,7 +4,7 @@
 //! and the results are built by the simplifying constructors.
 
 use crate::symbolic::algebra::chain_rule;
-use crate::symbolic::graph::{Graph, Id, Node};
+use crate::symbolic::graph::{Graph, Id};
 
 impl Graph {
     /// The partial derivatives of `roots` with respect to the symbol `by`.
@@ -16,17 +16,16 @@ impl Graph {
         self.change(roots, |symbol| (symbol == by).then_some(one))
     }
 
-    /// How `roots` change along with their symbols: `rate` answers for those that do.
+    /// How `roots` change along with what is known to change: `rate` answers for symbols, and for
+    /// expressions that are not looked into.
     pub fn change(&mut self, roots: &[Id], rate: impl Fn(Id) -> Option<Id>) -> Vec<Id> {
-        let order = self.reachable(roots, |_| true);
+        let order = self.reachable(roots, |id| rate(id).is_none());
         let mut changes = vec![None; order.last().map_or(0, |last| last.index() + 1)];
         for id in order {
-            let change = if let Node::Symbol(_) = self.node(id) {
-                rate(id)
-            } else {
+            let change = rate(id).or_else(|| {
                 let node = self.node(id).clone();
                 chain_rule::change(self, &node, &id, |a| a, |a| changes[a.index()])
-            };
+            });
             changes[id.index()] = change.filter(|change| !self.is_zero(*change));
         }
         let zero = self.zero();

@@ -241,6 +241,12 @@ impl Graph {
             }
             // by what is known early: all others are powers
             Node::Divide(a, b) => vec![(a, self.divide(slope, b))],
+            Node::Pivot(a, _) => {
+                // (1 / a)' = -(1 / a)^2 a'
+                let square = self.square(id);
+                let slope = self.multiply(square, slope);
+                vec![(a, self.negate(slope))]
+            }
             Node::Unary(function, a) => {
                 let by_a = algebra::slope(self, function, &a, &id);
                 vec![(a, self.multiply(by_a, slope))]

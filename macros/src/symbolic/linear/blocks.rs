@@ -1,6 +1,6 @@
 //! Which equations can be solved before others: sets that have a part in as many unknowns alone.
 
-use super::eliminate::System;
+use super::system::System;
 
 impl System<'_> {
     /// The smallest of them: its rows, and its unknowns in order. Nothing if each set of rows has a
@@ -37,7 +37,7 @@ impl System<'_> {
     /// Unknowns with a row for each in which it has a part, as many as there can be.
     fn matching(&self) -> Vec<(usize, usize)> {
         let mut matched = Vec::new();
-        for row in self.left() {
+        for row in &self.left {
             self.match_one(*row, &mut matched, &mut Vec::new());
         }
         matched

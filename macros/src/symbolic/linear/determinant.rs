@@ -15,7 +15,7 @@ use crate::symbolic::graph::Id;
 use crate::symbolic::number::Function;
 use crate::symbolic::zeros::Sample;
 
-use super::eliminate::{Equation, System};
+use super::system::{Equation, System};
 
 /// The most equations that are solved at once: elimination has less to multiply.
 const MOST: usize = 6;

@@ -4,6 +4,8 @@ mod blocks;
 mod determinant;
 mod eliminate;
 mod sizes;
+mod system;
+mod values;
 
-pub use eliminate::{Elimination, Equation, Undetermined};
 pub use sizes::Size;
+pub use system::{Elimination, Equation, Undetermined};

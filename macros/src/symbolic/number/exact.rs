@@ -5,9 +5,6 @@
 //! another rational, only by proof, never because it is small.
 
 use core::cell::RefCell;
-use core::cmp::Ordering;
-use core::hash::{Hash, Hasher};
-use core::ops::{Add, Div, Mul, Neg, Sub};
 use std::rc::Rc;
 
 use dashu_int::ops::{BitTest, UnsignedAbs};
@@ -15,17 +12,12 @@ use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
 use super::ball::Ball;
-use super::float::{Float, PRECISION};
+use super::float::Float;
 use super::function::Function;
 use super::residue::Residue;
 
 /// Decimal exponents beyond which a literal is refused before any number is built.
 const DECIMAL_EXPONENTS: i64 = 5000;
-/// Bits of numerator and denominator beyond which an exact number is rounded to [`PRECISION`].
-const EXACT: usize = 1 << 13;
-/// The same of a number that is rounded already, and what is kept of it then.
-const ROUNDED: usize = 1 << 11;
-const KEPT: usize = 1 << 9;
 /// Bits beyond which a number is not carried at all.
 const SIZE: usize = 1 << 16;
 
@@ -202,19 +194,6 @@ impl Number {
         nearest.is_finite() && (nearest != 0.0 || self.is_zero())
     }
 
-    pub fn abs(&self) -> Self {
-        if self.is_negative() {
-            -self.clone()
-        } else {
-            self.clone()
-        }
-    }
-
-    /// `None` for a division by zero, or by what cannot be told from it.
-    pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
-        (!divisor.is_zero() && !divisor.is_undecided()).then(|| self.clone() / divisor.clone())
-    }
-
     /// The root, if it is a ratio of whole numbers.
     pub(in crate::symbolic) fn exact_root(&self, degree: usize) -> Option<Self> {
         let (numerator, denominator) = (self.value.numerator().clone(), self.value.denominator());
@@ -223,25 +202,6 @@ impl Number {
         let is_exact = roots.0.pow(degree) == numerator && &roots.1.pow(degree) == denominator;
         (is_exact && !self.is_rounded())
             .then(|| Self::from(RBig::from_parts(roots.0.into(), roots.1)))
-    }
-
-    /// A whole power.
-    pub(in crate::symbolic) fn power(&self, exponent: i64) -> Option<Self> {
-        let (mut power, mut square) = (Self::one(), self.clone());
-        for bit in 0..i64::BITS - exponent.unsigned_abs().leading_zeros() {
-            if exponent.unsigned_abs() >> bit & 1 == 1 {
-                power = power * square.clone();
-            }
-            square = square.clone() * square;
-            if !power.is_carried() || !square.is_carried() {
-                return None;
-            }
-        }
-        if exponent < 0 {
-            Self::one().checked_div(&power)
-        } else {
-            Some(power)
-        }
     }
 
     pub(in crate::symbolic) fn to_float(&self, bits: usize) -> Float {
@@ -253,21 +213,8 @@ impl Number {
         self.bits() < SIZE
     }
 
-    fn bits(&self) -> usize {
+    pub(in crate::symbolic) fn bits(&self) -> usize {
         self.value.numerator().bit_len() + self.value.denominator().bit_len()
-    }
-
-    /// Gives up digits where there are out of all proportion.
-    pub(in crate::symbolic) fn condensed(self) -> Self {
-        let (most, kept) = if self.is_rounded() {
-            (ROUNDED, KEPT)
-        } else {
-            (EXACT, PRECISION)
-        };
-        if self.bits() < most || !self.is_carried() {
-            return self;
-        }
-        self.near(kept)
     }
 }
 
@@ -276,91 +223,6 @@ impl From<RBig> for Number {
         Self {
             value,
             kind: Kind::Rational,
-        }
-    }
-}
-
-impl Add for Number {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        match (&self.kind, &other.kind) {
-            (Kind::Rational, Kind::Rational) => Self::from(self.value + other.value).condensed(),
-            _ => Self::sum(self, other),
-        }
-    }
-}
-
-impl Sub for Number {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl Mul for Number {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        match (&self.kind, &other.kind) {
-            (Kind::Rational, Kind::Rational) => Self::from(self.value * other.value).condensed(),
-            _ => Self::product(self, other),
-        }
-    }
-}
-
-impl Div for Number {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        match (&self.kind, &other.kind) {
-            (Kind::Rational, Kind::Rational) => Self::from(self.value / other.value).condensed(),
-            _ => Self::quotient(self, other),
-        }
-    }
-}
-
-impl Neg for Number {
-    type Output = Self;
-    fn neg(self) -> Self {
-        match self.kind {
-            Kind::Irrational(_) => Self::product(Self::integer(-1), self),
-            Kind::Rational => Self::from(-self.value),
-        }
-    }
-}
-
-impl PartialEq for Number {
-    fn eq(&self, other: &Self) -> bool {
-        match (&self.kind, &other.kind) {
-            (Kind::Irrational(_), Kind::Irrational(_)) => self.is_same(other),
-            (Kind::Irrational(_), _) | (_, Kind::Irrational(_)) => false,
-            _ => self.value == other.value,
-        }
-    }
-}
-
-impl Eq for Number {}
-
-impl Hash for Number {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        match &self.kind {
-            Kind::Irrational(known) => known.residue.hash(state),
-            Kind::Rational => self.value.hash(state),
-        }
-    }
-}
-
-impl PartialOrd for Number {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Number {
-    /// Of irrational numbers, by the sign of their difference.
-    fn cmp(&self, other: &Self) -> Ordering {
-        match (&self.kind, &other.kind) {
-            (Kind::Rational, Kind::Rational) => self.value.cmp(&other.value),
-            _ if self == other => Ordering::Equal,
-            _ => self.cmp_irrational(other),
         }
     }
 }

@@ -9,7 +9,6 @@
 //! error, and is not zero by proof, is computed again with more bits.
 
 use core::cell::RefCell;
-use core::cmp::Ordering;
 use std::rc::Rc;
 
 use dashu_int::{IBig, UBig};
@@ -21,6 +20,11 @@ use super::float::{Float, PRECISION};
 use super::function::Function;
 use super::residue::Residue;
 
+/// Bits of numerator and denominator beyond which an exact number is rounded to [`PRECISION`].
+const EXACT: usize = 1 << 13;
+/// The same of a number that is rounded already, and what is kept of it then.
+const ROUNDED: usize = 1 << 11;
+const KEPT: usize = 1 << 9;
 /// Bits of a value that are right; with fewer, it is computed again.
 const ENOUGH: isize = 128;
 /// Bits with which it is.
@@ -196,8 +200,21 @@ impl Number {
         }
     }
 
+    /// Gives up digits where there are out of all proportion.
+    pub(in crate::symbolic) fn condensed(self) -> Self {
+        let (most, kept) = if self.is_rounded() {
+            (ROUNDED, KEPT)
+        } else {
+            (EXACT, PRECISION)
+        };
+        if self.bits() < most || !self.is_carried() {
+            return self;
+        }
+        self.near(kept)
+    }
+
     /// The same with fewer digits.
-    pub(in crate::symbolic) fn near(self, bits: usize) -> Self {
+    fn near(self, bits: usize) -> Self {
         let ball = Ball::rounded(&self.value, self.error(), bits);
         match &self.kind {
             Kind::Rational => Self::known_by(ball, self.residue(), Term::Kept),
@@ -217,16 +234,6 @@ impl Number {
             error: self.error().max(other.error()) + 1,
         };
         self.residue() == other.residue() && difference().may_be_zero()
-    }
-
-    /// Of different numbers; if nobody knows the sign of their difference, some order.
-    pub(in crate::symbolic) fn cmp_irrational(&self, other: &Self) -> Ordering {
-        let difference = self.clone() - other.clone();
-        let residues = || self.residue().cmp(&other.residue());
-        if difference.is_undecided() {
-            return self.value.cmp(&other.value).then_with(residues);
-        }
-        difference.value.cmp(&RBig::ZERO)
     }
 
     fn known(&self) -> Option<&Irrational> {

@@ -1,5 +1,6 @@
 //! Exact numbers, those that are not rational, residues modulo a prime, and eigenvalues.
 
+mod arithmetic;
 mod ball;
 mod eigen;
 mod exact;

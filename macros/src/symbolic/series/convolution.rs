@@ -121,18 +121,14 @@ impl Graph {
         for (id, Weighted { level, terms, rest }) in found {
             let first = products[terms[0].1];
             let is_bare = id == first.value;
-            let value = if is_bare {
-                id
-            } else {
-                self.symbol(Stage::State)
-            };
+            let value = is_bare.then_some(id);
+            let value = value.unwrap_or_else(|| self.symbol(Stage::State));
             values.insert(value);
             let mut whole = value;
             let linear = self.added(rest, &mut whole, &written, &symbols, &values);
             written.insert(id, whole);
-            let rate = rates.iter().position(|rate| *rate == id);
             let result = results.iter().find(|(_, next)| *next == id);
-            let of = match (rate, result) {
+            let of = match (place(id), result) {
                 _ if is_bare => Origin::Product(first.of),
                 (_, Some((of, _))) => Origin::Result(*of),
                 (Some(place), None) => Origin::Rate(place),
@@ -296,7 +292,7 @@ impl Graph {
         let mut levels: HashMap<Id, usize> = coefficients.chain(values).collect();
         let order = self.reachable(roots, |_| true);
         let readers = self.readers(&order, roots);
-        let [one, minus_one] = [1, -1].map(|number| self.integer(number));
+        let one = self.one();
         let mut found: BTreeMap<Id, Weighted> = BTreeMap::new();
         for id in order {
             if let Some(place) = places.get(&id) {
@@ -314,13 +310,8 @@ impl Graph {
                 continue;
             };
             levels.entry(id).or_insert(waits);
-            let parts = match node {
-                Node::Negate(a) => vec![(minus_one, a)],
-                Node::Multiply(a, b) if !levels.contains_key(&a) => vec![(a, b)],
-                Node::Multiply(a, b) if !levels.contains_key(&b) => vec![(b, a)],
-                Node::Add(a, b) => vec![(one, a), (one, b)],
-                Node::Subtract(a, b) => vec![(one, a), (minus_one, b)],
-                _ => continue,
+            let Some(parts) = self.weighted_parts(&node, |part| !levels.contains_key(&part)) else {
+                continue;
             };
             // what waits longest is gathered, unless it is read elsewhere; to this the rest is
             // added
@@ -344,6 +335,23 @@ impl Graph {
             found.insert(id, sum);
         }
         found
+    }
+
+    /// What a node is the sum of, each with its weight, which is held; `None` if it is not linear.
+    fn weighted_parts(
+        &mut self,
+        node: &Node,
+        is_held: impl Fn(Id) -> bool,
+    ) -> Option<Vec<(Id, Id)>> {
+        let [one, minus_one] = [1, -1].map(|number| self.integer(number));
+        match *node {
+            Node::Negate(a) => Some(vec![(minus_one, a)]),
+            Node::Multiply(a, b) if is_held(a) => Some(vec![(a, b)]),
+            Node::Multiply(a, b) if is_held(b) => Some(vec![(b, a)]),
+            Node::Add(a, b) => Some(vec![(one, a), (one, b)]),
+            Node::Subtract(a, b) => Some(vec![(one, a), (minus_one, b)]),
+            _ => None,
+        }
     }
 
     /// How often each expression is read.

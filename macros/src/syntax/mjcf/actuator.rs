@@ -1,31 +1,45 @@
-//! `<actuator>`: motors, each an input and a drive.
+//! `<actuator>`: motors, and what acts as a linear spring and damper towards an input.
 
 use proc_macro2::Ident;
 use roxmltree::Node;
 
-use crate::errors::{Extent, hint};
+use crate::errors::Extent;
 use crate::syntax::Declaration;
 use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
+use crate::syntax::xml::written::unit;
 
 use super::body::Body;
 use super::describe::Writer;
-use super::element::Classes;
-use super::joint::{Joint, Motion};
-use super::written::{definition, name, unit};
+use super::element::{Classes, Element};
+use super::joint::Motion;
+use super::length::{Length, Term};
+use super::tendon::Tendon;
 
-/// A motor at a joint.
-pub struct Motor {
+/// An input u, and a force along a length: `(g0 + g1 length + g2 rate) u + b0 + b1 length + b2 rate`.
+pub struct Actuator {
     pub name: String,
-    joint: Ident,
-    gear: String,
-    kind: Motion,
+    length: Length,
+    gear: Decimal,
+    gain: [Decimal; 3],
+    bias: [Decimal; 3],
+    /// The unit of its input, none if that is not known.
+    unit: Option<&'static str>,
     extent: Extent,
 }
 
-const KNOWN: [&str; 6] = ["name", "class", "joint", "jointinparent", "gear", "group"];
+const KNOWN: [&str; 8] = [
+    "name",
+    "class",
+    "joint",
+    "jointinparent",
+    "tendon",
+    "gear",
+    "group",
+    "dyntype",
+];
 /// What says nothing of the motion without limits.
-const SKIPPED: [&str; 9] = [
+const SKIPPED: [&str; 11] = [
     "ctrllimited",
     "ctrlrange",
     "forcelimited",
@@ -33,79 +47,194 @@ const SKIPPED: [&str; 9] = [
     "actlimited",
     "actrange",
     "lengthrange",
+    "inheritrange",
     "user",
     "nsample",
+    "actdim",
+];
+/// The kinds that are read, with what they are written with.
+const KINDS: [(&str, &[&str]); 5] = [
+    ("motor", &[]),
+    ("position", &["kp", "kv", "dampratio", "timeconst"]),
+    ("velocity", &["kv"]),
+    ("damper", &["kv"]),
+    ("general", &["gaintype", "gainprm", "biastype", "biasprm"]),
 ];
 
 impl Reader<'_> {
-    pub fn motors(&mut self, node: Node<'_, '_>, classes: &Classes, bodies: &[Body]) -> Vec<Motor> {
-        let mut found = Vec::new();
+    pub fn actuators(
+        &mut self,
+        node: Node<'_, '_>,
+        classes: &Classes,
+        (bodies, tendons): (&[Body], &[Tendon]),
+        found: &mut Vec<Actuator>,
+    ) {
         for child in node.children().filter(Node::is_element) {
             let tag = child.tag_name().name();
-            if tag != "motor" {
+            let Some((_, own)) = KINDS.iter().find(|(kind, _)| *kind == tag) else {
+                let all = KINDS.map(|(kind, _)| format!("`<{kind}>`")).join(", ");
                 let message = format!(
-                    "only `<motor>` is read: write what `{tag}` does in `drives`, and leave it out"
+                    "only {all} are read: write what `{tag}` does in `drives`, and leave it out"
                 );
                 self.report::<()>(child, message);
                 continue;
-            }
-            found.extend(self.motor(child, found.len(), classes, bodies));
+            };
+            let number = found.len() + 1;
+            let element = classes.of(child, None, self);
+            self.check_names(&element, &[&KNOWN, &SKIPPED, own]);
+            self.check_classes(child, classes);
+            found.extend(self.actuator(&element, number, (bodies, tendons)));
         }
-        found
     }
 
-    fn motor(
+    /// All actuators have one set of defaults in `MuJoCo`: what another kind says in a class counts, but for
+    /// those that set all of their gains themselves.
+    fn check_classes(&mut self, node: Node<'_, '_>, classes: &Classes) {
+        let tag = node.tag_name().name();
+        for (kind, own) in KINDS.iter().filter(|(kind, _)| *kind != tag) {
+            let all = classes.given(node, kind);
+            let own = if ["motor", "damper"].contains(&tag) {
+                &[][..]
+            } else {
+                own
+            };
+            let matters = own.iter().chain(&["gear", "dyntype"]);
+            let mut matters = matters.copied();
+            if let Some(word) = matters.find(|name| all.contains(name)) {
+                let message = format!(
+                    "its class says `{word}` of `<{kind}>`, which `MuJoCo` takes for all actuators: write it here"
+                );
+                self.report::<()>(node, message);
+            }
+        }
+    }
+
+    fn actuator(
         &mut self,
-        node: Node<'_, '_>,
+        element: &Element<'_, '_>,
         number: usize,
-        classes: &Classes,
-        bodies: &[Body],
-    ) -> Option<Motor> {
-        let element = classes.of(node, None, self);
-        self.check_names(&element, &[&KNOWN, &SKIPPED]);
-        let Some(word) = element.get("joint").or(element.get("jointinparent")) else {
-            return self.report(node, "a motor is at a joint: it has no attribute `joint`");
+        (bodies, tendons): (&[Body], &[Tendon]),
+    ) -> Option<Actuator> {
+        let node = element.node;
+        let slow = "actuators with a state of their own are not read";
+        let relative = "damping by a ratio is not read: write `kv`";
+        self.refuse(
+            element,
+            &[
+                ("dyntype", &["none"], slow),
+                ("timeconst", &["0"], slow),
+                ("dampratio", &["0"], relative),
+            ],
+        );
+        let joint = element.get("joint").or(element.get("jointinparent"));
+        let length = match (joint, element.get("tendon")) {
+            (Some(name), None) => {
+                let joint = self.joint_named(node, name, bodies)?;
+                if joint.is_held() {
+                    return None;
+                }
+                Length(vec![Term::new(joint, None)])
+            }
+            (None, Some(name)) => self.tendon_named(node, name, tendons)?.length.clone(),
+            _ => {
+                let message = "an actuator is at a joint or a tendon: it has no attribute `joint`";
+                return self.report(node, message);
+            }
         };
-        let joints = || bodies.iter().flat_map(|body| &body.joints);
-        let ident = crate::syntax::xml::names::word(word).unwrap_or_default();
-        let alias = format!("{ident}_joint");
-        let found = joints().find(|joint| joint.ident == ident.as_str());
-        let found = found.or(joints().find(|joint| joint.ident == alias.as_str()));
-        let Some(joint) = found else {
-            let all: Vec<String> = joints().map(|joint| joint.ident.to_string()).collect();
-            let hint = hint(word, all.iter().map(String::as_str));
-            return self.report(node, format!("there is no joint `{word}`{hint}"));
-        };
-        if joint.is_held() {
-            return None;
-        }
-        if !matches!(joint.kind, Motion::Hinge | Motion::Slide) {
-            let message = format!("`{word}` has several coordinates: write its motor in `drives`");
-            return self.report(node, message);
-        }
-        let gear = self.list(&element, "gear", 1..=6, "1 0 0 0 0 0");
-        let Joint { ident, kind, .. } = joint;
+        let tag = node.tag_name().name();
+        let (gain, bias) = self.law(element, tag)?;
+        let gear = self
+            .list(element, "gear", 1..=6, "1 0 0 0 0 0")
+            .into_iter()
+            .next()?;
+        let slides = length.0.iter().any(|term| term.kind == Motion::Slide) || length.0.len() > 1;
         let given = node.attribute("name");
-        Some(Motor {
-            name: given.map_or_else(|| format!("motor_{}", number + 1), str::to_owned),
-            joint: ident.clone(),
-            gear: gear.first().map_or("1".to_owned(), Decimal::literal),
-            kind: *kind,
+        Some(Actuator {
+            name: given.map_or_else(|| format!("{tag}_{number}"), str::to_owned),
+            unit: match (tag, slides) {
+                ("motor", false) => Some("0[N * m]"),
+                ("motor", true) => Some("0[N]"),
+                ("position", true) if length.0.len() == 1 => Some("0[m]"),
+                ("velocity", true) if length.0.len() == 1 => Some("0[m / s]"),
+                ("velocity", false) => Some("0[rad / s]"),
+                _ => None,
+            },
+            length,
+            gear,
+            gain,
+            bias,
             extent: self.at(node),
         })
+    }
+
+    /// Gain and bias of an actuator of a kind.
+    fn law(
+        &mut self,
+        element: &Element<'_, '_>,
+        tag: &str,
+    ) -> Option<([Decimal; 3], [Decimal; 3])> {
+        let extent = self.at(element.node);
+        let (zero, one) = (|| Decimal::zero(extent), Decimal::one(extent));
+        let none = || [zero(), zero(), zero()];
+        Some(match tag {
+            "position" => {
+                let stiffness = self.single(element, "kp", "1");
+                let damping = self.single(element, "kv", "0");
+                let bias = [zero(), stiffness.negated(), damping.negated()];
+                ([stiffness, zero(), zero()], bias)
+            }
+            "velocity" => {
+                let damping = self.single(element, "kv", "1");
+                let bias = [zero(), zero(), damping.negated()];
+                ([damping, zero(), zero()], bias)
+            }
+            "damper" => {
+                if !element.has("kv") {
+                    return self.report(element.node, "it has no attribute `kv`");
+                }
+                let damping = self.single(element, "kv", "1");
+                ([zero(), zero(), damping.negated()], none())
+            }
+            "general" => (
+                self.terms(element, ("gaintype", "fixed", "gainprm"), "1 0 0")?,
+                self.terms(element, ("biastype", "none", "biasprm"), "0 0 0")?,
+            ),
+            _ => ([one, zero(), zero()], none()),
+        })
+    }
+
+    /// The parameters of a gain or a bias; of a simple one those that count.
+    fn terms(
+        &mut self,
+        element: &Element<'_, '_>,
+        (kind, simple, numbers): (&str, &str, &str),
+        default: &str,
+    ) -> Option<[Decimal; 3]> {
+        let word = element.get(kind).unwrap_or(simple).to_owned();
+        if word != simple && word != "affine" {
+            let message =
+                format!("`{kind}`: `{simple}` and `affine` are read, and this is `{word}`");
+            return self.report(element.node, message);
+        }
+        let extent = self.at(element.node);
+        let given = self.list(element, numbers, 1..=10, default);
+        let count = match (word.as_str(), simple) {
+            ("affine", _) => 3,
+            (_, "fixed") => 1,
+            _ => 0,
+        };
+        let mut given = given.into_iter().take(count);
+        let mut next = || given.next().unwrap_or(Decimal::zero(extent));
+        Some([next(), next(), next()])
     }
 }
 
 impl Writer<'_> {
-    /// The input of a motor, and its drive.
-    pub fn motor(&mut self, motor: &Motor, input: &Ident) {
-        let (joint, gear, extent) = (&motor.joint, &motor.gear, motor.extent);
-        let dimension = if motor.kind == Motion::Hinge {
-            "0[N * m]"
-        } else {
-            "0[N]"
-        };
-        let unit = unit(dimension, extent, self.span, self.errors);
+    /// The input of an actuator, and its drives.
+    pub fn actuator(&mut self, actuator: &Actuator, input: &Ident) {
+        let extent = actuator.extent;
+        let text = actuator.unit;
+        let unit = text.and_then(|text| unit(text, extent, self.span, self.errors));
         self.described.inputs.push(Declaration {
             name: input.clone(),
             unit,
@@ -113,13 +242,44 @@ impl Writer<'_> {
             moving: None,
             order: 0,
         });
-        let drive = name(&format!("{input}_on_{joint}"), self.span);
-        let force = if gear == "1" {
-            format!("{input}")
-        } else {
-            format!("({gear} * {input})")
+        let force = actuator.force(input);
+        self.along(&input.to_string(), &force, &actuator.length, extent);
+    }
+}
+
+impl Actuator {
+    /// The force along the length, times the gear.
+    fn force(&self, input: &Ident) -> String {
+        let gear = self.gear.literal();
+        let geared = |text: String| match gear.as_str() {
+            "1" => text,
+            gear => format!("({gear}) * {text}"),
         };
-        let drive = definition(drive, &format!("{force}.on({joint})"), extent, self.errors);
-        self.described.drives.push(drive);
+        let variables = [
+            None,
+            Some(geared(self.length.text())),
+            Some(geared(self.length.rate())),
+        ];
+        let sum = |factors: &[Decimal; 3]| {
+            let terms = factors.iter().zip(&variables);
+            let terms = terms.filter(|(factor, _)| !factor.is_zero());
+            let terms = terms.map(|(factor, variable)| match variable {
+                Some(variable) => format!("({}) * {variable}", factor.literal()),
+                None => factor.literal(),
+            });
+            terms.collect::<Vec<String>>()
+        };
+        let (gain, mut terms) = (sum(&self.gain), sum(&self.bias));
+        match gain.as_slice() {
+            [] => {}
+            [one] if one == "1" => terms.insert(0, input.to_string()),
+            _ => terms.insert(0, format!("({}) * {input}", gain.join(" + "))),
+        }
+        match terms.as_slice() {
+            [] => "0".to_owned(),
+            [one] if one == &input.to_string() && gear == "1" => one.clone(),
+            all if gear == "1" => format!("({})", all.join(" + ")),
+            all => format!("(({gear}) * ({}))", all.join(" + ")),
+        }
     }
 }

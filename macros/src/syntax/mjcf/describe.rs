@@ -9,8 +9,9 @@ use crate::syntax::{Composition, Definition, Description};
 
 use super::body::Body;
 use super::joint::{Joint, Motion};
+use super::length::Length;
 use super::place::{tuple, turned};
-use super::written::{definition, filled, name, written};
+use crate::syntax::xml::written::{definition, filled, name, written};
 
 /// Writes bodies and joints.
 pub struct Writer<'a> {
@@ -164,7 +165,9 @@ impl Writer<'_> {
         };
         let turn = shift.filter(|_| joint.kind == Motion::Hinge);
         let turn = turn.map_or(String::new(), |angle| format!(".turned({axis}, {angle})"));
-        let text = format!("{kind}{}{turn}", foot.turned);
+        let armature = joint.armature.as_ref().filter(|_| !joint.is_held());
+        let armature = armature.map_or(String::new(), |value| format!(".armature({value})"));
+        let text = format!("{kind}{}{turn}{armature}", foot.turned);
         let written = self.filled(&text, joint);
         self.described.joints.push(written);
         self.loads(joint);
@@ -191,17 +194,41 @@ impl Writer<'_> {
             Motion::Slide => ("position", "velocity"),
             _ => ("angle", "angular_velocity"),
         };
-        if let Some((stiffness, rest)) = &joint.spring {
-            let name = name(&format!("{word}_spring"), self.span);
+        if let Some(stiffness) = &joint.stiffness {
+            let rest = joint.rest.as_deref().unwrap_or("0");
             let text = format!("({stiffness}) / 2 * ({word}.{coordinate} - ({rest})).powi(2)");
-            let spring = definition(name, &text, extent, self.errors);
-            self.described.potentials.push(spring);
+            self.potential(&format!("{word}_spring"), &text, extent);
         }
         if let Some(damping) = &joint.damping {
             let name = name(&format!("{word}_damping"), self.span);
             let text = format!("(-({damping}) * {word}.{rate}).on({word})");
             let damper = definition(name, &text, extent, self.errors);
             self.described.drives.push(damper);
+        }
+    }
+
+    pub fn potential(&mut self, word: &str, text: &str, extent: Extent) {
+        let name = name(word, self.span);
+        let potential = definition(name, text, extent, self.errors);
+        self.described.potentials.push(potential);
+    }
+
+    pub fn constraint(&mut self, word: &Ident, text: &str, extent: Extent) {
+        let constraint = definition(word.clone(), text, extent, self.errors);
+        self.described.constraints.push(constraint);
+    }
+
+    /// A force along a length, as drives of its joints.
+    pub fn along(&mut self, word: &str, force: &str, length: &Length, extent: Extent) {
+        for term in &length.0 {
+            let joint = &term.joint;
+            let share = match &term.factor {
+                Some(factor) => format!("(({factor}) * {force})"),
+                None => force.to_owned(),
+            };
+            let name = name(&format!("{word}_on_{joint}"), self.span);
+            let drive = definition(name, &format!("{share}.on({joint})"), extent, self.errors);
+            self.described.drives.push(drive);
         }
     }
 

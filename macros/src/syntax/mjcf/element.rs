@@ -34,7 +34,9 @@ pub struct Classes(BTreeMap<String, BTreeMap<String, Attributes>>);
 /// The class of all that has none.
 const MAIN: &str = "main";
 /// What a class may speak of, and what of it is read.
-const TAGS: [&str; 3] = ["joint", "geom", "motor"];
+const TAGS: [&str; 8] = [
+    "joint", "geom", "motor", "position", "velocity", "damper", "general", "tendon",
+];
 
 impl Classes {
     /// Reads a `<default>` and those in it.
@@ -72,6 +74,33 @@ impl Classes {
         around: Option<&str>,
         reader: &mut Reader<'_>,
     ) -> Element<'n, 'd> {
+        self.of_class(node, (around, node.tag_name().name()), reader)
+    }
+
+    /// The same of an element that classes have by another tag.
+    pub fn of_tag<'n, 'd>(
+        &self,
+        node: Node<'n, 'd>,
+        tag: &str,
+        reader: &mut Reader<'_>,
+    ) -> Element<'n, 'd> {
+        self.of_class(node, (None, tag), reader)
+    }
+
+    /// What the class of an element says of another tag.
+    pub fn given(&self, node: Node<'_, '_>, tag: &str) -> Vec<&str> {
+        let class = node.attribute("class").unwrap_or(MAIN);
+        let known = self.0.get(class).and_then(|tags| tags.get(tag));
+        let known = known.into_iter().flat_map(Attributes::keys);
+        known.map(String::as_str).collect()
+    }
+
+    fn of_class<'n, 'd>(
+        &self,
+        node: Node<'n, 'd>,
+        (around, tag): (Option<&str>, &str),
+        reader: &mut Reader<'_>,
+    ) -> Element<'n, 'd> {
         let class = node.attribute("class");
         let used = class.or(around).unwrap_or(MAIN);
         let tags = self.0.get(used);
@@ -79,7 +108,6 @@ impl Classes {
             let hint = hint(class, self.0.keys().map(String::as_str));
             reader.report::<()>(node, format!("there is no class `{class}`{hint}"));
         }
-        let tag = node.tag_name().name();
         let known = tags.and_then(|tags| tags.get(tag));
         let mut attributes = known.cloned().unwrap_or_default();
         overlay(&mut attributes, node);

@@ -49,7 +49,10 @@ impl Reader<'_> {
         poses: &[Pose],
         found: &mut Vec<Closing>,
     ) {
-        for node in self.parts(node, &["connect", "weld"], &[]) {
+        let parts = self.parts(node, &["connect", "weld", "joint", "tendon"], &[]);
+        let is_closing =
+            |node: &Node<'_, '_>| ["connect", "weld"].contains(&node.tag_name().name());
+        for node in parts.into_iter().filter(is_closing) {
             if node.attribute("active") != Some("false") {
                 found.extend(self.closing(node, found.len(), (bodies, poses)));
             }

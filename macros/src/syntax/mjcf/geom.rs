@@ -10,7 +10,7 @@ use crate::syntax::xml::reader::Reader;
 use super::element::{Classes, Element, bare};
 use super::place::{PLACE, Place, shortest, tuple, turned, turned_inertia};
 use super::settings::Settings;
-use super::written::written;
+use crate::syntax::xml::written::written;
 
 /// A form, its mass, and where G of it is.
 struct Substance {

@@ -28,9 +28,11 @@ pub struct Joint {
     pub axis: [Decimal; 3],
     /// The coordinate in the pose that is drawn, if it is not zero.
     pub reference: Option<String>,
+    /// The coordinate at which springs are at rest, if it is not zero.
+    pub rest: Option<String>,
     pub damping: Option<String>,
-    /// The stiffness, and the coordinate at rest.
-    pub spring: Option<(String, String)>,
+    pub armature: Option<String>,
+    pub stiffness: Option<String>,
     pub locked: Option<Expression>,
     pub extent: Extent,
 }
@@ -70,7 +72,7 @@ const SKIPPED: [&str; 13] = [
     "group",
     "user",
 ];
-const ARMATURE: &str = "an inertia of the rotor alone is not there yet: set it to 0, or give the rotor a body of its own";
+const ARMATURE: &str = "an armature of several coordinates is not read: set it to 0, or give the rotor a body of its own";
 
 impl Joint {
     /// Whether it holds its body.
@@ -106,14 +108,16 @@ impl Reader<'_> {
         self.refuse(
             &element,
             &[
-                ("armature", nothing, ARMATURE),
                 ("frictionloss", nothing, friction),
                 ("springdamper", nothing, timed),
             ],
         );
         if kind == Motion::Ball || kind == Motion::Free {
             let why = "a spring of a joint of several coordinates is not read: set it to 0";
-            self.refuse(&element, &[("stiffness", nothing, why)]);
+            self.refuse(
+                &element,
+                &[("stiffness", nothing, why), ("armature", nothing, ARMATURE)],
+            );
         }
         if kind == Motion::Free {
             let why = "damping of a free body is not read: set it to 0, and write it in `forces`";
@@ -138,6 +142,7 @@ impl Reader<'_> {
             (!value.is_zero()).then(|| value.literal())
         };
         let (damping, stiffness) = (given("damping"), given("stiffness"));
+        let armature = given("armature");
         Some(Joint {
             ident,
             kind,
@@ -145,7 +150,9 @@ impl Reader<'_> {
             axis,
             reference,
             damping,
-            spring: stiffness.map(|stiffness| (stiffness, rest.unwrap_or("0".to_owned()))),
+            armature,
+            stiffness,
+            rest,
             locked,
             extent: self.at(node),
         })

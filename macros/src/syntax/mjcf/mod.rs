@@ -6,14 +6,16 @@
 
 mod actuator;
 mod body;
+mod coupling;
 mod describe;
 mod element;
 mod equality;
 mod geom;
 mod joint;
+mod length;
 mod place;
 mod settings;
-mod written;
+mod tendon;
 
 use proc_macro2::Span;
 use roxmltree::Node;
@@ -23,13 +25,15 @@ use crate::errors::{Errors, Extent};
 use super::xml::names::Names;
 use super::xml::reader::Reader;
 use super::xml::{Beside, Described, document};
-use actuator::Motor;
+use actuator::Actuator;
 use body::{Body, Reading, massive, poses};
+use coupling::Coupling;
 use describe::Writer;
 use element::Classes;
 use equality::Closing;
 use place::tuple;
 use settings::Settings;
+use tendon::Tendon;
 
 const KNOWN: [&str; 7] = [
     "compiler",
@@ -55,8 +59,10 @@ const SKIPPED: [&str; 9] = [
 /// What a file describes.
 struct Model {
     bodies: Vec<Body>,
-    motors: Vec<Motor>,
+    tendons: Vec<Tendon>,
+    actuators: Vec<Actuator>,
     closings: Vec<Closing>,
+    couplings: Vec<Coupling>,
     settings: Settings,
     /// Of the first element.
     extent: Extent,
@@ -125,13 +131,23 @@ impl Beside<'_> {
         if bodies.is_empty() {
             return reader.report(root, "it has no `<body>`");
         }
-        let motors = of("actuator").flat_map(|node| reader.motors(node, &classes, &bodies));
-        let motors: Vec<Motor> = motors.collect();
+        let (mut tendons, mut actuators) = (Vec::new(), Vec::new());
+        for node in of("tendon") {
+            reader.tendons(node, &classes, &bodies, &mut tendons);
+        }
+        let known = (&bodies[..], &tendons[..]);
+        for node in of("actuator") {
+            reader.actuators(node, &classes, known, &mut actuators);
+        }
+        let mut couplings = Vec::new();
+        for node in of("equality") {
+            let is_coupling =
+                |node: &Node<'_, '_>| ["joint", "tendon"].contains(&node.tag_name().name());
+            let nodes: Vec<Node<'_, '_>> = node.children().filter(is_coupling).collect();
+            reader.couplings(&nodes, known, &mut couplings);
+        }
         let (poses, mut closings) = (poses(&bodies), Vec::new());
         of("equality").for_each(|node| reader.closings(node, &bodies, &poses, &mut closings));
-        for node in of("tendon").filter(Node::has_children) {
-            reader.parts(node, &[], &[]);
-        }
         // what is wrong may be what a body is made of
         if reader.errors.is_empty() {
             self.check(&bodies, reader.errors);
@@ -139,8 +155,10 @@ impl Beside<'_> {
         let extent = reader.at(root);
         Some(Model {
             bodies,
-            motors,
+            tendons,
+            actuators,
             closings,
+            couplings,
             settings,
             extent,
         })
@@ -190,9 +208,17 @@ impl Model {
         }
         let mut fresh = |word: &str| names.fresh(word, "closing", span);
         writer.close(&self.closings, &numbers, &mut fresh);
-        for motor in &self.motors {
-            let input = names.fresh(&motor.name, "motor", span);
-            writer.motor(motor, &input);
+        for coupling in &self.couplings {
+            let word = names.fresh(&coupling.name, "coupling", span);
+            writer.couple(coupling, &word);
+        }
+        for tendon in &self.tendons {
+            let word = names.fresh(&tendon.name, "tendon", span);
+            writer.tendon(tendon, &word);
+        }
+        for actuator in &self.actuators {
+            let input = names.fresh(&actuator.name, "motor", span);
+            writer.actuator(actuator, &input);
         }
         if self.settings.has_gravity {
             let text = self.settings.gravity.as_ref();

@@ -152,18 +152,16 @@ fn name_and_braces<'t>(
         [TokenTree::Ident(name), ..] => {
             let message =
                 format!("a body is a name and a description: write `{name} {{ mass: 1[kg], .. }}`");
-            errors.push(name.span(), message);
-            None
+            errors.report(name.span(), message)
         }
         _ => {
             let place = entry
                 .first()
                 .map_or_else(proc_macro2::Span::call_site, start);
-            errors.push(
+            errors.report(
                 place,
                 "expected the name of a body: `arm { mass: 1[kg], .. }`",
-            );
-            None
+            )
         }
     }
 }
@@ -191,11 +189,10 @@ fn read_copies(
         errors.push(group.span_open(), message);
     }
     if group.stream().is_empty() {
-        errors.push(
+        return errors.report(
             group.span_open(),
             "this makes no body: write a copy, `copies: [x = body(1, 0, 0)]`, or leave `copies` out",
         );
-        return None;
     }
     let mut copies = Vec::new();
     let mut is_sound = true;

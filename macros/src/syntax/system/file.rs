@@ -4,13 +4,12 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use proc_macro2::{Ident, Span, TokenTree};
-use syn::Lit;
 
 use crate::errors::{Errors, Extent};
 use crate::syntax::Description;
 use crate::syntax::mjcf;
 use crate::syntax::parse::key_value;
-use crate::syntax::tokens::stream;
+use crate::syntax::tokens::{stream, string};
 use crate::syntax::urdf;
 use crate::syntax::xml::{Beside, Told};
 
@@ -44,15 +43,10 @@ impl System {
         self.has_lost_bodies = true;
         self.has_lost_joints = true;
         let value = key_value(key, rest, errors);
-        let text = match value {
-            [] => return,
-            [TokenTree::Literal(literal)] => match Lit::new(literal.clone()) {
-                Lit::Str(text) => Some(text),
-                _ => None,
-            },
-            _ => None,
-        };
-        let Some(text) = text else {
+        if value.is_empty() {
+            return;
+        }
+        let Some(text) = string(value) else {
             let message = format!(
                 "expected the path of a file in a string: `{key}: \"robot.{}\"`",
                 if key == KEYS[0] { "urdf" } else { "xml" }
@@ -98,8 +92,7 @@ impl System {
         } = &*file;
         if let Some(motion) = &self.top.motion {
             let message = "a file describes a system in space: leave `motion` out";
-            errors.push(motion.word.span(), message);
-            return None;
+            return errors.report(motion.word.span(), message);
         }
         // cargo sets it to the folder of the crate that is compiled
         let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
@@ -110,8 +103,7 @@ impl System {
                 let message = format!(
                     "`{name}` is looked for from the folder of the `Cargo.toml` of this crate, and {why}"
                 );
-                errors.push(*span, message);
-                return None;
+                return errors.report(*span, message);
             }
         };
         let beside = Beside {
@@ -134,6 +126,7 @@ impl System {
         self.top.loads.splice(0..0, described.fields);
         self.top.potentials.splice(0..0, described.potentials);
         self.drives.splice(0..0, described.drives);
+        self.top.constraints.splice(0..0, described.constraints);
         for body in described.bodies {
             self.add_link(body, errors);
         }

@@ -12,7 +12,8 @@ impl System {
     fn written(&self) -> impl Iterator<Item = &Expression> {
         let loads = self.drives.iter().chain(&self.forces).chain(&self.moments);
         let joints = self.joints.iter().chain(&self.cables);
-        let definitions = joints.chain(loads).chain(&self.top.locals);
+        let top = self.top.constraints.iter().chain(&self.top.locals);
+        let definitions = joints.chain(loads).chain(top);
         definitions.filter_map(|definition| definition.value.as_ref())
     }
 

@@ -16,7 +16,7 @@ use crate::errors::{Errors, similar};
 pub use file::File;
 
 use super::entries::{parse_name, parse_value};
-use super::expression::{Expression, Kind};
+use super::expression::{Expression, call};
 use super::head::parse_head;
 use super::parse::{check_length, key_meant, key_value, parse_key};
 use super::tokens::{Entry, split, start, without_attributes};
@@ -57,6 +57,8 @@ pub struct System {
 
 /// Stands among the joints, and is none: it only pulls.
 pub const CABLE: &str = "cable";
+/// Stands among the joints, and is a constraint: it keeps a distance.
+pub const LINK: &str = "link";
 
 /// Lists of a system that a body does not have, or has with other entries, each with one to show.
 const LISTS: [(&str, &str); 6] = [
@@ -221,7 +223,9 @@ impl System {
             let value = parse_value(&name, rest, errors);
             let definition = Definition { name, value };
             match list {
-                "joints" if is_cable(&definition) => self.cables.push(definition),
+                "joints" if is_called(&definition, CABLE) => self.cables.push(definition),
+                // it carries nothing, and keeps a distance
+                "joints" if is_called(&definition, LINK) => self.top.constraints.push(definition),
                 "joints" => self.joints.push(definition),
                 "drives" => self.drives.push(definition),
                 "locked" => self.locked.push(definition),
@@ -233,16 +237,9 @@ impl System {
 }
 
 /// `cable(..)`, and whatever is written behind it.
-fn is_cable(joint: &Definition) -> bool {
-    let mut inner = joint.value.as_ref();
-    while let Some(Expression {
-        kind: Kind::Method(receiver, ..),
-        ..
-    }) = inner
-    {
-        inner = Some(receiver);
-    }
-    inner.is_some_and(|inner| matches!(&inner.kind, Kind::Call(word, _) if word == CABLE))
+fn is_called(joint: &Definition, kind: &str) -> bool {
+    let called = joint.value.as_ref().and_then(call);
+    called.is_some_and(|((word, _), _)| word == kind)
 }
 
 /// The list of a system that a key, perhaps misspelt, is meant to be.

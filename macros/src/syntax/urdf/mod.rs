@@ -4,6 +4,8 @@
 //! definition of each joint. All numbers keep their digits.
 
 mod describe;
+mod followers;
+mod mimic;
 mod robot;
 mod tree;
 
@@ -33,10 +35,12 @@ pub fn read(
         return None;
     }
     let mut told = tell(name, &robot, names.changed, &skipped);
+    let constraints = robot.followers(span, errors);
     let (bodies, joints) = beside.describe(&robot, (name, span), &mut told, errors)?;
     Some(Described {
         bodies,
         joints,
+        constraints,
         told,
         ..Described::default()
     })
@@ -114,8 +118,7 @@ impl Beside<'_> {
                 "has more than one coordinate: only hinges and slides are locked"
             }
         };
-        errors.push(locked.name.span(), format!("`{}` {message}", locked.name));
-        None
+        errors.report(locked.name.span(), format!("`{}` {message}", locked.name))
     }
 }
 

@@ -9,6 +9,8 @@ use crate::syntax::expression::Expression;
 use crate::syntax::xml::decimal::{Angle, Decimal};
 use crate::syntax::xml::reader::Reader;
 
+use super::mimic::Mimic;
+
 /// What a file describes, as far as it could be read.
 #[derive(Default)]
 pub struct Robot {
@@ -72,6 +74,8 @@ pub struct Joint {
     pub child: usize,
     pub origin: Placed,
     pub axis: Axis,
+    /// The joint that it follows.
+    pub mimic: Option<Mimic>,
     pub locked: Option<Expression>,
     pub extent: Extent,
 }
@@ -227,12 +231,10 @@ impl Reader<'_> {
             .map(|(found, tag)| self.end(node, found, tag, robot));
         let axis = self.axis(node, axis, kind);
         let moves = kind.is_some_and(|kind| kind != Motion::Fixed) && locked.is_none();
-        if let Some(mimic) = mimic.filter(|_| moves) {
-            let message = format!(
-                "a joint that follows another is not there yet: write `locked: [{ident} = 0]`"
-            );
-            self.report::<()>(mimic, message);
-        }
+        let mimic = match mimic.filter(|_| moves) {
+            Some(node) => Some(self.mimic(node)?),
+            None => None,
+        };
         robot.notes.limited += usize::from(moves && limit.is_some());
         robot.notes.damped += usize::from(moves && dynamics.is_some_and(is_damped));
         if let (Some(parent), Some(child)) = (parent, child)
@@ -249,6 +251,7 @@ impl Reader<'_> {
             child: child?,
             origin: origin?,
             axis: axis?,
+            mimic,
             locked,
             extent: self.at(node),
         })

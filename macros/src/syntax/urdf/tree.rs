@@ -69,8 +69,7 @@ impl Robot {
         };
         if let Some(joint) = self.joints.iter().find(|joint| !hangs(joint.child)) {
             let message = "this joint is part of a circle of joints, or carried by one";
-            errors.push(joint.extent, message);
-            return None;
+            return errors.report(joint.extent, message);
         }
         Some((*root, carried))
     }

@@ -4,6 +4,7 @@
 pub mod decimal;
 pub mod names;
 pub mod reader;
+pub mod written;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use roxmltree::Document;
@@ -34,6 +35,7 @@ pub struct Described {
     pub fields: Vec<Load>,
     pub potentials: Vec<Definition>,
     pub drives: Vec<Definition>,
+    pub constraints: Vec<Definition>,
     pub told: Told,
 }
 
@@ -57,15 +59,11 @@ pub fn document<'t>(
     errors: &mut Errors,
 ) -> Option<Document<'t>> {
     if text.len() > LENGTH {
-        errors.push(span, format!("`{name}` has more than {LENGTH} bytes"));
-        return None;
+        return errors.report(span, format!("`{name}` has more than {LENGTH} bytes"));
     }
     match reader::parse(text) {
         Ok(document) => Some(document),
-        Err((line, message)) => {
-            errors.push(span, format!("{name}:{line}, no XML: {message}"));
-            None
-        }
+        Err((line, message)) => errors.report(span, format!("{name}:{line}, no XML: {message}")),
     }
 }
 

@@ -57,8 +57,7 @@ impl<'e> Reader<'e> {
 
     pub fn report<T>(&mut self, node: Node<'_, '_>, message: impl core::fmt::Display) -> Option<T> {
         let place = self.at(node);
-        self.errors.push(place, message);
-        None
+        self.errors.report(place, message)
     }
 
     /// The elements in `node`: of each word of `known` all; what is none of them is skipped, and said

@@ -5,11 +5,10 @@ use std::collections::HashMap;
 use fuzz::errors::Errors;
 use fuzz::lower::{lower_system, outline, outline_system};
 use fuzz::mechanics::{
-    BodyBalance, Consistency, Energy, Inertias, Jacobian, Momentum, SystemEquations,
-    derive_inertias, derive_jacobians, derive_system, derive_system_balances,
-    derive_system_consistency, derive_system_driving, derive_system_energy, derive_system_inverse,
-    derive_system_momentum, derive_system_reactions, derive_system_spare, describe_system,
-    with_system_potentials,
+    Balance, Consistency, Energy, Inertias, Jacobian, Momentum, SystemEquations, derive_inertias,
+    derive_jacobians, derive_system, derive_system_balances, derive_system_consistency,
+    derive_system_driving, derive_system_energy, derive_system_inverse, derive_system_momentum,
+    derive_system_reactions, derive_system_spare, describe_system, with_system_potentials,
 };
 use fuzz::model::{Meaning, Outline, System, Variable, Workspace};
 use fuzz::outputs::offers;
@@ -34,7 +33,7 @@ pub struct Compiled {
     pub inertias: Option<Inertias>,
     pub energy: Energy,
     pub momentum: Momentum,
-    pub balances: Vec<BodyBalance>,
+    pub balances: Vec<Balance>,
     pub jacobians: Vec<Jacobian>,
     /// What is said not to be in the equations.
     pub skipped: Vec<String>,

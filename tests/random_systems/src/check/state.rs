@@ -89,7 +89,29 @@ impl Drawn {
     }
 }
 
+#[cfg(test)]
+impl Drawn {
+    /// Where the loops are drawn closed, or this far from there.
+    fn beside(&self, far: f64, rng: &mut Rng) -> Option<(Wide, Vec<Rates>)> {
+        let (time, from) = self.start.as_ref()?;
+        let links = self.links.iter().zip(from).map(|(link, (q, _))| {
+            let mut list =
+                |most: f64| -> Vec<Wide> { q.iter().map(|_| number(rng, most)).collect() };
+            (link.kind.moved(q, &list(far)), list(2.0))
+        });
+        let rates: Vec<Rates> = links.collect();
+        Some((*time, self.loops().assembled(rates)?))
+    }
+}
+
 impl State {
+    /// Where the loops of a linkage are drawn closed, or this far from there.
+    #[cfg(test)]
+    pub fn beside(drawn: &Drawn, far: f64, rng: &mut Rng) -> Option<Self> {
+        let closed = drawn.beside(far, rng)?;
+        Some(Self::moving(drawn, closed, rng))
+    }
+
     /// None if its loops do not close.
     pub fn new(drawn: &Drawn, rng: &mut Rng) -> Option<Self> {
         let inputs = drawn.declared.inputs.iter();
@@ -102,6 +124,13 @@ impl State {
             drawn.prescribe(time, &inputs, &mut rates);
             (time, rates)
         };
+        Some(Self::moving(drawn, (time, rates), rng))
+    }
+
+    /// Any accelerations and loads.
+    fn moving(drawn: &Drawn, (time, rates): (Wide, Vec<Rates>), rng: &mut Rng) -> Self {
+        let inputs = drawn.declared.inputs.iter();
+        let inputs: Vec<Wide> = inputs.map(|(_, value)| (*value).into()).collect();
         let (mut accelerations, mut loads) = (Vec::new(), Vec::new());
         for link in &drawn.links {
             let mut a: Vec<Wide> = (0..link.kind.freedoms())
@@ -122,14 +151,14 @@ impl State {
             loads.push(load);
         }
         let params = drawn.declared.params.iter();
-        Some(Self {
+        Self {
             time,
             params: params.map(|(_, value)| (*value).into()).collect(),
             inputs,
             rates,
             accelerations,
             loads,
-        })
+        }
     }
 
     pub fn given(&self) -> Given<'_> {

@@ -5,6 +5,8 @@ mod bodies;
 mod closings;
 mod drives;
 mod joints;
+#[cfg(test)]
+pub mod linkages;
 mod loads;
 pub mod number;
 mod potentials;
@@ -160,32 +162,15 @@ pub fn drawn(seed: u64, index: usize, extent: Extent) -> Drawn {
     let special = rng.usize(0..6);
     let loops = [1, 1, 2, 0, 0, 0][special].min(extent.loops);
     let mut parts = rng.fork();
-    let mut drawing = Drawing {
-        is_flat: loops > 0 && !is_planar && rng.usize(0..4) == 0,
-        is_open: special == 3,
-        numbers: Numbers {
-            rng,
-            declared: Declared::default(),
-            params: if extent.params { params } else { 0 },
-            locals: if extent.locals { 24 } else { 0 },
-        },
-        is_planar,
-        extent,
-        links: Vec::new(),
-        rings: Vec::new(),
-        start: None,
-        acting: Vec::new(),
-        pulling: Vec::new(),
-        stored: Vec::new(),
-        falling: Vec::new(),
-        open: Vec::new(),
-        gravity: Some(ZERO),
-        loads: 0,
-        bodies: Vec::new(),
-        firsts: Vec::new(),
-        joints: Vec::new(),
-        tops: Default::default(),
+    let is_flat = loops > 0 && !is_planar && rng.usize(0..4) == 0;
+    let numbers = Numbers {
+        rng,
+        declared: Declared::default(),
+        params: if extent.params { params } else { 0 },
+        locals: if extent.locals { 24 } else { 0 },
     };
+    let mut drawing = Drawing::new(numbers, is_planar, extent);
+    (drawing.is_flat, drawing.is_open) = (is_flat, special == 3);
     drawing.alike(count);
     for number in 0..count {
         // what is drawn of one body does not change what is drawn of the next
@@ -209,6 +194,31 @@ pub fn drawn(seed: u64, index: usize, extent: Extent) -> Drawn {
 }
 
 impl Drawing {
+    /// Of nothing.
+    fn new(numbers: Numbers, is_planar: bool, extent: Extent) -> Self {
+        Self {
+            is_flat: false,
+            is_open: false,
+            numbers,
+            is_planar,
+            extent,
+            links: Vec::new(),
+            rings: Vec::new(),
+            start: None,
+            acting: Vec::new(),
+            pulling: Vec::new(),
+            stored: Vec::new(),
+            falling: Vec::new(),
+            open: Vec::new(),
+            gravity: Some(ZERO),
+            loads: 0,
+            bodies: Vec::new(),
+            firsts: Vec::new(),
+            joints: Vec::new(),
+            tops: Default::default(),
+        }
+    }
+
     /// Whether a load is kept; it has the next number.
     pub fn is_kept(&mut self) -> bool {
         let number = self.loads;

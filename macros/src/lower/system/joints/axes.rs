@@ -119,7 +119,7 @@ impl Reader<'_> {
         let may_turn = !self.system.is_drawn();
         // the outermost method is the last one that is written
         let others = methods.iter().rev();
-        let others = others.filter(|(method, _)| *method != "driven");
+        let others = others.filter(|(method, _)| *method != "driven" && *method != "armature");
         for (method, arguments) in others {
             let found = match *arguments {
                 [axis, angle] if *method == "turned" && may_turn && !self.system.is_planar => {
@@ -164,12 +164,12 @@ impl Reader<'_> {
             }
             (_, true) => {
                 return format!(
-                    "a joint of a drawing has no `{word}`: what may follow is `.at(..)` and `.driven(angle)`"
+                    "a joint of a drawing has no `{word}`: what may follow is `.at(..)`, `.driven(angle)` and `.armature(J)`"
                 );
             }
             (_, false) => {
                 return format!(
-                    "a joint has no `{word}`: what may follow is `.turned(axis, angle)` and `.driven(angle)`"
+                    "a joint has no `{word}`: what may follow is `.turned(axis, angle)`, `.driven(angle)` and `.armature(J)`"
                 );
             }
         };

@@ -3,6 +3,7 @@
 use crate::errors::Errors;
 use crate::lower::system::reading::reader::Reader;
 use crate::model::{Axes, Closing};
+use crate::syntax::call;
 
 use super::axes::across;
 use super::joint::Written;
@@ -35,6 +36,18 @@ impl Reader<'_> {
                 };
                 directions.extend(both);
             }
+            if written
+                .pitch
+                .is_some_and(|pitch| self.work.graph.is_zero(pitch))
+            {
+                let value = self.system.joints[*index].value.as_ref();
+                let place = value.and_then(call).map(|((_, all), _)| all[3].extent);
+                errors.push(
+                    place.unwrap_or(written.mention.into()),
+                    "a screw that closes a loop has a pitch: without one it is `revolute(P, Q, direction)`",
+                );
+                continue;
+            }
             closings.push(Closing {
                 name: written.name,
                 kind: written.kind,
@@ -43,6 +56,7 @@ impl Reader<'_> {
                 place: written.place,
                 pin: written.pin,
                 directions,
+                pitch: written.pitch,
                 turned: written.turned,
             });
         }

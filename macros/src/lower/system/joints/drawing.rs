@@ -7,9 +7,9 @@ use crate::errors::Errors;
 use crate::lower::expressions::Lowering;
 use crate::model::{Dimension, Frame, JointKind, Origin};
 use crate::symbolic::Components;
-use crate::syntax::{Center, Expression, Kind};
+use crate::syntax::{Called, Center, Expression, Kind};
 
-use super::joint::{Called, End, first_name_of};
+use super::joint::{End, first_name_of};
 use crate::lower::system::reading::reader::Reader;
 
 /// `(x, y, z)` in the axes of the drawing, which the ground and all bodies have there.

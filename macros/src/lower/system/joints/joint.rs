@@ -6,7 +6,7 @@ use crate::errors::{Errors, hint};
 use crate::lower::expressions::{JointNames, Value};
 use crate::model::{Dimension, Frame, Holds, JointKind, Rates};
 use crate::symbolic::{Components, Id};
-use crate::syntax::{CABLE, Definition, Expression, Kind};
+use crate::syntax::{CABLE, Called, Definition, Expression, Kind, LINK, call};
 
 use crate::lower::system::reading::reader::Reader;
 
@@ -24,15 +24,14 @@ pub struct Written {
     pub turned: Vec<(Components, Id)>,
     /// How its coordinates move, if that is prescribed.
     pub driven: Option<Rates>,
+    /// The inertia along its coordinate alone.
+    pub armature: Option<Id>,
     /// Where the carried body is named.
     pub mention: proc_macro2::Span,
 }
 
 /// A point of a body, by its number, or of the ground, and where it is there.
 pub type End = (Option<usize>, Components);
-
-/// Joints that are not there yet.
-const LATER: [&str; 1] = ["link"];
 
 /// The kind of joint that an expression begins with, and what is written behind it.
 pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
@@ -42,31 +41,7 @@ pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind
         .find(|kind| kind.word == word)
 }
 
-/// A function or a method, with its arguments.
-pub type Called<'e> = (&'e Ident, &'e [Expression]);
-
-/// `kind(arguments)`, and the methods behind it.
-pub fn call(value: &Expression) -> Option<(Called<'_>, Vec<Called<'_>>)> {
-    let mut methods = Vec::new();
-    let mut inner = value;
-    loop {
-        match &inner.kind {
-            Kind::Method(receiver, method, arguments) => {
-                methods.push((method, arguments.as_slice()));
-                inner = receiver;
-            }
-            Kind::Call(word, arguments) => return Some(((word, arguments), methods)),
-            _ => return None,
-        }
-    }
-}
-
 fn unknown_kind(word: &Ident, is_planar: bool) -> String {
-    if LATER.contains(&word.to_string().as_str()) {
-        return format!(
-            "`{word}` is a joint of the language, but this version does not have it yet"
-        );
-    }
     if word == "rod" {
         return "a rod has no axes of its own, which joints are written in, and no inertia about its \
                 line: write `free(b)` and a small moment of inertia about that line, or a `rigid_body!` \
@@ -74,7 +49,7 @@ fn unknown_kind(word: &Ident, is_planar: bool) -> String {
             .to_owned();
     }
     let kinds = JointKind::all(is_planar).iter();
-    let all: Vec<&str> = kinds.map(|kind| kind.word).chain([CABLE]).collect();
+    let all: Vec<&str> = kinds.map(|kind| kind.word).chain([CABLE, LINK]).collect();
     let hint = hint(&word.to_string(), all.iter().copied());
     let is_elsewhere = JointKind::all(!is_planar)
         .iter()
@@ -153,6 +128,7 @@ impl Reader<'_> {
         let pitch = self.pitch(kind, arguments, errors);
         let turned = self.turned(body, &methods, errors);
         let driven = self.driven(kind, &methods, errors);
+        let armature = self.armature(kind, &methods, errors);
         let (turned, driven) = (turned?, driven?);
         Some(Written {
             name: joint.name.clone(),
@@ -165,6 +141,7 @@ impl Reader<'_> {
             pitch: pitch?,
             turned,
             driven,
+            armature: armature?,
             mention: first_name(&arguments[1]).unwrap_or_else(|| joint.name.span()),
         })
     }
@@ -253,6 +230,7 @@ impl Reader<'_> {
             pitch: None,
             turned: Vec::new(),
             driven: None,
+            armature: None,
             mention: name.span(),
         })
     }

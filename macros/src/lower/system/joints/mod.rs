@@ -1,5 +1,6 @@
 //! Joints: how they are written, which carry and which close loops, and how what they carry moves.
 
+mod armature;
 mod axes;
 mod closing;
 mod drawing;

@@ -93,6 +93,7 @@ impl Reader<'_> {
             frames,
             coordinates,
             given: given.collect(),
+            armature: written.armature,
             drives: vec![self.work.graph.zero(); freedoms.len()],
             driven_by: Vec::new(),
             open: vec![None; freedoms.len()],

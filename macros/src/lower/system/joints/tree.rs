@@ -81,8 +81,11 @@ impl Reader<'_> {
 fn may_close(joint: &Written) -> Result<(), &'static str> {
     if joint.kind.holds == Holds::Center {
         Err("what is joined to the ground by its G has no other joint: leave one of both out")
-    } else if joint.kind.is_screw() {
-        Err("a screw cannot close a loop: write it before the other one, which then does")
+    } else if joint.armature.is_some() {
+        Err(
+            "a joint that closes a loop has no coordinate with an armature: write it before the other one, \
+             which then closes the loop",
+        )
     } else if joint.driven.is_some() {
         Err(
             "a joint that closes a loop has no coordinates to prescribe: write it before the other one, \

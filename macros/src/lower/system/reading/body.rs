@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::errors::{Errors, Extent};
+use crate::errors::{Errors, Extent, every, silently};
 use crate::lower::definitions::{Definition, check_names, definition_order, split_at_points};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
 use crate::model::{
@@ -217,9 +217,7 @@ impl<'a> Reader<'a> {
     ) -> Option<Member> {
         let body = draft.description;
         // circles are reported already
-        let mut reported = Errors::default();
-        let (order, _) = definition_order(body, &mut reported);
-        let _ = reported.finish();
+        let (order, _) = silently(|errors| definition_order(body, errors));
         let (_, rest) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
         let fields = &self.system.top.loads;
@@ -242,21 +240,19 @@ impl<'a> Reader<'a> {
             let fields = fields.iter().filter(|_| !body.is_frame);
             let written = fields.chain(&body.loads);
             let kept = known.then(|| lowering.kept(body, inputs, first)).flatten();
-            let loads: Vec<Option<Load>> = written
-                .filter(|_| known)
-                .map(|load| {
-                    if load.charges.is_some() {
-                        let message = "fields on charges are not there yet in systems";
-                        return lowering.report(load.name.span(), message);
-                    }
-                    if let Some(unknown) = first_unknown(load) {
-                        let message = "nothing of a load on a body is unknown: what joints do is found by \
-                             `outputs: [reactions]`, so write a value";
-                        return lowering.report(unknown, message);
-                    }
-                    lowering.load(load)
-                })
-                .collect();
+            let written = written.filter(|_| known);
+            let loads = every(written.map(|load| {
+                if load.charges.is_some() {
+                    let message = "fields on charges are not there yet in systems";
+                    return lowering.report(load.name.span(), message);
+                }
+                if let Some(unknown) = first_unknown(load) {
+                    let message = "nothing of a load on a body is unknown: what joints do is found by \
+                         `outputs: [reactions]`, so write a value";
+                    return lowering.report(unknown, message);
+                }
+                lowering.load(load)
+            }));
             (inertia, loads, *mass, kept)
         });
         self.keep(kept, Some(&body.name));
@@ -265,7 +261,7 @@ impl<'a> Reader<'a> {
             state: draft.state.filter(|_| known)?,
             mass: mass.known()?,
             inertia: inertia?,
-            loads: loads.into_iter().collect::<Option<_>>()?,
+            loads: loads?,
             weights: Vec::new(),
         })
     }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::errors::Errors;
+use crate::errors::{Errors, silently};
 use crate::lower::definitions::check_distinct;
 use crate::lower::expressions::BUILT_IN;
 use crate::model::Outline;
@@ -26,10 +26,7 @@ pub fn for_copy<T>(
     read: impl FnOnce(&mut Errors) -> T,
 ) -> T {
     if first != number && wrong.contains(&first) {
-        let mut repeated = Errors::default();
-        let found = read(&mut repeated);
-        let _ = repeated.finish();
-        return found;
+        return silently(read);
     }
     let before = errors.count();
     let found = read(errors);

@@ -1,15 +1,18 @@
 //! What the parts of a system are read with, and what stands beside its bodies.
 
-use crate::errors::Errors;
-use crate::lower::definitions::{Definition, definition_order};
 use std::collections::HashSet;
 
+use crate::errors::Errors;
+use crate::lower::definitions::{Definition, INVERSE, check_names, definition_order};
 use crate::lower::expressions::{Lowering, Members, Offset, Scope, Value};
-use crate::model::{Defaults, Drawn, Frame, Kept, Motion, Point, State, Vector, Workspace};
-use crate::symbolic::Id;
+use crate::model::{
+    Declared, Defaults, Drawn, Frame, Kept, Meaning, Motion, Outline, PLANAR, Point, SPATIAL,
+    State, Vector, Workspace,
+};
+use crate::symbolic::{Id, Stage};
 use crate::syntax;
 
-use super::names::moving_locals;
+use super::names::{check_driving, check_members, declared, late_locals, moving_locals};
 
 /// What the parts of a system are read with.
 pub struct Reader<'a> {
@@ -32,7 +35,42 @@ pub struct Reader<'a> {
     pub first_load: usize,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    /// Nothing is read yet but names.
+    pub fn new(system: &'a syntax::System, outline: &mut Outline, errors: &mut Errors) -> Self {
+        let mut repeated = check_names(&system.top, errors);
+        repeated.extend(check_members(system, errors));
+        check_driving(system, outline, errors);
+        let mut work = Workspace::new();
+        let time = work.symbol(Stage::State, Meaning::Time);
+        Self {
+            system,
+            work,
+            scope: Scope::new(&system.top, repeated),
+            members: Members {
+                declared: declared(system),
+                late: late_locals(system),
+                ..Members::default()
+            },
+            is_inverse: outline.rank(INVERSE).is_some(),
+            turning: vec![false; system.bodies.len()],
+            motion: if system.is_planar { &PLANAR } else { &SPATIAL },
+            time,
+            defaults: Defaults::new(),
+            derivatives: Vec::new(),
+            kept: Some(Kept::default()),
+            first_load: 2 * outline.holding.len(),
+        }
+    }
+
+    /// Reads params and inputs, and the locals that are fixed.
+    pub fn fixed(&mut self, outline: &mut Outline, errors: &mut Errors) {
+        let top = &self.system.top;
+        self.defaults = self.at_top(errors, |lowering| lowering.declarations(top, outline));
+        self.derivatives = outline.inputs.iter().map(Declared::derivatives).collect();
+        self.locals(errors, false);
+    }
+
     /// Reads what stands beside the bodies.
     pub fn at_top<T>(
         &mut self,

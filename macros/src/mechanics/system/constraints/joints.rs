@@ -27,6 +27,18 @@ enum Held {
     Across(Components),
     /// The angle between a direction of the carrier and one of the carried body.
     Between(Components, Components),
+    /// The place along a direction that is fixed in the carrier, by the angle about it.
+    Thread(Thread),
+}
+
+/// Of a screw.
+#[derive(Clone, Copy)]
+struct Thread {
+    axis: Components,
+    /// A direction across the axis: of the carrier, and of the carried body where both are alike at zero.
+    across: [Components; 2],
+    /// Metres per radian.
+    pitch: Id,
 }
 
 /// Both sides of a joint that closes a loop.
@@ -92,6 +104,22 @@ fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
                 let across = turned(graph, *across);
                 all.extend([Held::Across(across), Held::Between(across, *axis)]);
             }
+        }
+        ([Part::Screw], [axis, across @ ..]) => {
+            for across in across {
+                let across = turned(graph, *across);
+                all.extend([Held::Across(across), Held::Between(across, *axis)]);
+            }
+            let first = across.iter().zip(closing.pitch).next();
+            all.extend(first.map(|(across, pitch)| {
+                let (axis, own) = (turned(graph, *axis), turned(graph, *across));
+                let across = [own, *across];
+                Held::Thread(Thread {
+                    axis,
+                    across,
+                    pitch,
+                })
+            }));
         }
         ([Part::Slide(_)], [axis, across @ ..]) => {
             let in_plane = ends.is_planar.then(|| graph.cross(units[2], *axis));
@@ -167,22 +195,15 @@ fn row(
         }
         Held::Across(own) => {
             let e = carrier.to_world(graph, own);
-            let [r, v, a] = [
-                difference(graph, |spot| spot.place),
-                difference(graph, |spot| spot.velocity),
-                difference(graph, |spot| spot.acceleration),
-            ];
-            let swept = graph.cross(carrier.w, e);
-            let swept = graph.quantities(swept);
-            let inwards = graph.cross(carrier.w, swept);
-            let turned = graph.cross(carrier.alpha, e);
-            let bent = graph.add_vectors(inwards, turned);
-            let along = graph.dot(e, v);
-            let across = graph.dot(swept, r);
-            let rate = graph.add(along, across);
-            let (first, second, third) = (graph.dot(e, a), graph.dot(swept, v), graph.dot(bent, r));
-            let bias = graph.sum(&[first, second, second, third]);
-            (graph.dot(e, r), rate, bias, e, zeros)
+            let [value, rate, bias] = along(graph, carrier, &spots, e);
+            (value, rate, bias, e, zeros)
+        }
+        Held::Thread(thread) => {
+            let e = carrier.to_world(graph, thread.axis);
+            let moved = along(graph, carrier, &spots, e);
+            let [value, rate, bias] = follow(graph, sides, &thread, (e, moved));
+            let moment = graph.scale_vector(thread.pitch, e);
+            (value, rate, bias, e, graph.negate_vector(moment))
         }
         Held::Between(own, other) => {
             let e = carrier.to_world(graph, own);
@@ -223,6 +244,73 @@ fn row(
         force,
         moment,
     }
+}
+
+/// How far one spot is from the other along a direction of the carrier, the rate of that, and its
+/// derivative.
+fn along(graph: &mut Graph, carrier: &Placed, spots: &[Spot; 2], e: Components) -> [Id; 3] {
+    let [r, v, a] = [
+        (spots[1].place, spots[0].place),
+        (spots[1].velocity, spots[0].velocity),
+        (spots[1].acceleration, spots[0].acceleration),
+    ]
+    .map(|(end, start)| {
+        let both = graph.subtract_vectors(end, start);
+        graph.quantities(both)
+    });
+    let swept = graph.cross(carrier.w, e);
+    let swept = graph.quantities(swept);
+    let inwards = graph.cross(carrier.w, swept);
+    let turned = graph.cross(carrier.alpha, e);
+    let bent = graph.add_vectors(inwards, turned);
+    let along = graph.dot(e, v);
+    let across = graph.dot(swept, r);
+    let rate = graph.add(along, across);
+    let (first, second, third) = (graph.dot(e, a), graph.dot(swept, v), graph.dot(bent, r));
+    let bias = graph.sum(&[first, second, second, third]);
+    [graph.dot(e, r), rate, bias]
+}
+
+/// The same, of which what the thread gives by turning is taken. The place is that but for whole turns:
+///
+/// ```text
+/// 2 p tan((x / p - angle) / 2)        p: pitch, x: the place along the axis
+/// ```
+fn follow(
+    graph: &mut Graph,
+    [carrier, carried]: [&Placed; 2],
+    thread: &Thread,
+    (e, [place, rate, bias]): (Components, [Id; 3]),
+) -> [Id; 3] {
+    let w = graph.subtract_vectors(carried.w, carrier.w);
+    let alpha = graph.subtract_vectors(carried.alpha, carrier.alpha);
+    let swept = graph.cross(carrier.w, e);
+    let (turned, moved) = (graph.dot(e, alpha), graph.dot(swept, w));
+    let turning = [graph.dot(e, w), graph.add(turned, moved)];
+    let [rate, bias] = [(rate, turning[0]), (bias, turning[1])].map(|(whole, turning)| {
+        let part = graph.multiply(thread.pitch, turning);
+        graph.subtract(whole, part)
+    });
+    let own = carrier.to_world(graph, thread.across[0]);
+    let other = carried.to_world(graph, thread.across[1]);
+    let normal = graph.cross(own, other);
+    let (cosine, sine) = (graph.dot(own, other), graph.dot(e, normal));
+    let angle = graph.divide(place, thread.pitch);
+    let [sine_of_place, cosine_of_place] =
+        [Function::Sin, Function::Cos].map(|function| graph.apply(function, &[angle]));
+    let [first, second, third, fourth] = [
+        (sine_of_place, cosine),
+        (cosine_of_place, sine),
+        (cosine_of_place, cosine),
+        (sine_of_place, sine),
+    ]
+    .map(|(a, b)| graph.multiply(a, b));
+    let sine = graph.subtract(first, second);
+    let one = graph.one();
+    let cosine = graph.sum(&[one, third, fourth]);
+    let tangent = graph.divide(sine, cosine);
+    let twice = graph.add(thread.pitch, thread.pitch);
+    [graph.multiply(twice, tangent), rate, bias]
 }
 
 /// The power of a force and a moment by the rate of each open freedom: on the carried body, and with

@@ -1,20 +1,13 @@
-//! What is kept beside the joints of the tree: joints that close loops, and written constraints. The
-//! loads that keep it are found with the accelerations,
-//!
-//! ```text
-//! M q'' - A^T l = f        A q'' = -b        A: slopes of the constraints, b: their bias
-//! ```
+//! What is kept beside the joints of the tree: joints that close loops, and written constraints.
 
 mod followers;
-mod inverse;
 mod joints;
 mod row;
-mod solve;
-mod unsettled;
 mod world;
 mod written;
 
-pub use followers::{check_followers, replace};
-pub use inverse::solve_drives;
-pub use solve::{Closed, close, moved_in_world};
-pub use unsettled::check_kept;
+pub use followers::{check_followers, replace, replace_in_tree, split};
+pub use joints::{Ends, rows as rows_of_joint};
+pub use row::Row;
+pub use world::{Placed, place_links};
+pub use written::{push as push_written, rows as rows_of_written};

@@ -1,0 +1,79 @@
+//! Structs of what has a name: parameters, inputs, what is solved for.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::emit::code::{Scalar, Values};
+use crate::model::Outline;
+
+/// `BodyReactions { elbow: Wrench, .. }`: its name behind that of the body, and its fields.
+pub struct Record {
+    pub suffix: &'static str,
+    pub doc: String,
+    pub fields: Vec<Field>,
+    /// Whether its fields have defaults.
+    pub has_default: bool,
+}
+
+pub struct Field {
+    pub name: Ident,
+    pub doc: String,
+    pub kind: TokenStream,
+}
+
+impl Field {
+    /// Of which its name says all.
+    pub fn new(name: &Ident, kind: TokenStream) -> Self {
+        Self {
+            name: name.clone(),
+            doc: format!(" `{name}`"),
+            kind,
+        }
+    }
+}
+
+impl Record {
+    pub fn name(&self, outline: &Outline) -> Ident {
+        format_ident!("{}{}", outline.name, self.suffix)
+    }
+
+    /// `pub struct BodyReactions { .. }`
+    pub fn declared(&self, outline: &Outline) -> TokenStream {
+        let (name, doc) = (self.name(outline), &self.doc);
+        let generics = Scalar::of(outline).declared();
+        let default = self.has_default.then(|| quote!(Default,));
+        let lints = lints(self.fields.iter().map(|field| &field.name));
+        let fields = self.fields.iter();
+        let fields = fields.map(|Field { name, doc, kind }| quote!(#[doc = #doc] pub #name: #kind));
+        quote! {
+            #[doc = #doc]
+            #lints
+            #[derive(Clone, Copy, Debug, #default PartialEq)]
+            pub struct #name #generics { #(#fields),* }
+        }
+    }
+
+    /// The struct, each field, by its number, filled from the next values.
+    pub fn filled(
+        &self,
+        outline: &Outline,
+        values: &mut Values<'_>,
+        fill: impl Fn(usize, &mut Values<'_>) -> TokenStream,
+    ) -> TokenStream {
+        let name = self.name(outline);
+        let fields = self.fields.iter().enumerate();
+        let fields = fields.map(|(number, Field { name, .. })| {
+            let value = fill(number, values);
+            quote!(#name: #value)
+        });
+        quote!(#name { #(#fields),* })
+    }
+}
+
+/// Users may call a parameter `J`, a reaction `R_v`, and inputs `thrust_1`, `thrust_2`, ...
+pub fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
+    let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
+    let unusual = names.into_iter().any(has_capitals);
+    let snake_case = unusual.then(|| quote!(, non_snake_case));
+    quote!(#[allow(clippy::struct_field_names #snake_case)])
+}

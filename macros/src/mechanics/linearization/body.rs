@@ -1,0 +1,63 @@
+//! The linearisation of a body: its accelerations are differentiated, each backwards.
+
+use std::collections::BTreeMap;
+
+use crate::mechanics::variation::Direction;
+use crate::model::{Attitude, Group, Meaning, Model, Outline, Pair, Variable, Workspace};
+use crate::symbolic::Id;
+
+use super::blocks::{Linearization, assemble};
+use super::changes::{Column, Directions, changes, of_inputs};
+
+/// What the accelerations of a body change by.
+pub fn linearize_body(
+    outline: &Outline,
+    model: &Model,
+    work: &mut Workspace,
+    Pair { linear, angular }: Pair,
+) -> Linearization {
+    let motion = model.motion;
+    let accelerations = [
+        &linear[motion.linear_axes()],
+        &angular[motion.angular_axes()],
+    ]
+    .concat();
+    let mut directions = Directions::new();
+    for (number, group) in outline.tangent().iter().enumerate() {
+        let components = 0..group.size;
+        let components = components.map(|component| direction(model, work, group, component));
+        directions.push((Column::State(number), components.collect()));
+    }
+    directions.extend(of_inputs(outline, work));
+    let as_they_are = |_: &mut Workspace, change: Vec<Id>| change;
+    let changes = changes(
+        work,
+        &accelerations,
+        &accelerations,
+        &directions,
+        as_they_are,
+    );
+    let spin = |_: &Workspace, _| model.state.angular_velocity;
+    assemble(outline, work, accelerations, &changes, spin)
+}
+
+/// A component of the tangent space changes by one.
+fn direction(model: &Model, work: &mut Workspace, group: &Group, component: usize) -> Direction {
+    let (state, one) = (&model.state, work.graph.one());
+    match (group.variable, state.angle, work.attitude(state.body)) {
+        (Variable::Quaternion, ..) => {
+            let e = work.graph.unit_vectors()[component];
+            let e = work.vector(state.body, e);
+            Direction::turn(work, state.body, e)
+        }
+        (Variable::Angle, Some((angle, _)), Attitude::Axis { direction, .. }) => Direction {
+            changes: BTreeMap::from([(angle, one)]),
+            turns: BTreeMap::from([(state.body, work.vector(state.body, direction))]),
+        },
+        (Variable::AngularVelocity, Some((_, rate)), _) => Direction::of_symbol(work, Some(rate)),
+        (variable, ..) => {
+            let meaning = Meaning::Of(state.body, variable, component);
+            Direction::of_symbol(work, work.symbol_of(meaning))
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! The derivatives in all directions: backwards from each expression, or forwards in each direction,
+//! whichever takes fewer operations.
+
+use crate::mechanics::variation::{self, Direction, Leaves, Slopes};
+use crate::model::{Meaning, Outline, Workspace};
+use crate::symbolic::Id;
+
+/// With what something changes: a group of the tangent space, or an input.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Column {
+    State(usize),
+    Input(usize),
+}
+
+/// Each group of columns, with a direction for each of its components.
+pub type Directions = Vec<(Column, Vec<Direction>)>;
+
+/// What the accelerations change by in each of these directions.
+pub type Changes = Vec<(Column, Vec<Vec<Id>>)>;
+
+/// The directions in which one component of an input changes.
+pub fn of_inputs(outline: &Outline, work: &Workspace) -> Directions {
+    let inputs = (0..outline.inputs.len()).map(|number| {
+        let parts = [None, Some(0), Some(1), Some(2)].into_iter();
+        let symbols = parts.filter_map(|part| work.symbol_of(Meaning::Input(number, part)));
+        let directions = symbols.map(|symbol| Direction::of_symbol(work, Some(symbol)));
+        (Column::Input(number), directions.collect())
+    });
+    inputs.collect()
+}
+
+/// What `finish` makes of the changes of `roots`; it is computed beside the `accelerations`.
+pub fn changes(
+    work: &mut Workspace,
+    roots: &[Id],
+    accelerations: &[Id],
+    directions: &Directions,
+    mut finish: impl FnMut(&mut Workspace, Vec<Id>) -> Vec<Id>,
+) -> Changes {
+    let slopes = roots.iter().map(|root| Slopes::of(work, *root));
+    let slopes: Vec<Slopes> = slopes.collect();
+    let leaves = Leaves::of(work, roots);
+    let mut all = |work: &mut Workspace, along: &dyn Fn(&mut Workspace, &Direction) -> Vec<Id>| {
+        let groups = directions.iter().map(|(column, directions)| {
+            let changes = directions.iter().map(|direction| {
+                let change = along(work, direction);
+                finish(work, change)
+            });
+            (*column, changes.collect())
+        });
+        groups.collect::<Changes>()
+    };
+    let backwards = all(work, &|work, direction| {
+        let slopes = slopes.iter();
+        slopes.map(|slopes| slopes.along(work, direction)).collect()
+    });
+    let forwards = all(work, &|work, direction| {
+        variation::changes(work, roots, &leaves, direction)
+    });
+    let cost = |changes: &Changes| {
+        let entries = changes.iter().flat_map(|(_, changes)| changes.concat());
+        let entries: Vec<Id> = accelerations.iter().copied().chain(entries).collect();
+        work.graph.late_cost(&entries).total()
+    };
+    if cost(&forwards) < cost(&backwards) {
+        forwards
+    } else {
+        backwards
+    }
+}

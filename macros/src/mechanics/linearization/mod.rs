@@ -1,0 +1,11 @@
+//! Linearisation: what the rates of a state change by, to first order, on its tangent space.
+
+mod blocks;
+mod body;
+mod changes;
+mod system;
+
+pub use blocks::{Block, Linearization, Row};
+pub use body::linearize_body;
+pub use changes::Column;
+pub use system::linearize_system;

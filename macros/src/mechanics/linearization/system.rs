@@ -1,0 +1,72 @@
+//! The linearisation of a system: of a tree the balances are differentiated, and solved with the
+//! mass matrix; of what is kept beside it the accelerations themselves.
+
+use crate::mechanics::system::{Response, SystemEquations, unit_motion};
+use crate::mechanics::variation::Direction;
+use crate::model::{Group, Outline, System, TreeJoint, Variable, Workspace};
+use crate::symbolic::{Components, Id};
+
+use super::blocks::{Linearization, assemble};
+use super::changes::{Column, Directions, changes, of_inputs};
+
+/// What the accelerations of a system change by.
+pub fn linearize_system(
+    outline: &Outline,
+    system: &System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> Linearization {
+    let mut response = Response::of(system, work, equations);
+    let (accelerations, changing) = if let Some(response) = &response {
+        (response.accelerations.clone(), response.lacking.clone())
+    } else {
+        let written = system.written.iter();
+        let accelerations = written.flat_map(|joint| equations.accelerations[*joint].clone());
+        let accelerations: Vec<Id> = accelerations.collect();
+        (accelerations.clone(), accelerations)
+    };
+    let mut directions = Directions::new();
+    for (number, group) in outline.tangent().iter().enumerate() {
+        let joint = &system.joints[system.written[group.joint]];
+        let components = 0..group.size;
+        let components =
+            components.map(|component| direction(system, work, joint, (group, component)));
+        directions.push((Column::State(number), components.collect()));
+    }
+    directions.extend(of_inputs(outline, work));
+    let changes = changes(
+        work,
+        &changing,
+        &accelerations,
+        &directions,
+        |work, change| match &mut response {
+            Some(response) => response.to(work, &change),
+            None => change,
+        },
+    );
+    let spin = |work: &Workspace, joint: usize| -> Components {
+        let joint = &system.joints[system.written[joint]];
+        [0, 1, 2].map(|part| {
+            let rate = joint.coordinates.get(Variable::AngularVelocity, part);
+            rate.unwrap_or(work.graph.zero())
+        })
+    };
+    assemble(outline, work, accelerations, &changes, spin)
+}
+
+/// A component of the tangent space changes by one.
+fn direction(
+    system: &System,
+    work: &mut Workspace,
+    joint: &TreeJoint,
+    (group, component): (&Group, usize),
+) -> Direction {
+    let part = group.first + component;
+    match group.variable {
+        Variable::Position => unit_motion(system, work, joint, (Variable::Velocity, part)),
+        Variable::Angle | Variable::Quaternion => {
+            unit_motion(system, work, joint, (Variable::AngularVelocity, part))
+        }
+        rate => Direction::of_symbol(work, joint.coordinates.get(rate, part)),
+    }
+}

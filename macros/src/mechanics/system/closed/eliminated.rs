@@ -1,0 +1,91 @@
+//! Accelerations and loads together, by elimination: the masses first.
+
+use crate::mechanics::tree::MassMatrix;
+use crate::model::Workspace;
+use crate::symbolic::{Equation, Id, Size};
+
+use super::super::constraints::{Row, split};
+use super::super::reduced::{Kept, together};
+use super::unsettled::{Keeper, open, without_column};
+
+/// What is found of a system that is held by rows.
+pub struct Found {
+    /// Of the open freedoms.
+    pub accelerations: Vec<Id>,
+    /// Of the rows.
+    pub loads: Vec<Id>,
+    /// Whether the motion takes no loads.
+    pub is_resolved: bool,
+    /// Rows whose loads are not determined, with those that can do all that each does, and the loads
+    /// of all rows that balance one unit of it.
+    pub spare: Vec<(usize, Vec<usize>, Vec<Id>)>,
+}
+
+/// Solves for accelerations and loads; loads that follow those of rows do so by these symbols.
+pub fn eliminated(
+    work: &mut Workspace,
+    matrix: &MassMatrix,
+    kept: &[(Keeper, Row)],
+    followed: &[Option<Id>],
+) -> Found {
+    let count = matrix.driving.len();
+    let rows: Vec<&Row> = kept.iter().map(|(_, row)| row).collect();
+    let equations = equations(work, matrix, &rows, followed);
+    let solved = work.graph.solve(equations.clone(), count + kept.len());
+    // what balances by itself: a unit of each load that is not determined, with what it takes of others
+    let mut spare = Vec::new();
+    for (row, others) in open(&solved, count) {
+        let equations = without_column(&mut work.graph, &equations, count + row);
+        let values = work.graph.solve(equations, count + kept.len() - 1).values;
+        let mut loads: Vec<Id> = values.into_iter().skip(count).collect();
+        loads.insert(row, work.graph.one());
+        spare.push((row, others, loads));
+    }
+    let mut accelerations = solved.values;
+    let loads = accelerations.split_off(count);
+    Found {
+        accelerations,
+        loads,
+        is_resolved: false,
+        spare,
+    }
+}
+
+/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l; what of f follows
+/// these, by its symbols, is on the left.
+fn equations(
+    work: &mut Workspace,
+    matrix: &MassMatrix,
+    constraints: &[&Row],
+    followed: &[Option<Id>],
+) -> Vec<Equation> {
+    let (zero, one) = (work.graph.zero(), work.graph.one());
+    let symbols: Vec<Id> = followed.iter().flatten().copied().collect();
+    let (driving, following) = split(&mut work.graph, &matrix.driving, &symbols);
+    let mut slopes = following.iter().flatten();
+    let is_followed = slopes.any(|slope| !work.graph.is_zero(*slope));
+    let rows = constraints.iter().zip(followed).map(|(row, symbol)| {
+        let number = symbols.iter().position(|one| Some(*one) == *symbol);
+        let pushes = row.slopes.iter().enumerate().map(|(freedom, slope)| {
+            let follows = number.map_or(zero, |number| following[number][freedom]);
+            work.graph.add(*slope, follows)
+        });
+        Kept {
+            pushes: pushes.collect(),
+            slopes: row.slopes.clone(),
+            right: work.graph.negate(row.bias),
+            // where it says nothing, its load is zero
+            own: row
+                .active
+                .map_or(zero, |active| work.graph.select(active, zero, one)),
+        }
+    });
+    let rows: Vec<Kept> = rows.collect();
+    // without loads that follow others, `-A M^-1 A^T` is left of their rows
+    let of_load = if is_followed {
+        Size::Beside
+    } else {
+        Size::Reduced
+    };
+    together(work, (&matrix.rows, &driving), &rows, of_load)
+}

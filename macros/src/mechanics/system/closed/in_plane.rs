@@ -1,0 +1,129 @@
+//! Loops in the plane: the motion in absolute angles, and after it the loads.
+
+use crate::mechanics::tree::link::{Link, Tree};
+use crate::mechanics::tree::{Built, joint_loads};
+use crate::mechanics::unknowns::reactions_in;
+use crate::model::{Part, Workspace};
+use crate::symbolic::{Graph, Id};
+
+use super::super::constraints::{Ends, Placed, Row};
+use super::super::plane::{Absolute, Arms, derive_masses, of_hinge, of_row, shortest};
+use super::super::reduced::{Balance, Held, loads, reduce};
+use super::eliminated::Found;
+use super::unsettled::Keeper;
+
+/// A system, and what is kept of it.
+pub struct Known<'a> {
+    pub built: &'a Built,
+    /// Its tree, with the accelerations of free links along world axes.
+    pub in_world: &'a Tree,
+    pub placed: &'a [Placed],
+    pub ends: &'a [Ends<'a>],
+    pub kept: &'a [(Keeper, Row)],
+}
+
+/// Resolves block by block what is kept; nothing where rows are dependent, say nothing somewhere, or
+/// loads follow those of constraints.
+pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
+    let tree = &known.built.tree;
+    let links = tree.links.iter();
+    let given = links.flat_map(|link| {
+        let drives = link.freedoms.iter().map(|freedom| freedom.drive);
+        drives.chain(link.force).chain(link.moment)
+    });
+    let given: Vec<Id> = given.collect();
+    let is_partial = known.kept.iter().any(|(_, row)| row.active.is_some());
+    if is_partial || !reactions_in(work, &given).is_empty() {
+        return None;
+    }
+    let absolute = Absolute::of(&mut work.graph, tree, known.placed);
+    let mut arms = Arms::new(known.placed);
+    let rows = rows(&mut work.graph, known, &absolute, &mut arms);
+    let balances = balances(&mut work.graph, known, &absolute, &mut arms);
+    arms.name(&mut work.labels, tree);
+    let count = rows.len();
+    let reduced = reduce(work, balances, rows)?;
+    let graph = &mut work.graph;
+    let values = &reduced.values[..absolute.count];
+    let accelerations = absolute.of_joints(graph, values);
+    let accelerations: Vec<Id> = accelerations
+        .into_iter()
+        .map(|one| graph.quantity(one))
+        .collect();
+    let lacking = lacking(work, known.in_world, &accelerations);
+    let lacking = absolute.gathered(&mut work.graph, &lacking);
+    Some(Found {
+        accelerations,
+        loads: loads(&mut work.graph, &reduced, &lacking, count),
+        is_resolved: reduced.eliminated.is_empty(),
+        spare: Vec::new(),
+    })
+}
+
+/// What is kept, by absolute coordinates: that of joints, and then what is written.
+fn rows(
+    graph: &mut Graph,
+    known: &Known<'_>,
+    absolute: &Absolute,
+    arms: &mut Arms<'_>,
+) -> Vec<Held> {
+    let mut rows = Vec::new();
+    for (number, ends) in known.ends.iter().enumerate() {
+        if let [Part::Turn(_)] = ends.closing.kind.parts {
+            rows.extend(of_hinge(graph, &known.built.tree, absolute, arms, ends));
+            continue;
+        }
+        for (keeper, row) in known.kept {
+            if matches!(keeper, Keeper::Joint(of, _) if *of == number) {
+                rows.push(of_row(graph, absolute, row));
+            }
+        }
+    }
+    let written = known.kept.iter();
+    let written = written.filter(|(keeper, _)| keeper.number().is_some());
+    rows.extend(written.map(|(_, row)| of_row(graph, absolute, row)));
+    rows
+}
+
+/// The balances of absolute coordinates, with the drives of the joints.
+fn balances(
+    graph: &mut Graph,
+    known: &Known<'_>,
+    absolute: &Absolute,
+    arms: &mut Arms<'_>,
+) -> Vec<Balance> {
+    let tree = &known.built.tree;
+    let short = shortest(graph, tree, known.ends);
+    let (masses, driving) = derive_masses(graph, absolute, arms, &short);
+    let open = || tree.links.iter().flat_map(Link::open);
+    let drives: Vec<Id> = open().map(|freedom| freedom.drive).collect();
+    let drives = absolute.gathered(graph, &drives);
+    let sides = masses.into_iter().zip(driving).zip(drives).zip(open());
+    let balances = sides.map(|(((masses, driving), drive), freedom)| Balance {
+        name: freedom.name.clone(),
+        masses,
+        driving: graph.add(driving, drive),
+    });
+    balances.collect()
+}
+
+/// What lacks along the open freedoms for the accelerations that are found.
+fn lacking(work: &mut Workspace, tree: &Tree, accelerations: &[Id]) -> Vec<Id> {
+    let mut rest = accelerations.iter().copied();
+    let by_link: Vec<Vec<Id>> = tree
+        .links
+        .iter()
+        .map(|link| rest.by_ref().take(link.open().count()).collect())
+        .collect();
+    let graph = &mut work.graph;
+    let carried = joint_loads(graph, tree, &by_link);
+    let mut all = Vec::new();
+    for (link, load) in tree.links.iter().zip(carried) {
+        for freedom in link.open() {
+            let needed = freedom.twist.dot(graph, load);
+            let lacking = graph.subtract(needed, freedom.drive);
+            all.push(graph.quantity(lacking));
+        }
+    }
+    all
+}

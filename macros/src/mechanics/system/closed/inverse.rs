@@ -1,0 +1,59 @@
+//! Inverse dynamics of what is kept beside the joints of a tree: the open drives u and the loads l of
+//! constraints that together make what the joints need,
+//!
+//! ```text
+//! u + A^T l = M q'' - f
+//! ```
+
+use crate::mechanics::proofs::samples;
+use crate::model::Workspace;
+use crate::symbolic::{Elimination, Equation, Id, Size};
+
+use super::super::constraints::split;
+use super::solve::Closed;
+
+/// Solves for the open drives, and then the loads. `needed` is the right side, along each open freedom;
+/// `open` are the freedoms that have a drive.
+pub fn solve_drives(
+    work: &mut Workspace,
+    closed: &Closed,
+    needed: &[Id],
+    open: &[usize],
+) -> Elimination {
+    let symbols: Vec<Id> = closed.values.iter().map(|(symbol, _)| *symbol).collect();
+    let (needed, following) = split(&mut work.graph, needed, &symbols);
+    let (zero, one) = (work.graph.zero(), work.graph.one());
+    let mut sides = Vec::new();
+    for (freedom, needed) in needed.into_iter().enumerate() {
+        let mut coefficients: Vec<Id> = open
+            .iter()
+            .map(|other| if *other == freedom { one } else { zero })
+            .collect();
+        for (row, written) in closed.constraints.iter().zip(&closed.written) {
+            let slope = row.slopes[freedom];
+            let follows = written.map_or(zero, |number| following[number][freedom]);
+            coefficients.push(work.graph.subtract(slope, follows));
+        }
+        sides.push((coefficients, needed));
+    }
+    // where a constraint says nothing, its load is zero
+    for (number, row) in closed.constraints.iter().enumerate() {
+        if let Some(active) = row.active {
+            let mut coefficients = vec![zero; open.len() + closed.constraints.len()];
+            coefficients[open.len() + number] = work.graph.select(active, zero, one);
+            sides.push((coefficients, zero));
+        }
+    }
+    let all: Vec<Id> = sides.iter().flat_map(|(row, _)| row.clone()).collect();
+    let mut values = samples(work, &all).into_iter();
+    let equations = sides.into_iter().map(|(coefficients, right)| Equation {
+        sample: values.by_ref().take(coefficients.len()).collect(),
+        sizes: vec![Size::Terms; coefficients.len()],
+        active: None,
+        coefficients,
+        right,
+    });
+    let equations = equations.collect();
+    let unknowns = open.len() + closed.constraints.len();
+    work.graph.solve(equations, unknowns)
+}

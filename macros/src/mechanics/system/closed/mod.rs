@@ -1,0 +1,19 @@
+//! The motion of a system that is held by more than the joints of its tree, and the loads that hold it,
+//!
+//! ```text
+//! M q'' - A^T l = f        A q'' = -b        A: slopes of the constraints, b: their bias
+//! ```
+//!
+//! In the plane the motion is found block by block, without the loads; what is no chain of such blocks,
+//! and what moves in space, is eliminated together, the masses first. Both hold in all states in which
+//! the rows of A are independent.
+
+mod eliminated;
+mod in_plane;
+mod inverse;
+mod solve;
+mod unsettled;
+
+pub use inverse::solve_drives;
+pub use solve::{Closed, close, moved_in_world};
+pub use unsettled::check_kept;

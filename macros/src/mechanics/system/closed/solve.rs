@@ -1,0 +1,276 @@
+//! The accelerations of a system that is held by more than the joints of its tree, and the loads that
+//! hold it.
+
+use std::collections::BTreeSet;
+
+use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::{Built, MassMatrix};
+use crate::mechanics::variation::Direction;
+use crate::model::{Closing, Frame, System, Workspace};
+use crate::symbolic::{Components, Graph, Id};
+
+use super::super::constraints::{
+    Ends, Placed, Row, place_links, push_written, replace_in_tree, rows_of_joint, rows_of_written,
+};
+use super::eliminated::{Found, eliminated};
+use super::in_plane::{Known, in_plane};
+use super::unsettled::{Keeper, Spare, Unsettled, bare};
+
+/// What is known of a system that is held so.
+pub struct Closed {
+    /// Of the open freedoms, link by link.
+    pub accelerations: Vec<Vec<Id>>,
+    pub constraints: Vec<Row>,
+    /// For each, its number if it is written.
+    pub written: Vec<Option<usize>>,
+    /// Of the mass matrix of the tree: what each freedom has alone.
+    pub inertias: Vec<Id>,
+    /// Force and moment of each joint that closes a loop on what it carries, at its point there, world
+    /// axes.
+    pub wrenches: Vec<[Components; 2]>,
+    /// The load of each written constraint, for one unit of its gradient.
+    pub loads: Vec<Id>,
+    /// The symbols of these loads, each with what is found.
+    pub values: Vec<(Id, Id)>,
+    /// The tree with these loads on its links.
+    pub loaded: Tree,
+    pub unsettled: Unsettled,
+}
+
+/// Finds all that keeps; what the tree is written like does not matter, but the origins of its links
+/// are at their joints. `motion` is how the state changes.
+pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Direction) -> Closed {
+    let tree = moved_in_world(work, &built.tree);
+    let placed = {
+        let free: Vec<Option<[Components; 2]>> = free_links(system, work, built);
+        place_links(&mut work.graph, &built.tree, |link| free[link])
+    };
+    let ends: Vec<Ends<'_>> = system
+        .closings
+        .iter()
+        .map(|closing| ends(system, work, built, closing))
+        .collect();
+    let kept = keepers(system, work, built, (&placed, &ends), motion);
+    let mut unsettled = Unsettled::default();
+    let (idle, kept): (Vec<_>, Vec<_>) = kept
+        .into_iter()
+        .partition(|(keeper, row)| keeper.is_idle(work, row));
+    for (keeper, _) in &idle {
+        unsettled.add(keeper, BTreeSet::new());
+    }
+    let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
+    let written: Vec<Option<usize>> = kept.iter().map(|(keeper, _)| keeper.number()).collect();
+    let symbols = &system.constraints.loads;
+    let followed: Vec<Option<Id>> = written.iter().map(|one| Some(symbols[(*one)?])).collect();
+    let known = Known {
+        built,
+        in_world: &tree,
+        placed: &placed,
+        ends: &ends,
+        kept: &kept,
+    };
+    let is_idle = !idle.is_empty();
+    let found = found(system, work, &known, (&matrix, &followed), is_idle);
+    let mut spare = Vec::new();
+    for (row, others, loads) in found.spare {
+        let others = others.into_iter().map(|other| kept[other].1.name.clone());
+        unsettled.add(&kept[row].0, others.collect());
+        spare.push(loads_of(system, work, &kept, loads.into_iter()));
+    }
+    for (number, _) in idle.iter().enumerate() {
+        let one = work.graph.one();
+        spare.push(loads_of(
+            system,
+            work,
+            &idle[number..=number],
+            [one].into_iter(),
+        ));
+    }
+    let mut accelerations = found.accelerations.into_iter();
+    let links = built.tree.links.iter();
+    let accelerations =
+        links.map(|link| accelerations.by_ref().take(link.open().count()).collect());
+    let accelerations = accelerations.collect();
+    let (wrenches, loads) = loads_of(system, work, &kept, found.loads.into_iter());
+    for (wrenches, loads) in spare {
+        let mut tree = bare(&work.graph, built);
+        push_written(system, work, built, &mut tree, &loads);
+        let known = (&tree, &placed[..], &ends[..]);
+        let spare = Spare::new(&mut work.graph, built, known, wrenches);
+        unsettled.spare.push(spare);
+    }
+    let mut loaded = built.tree.clone();
+    for (ends, wrench) in ends.iter().zip(&wrenches) {
+        push(&mut work.graph, &mut loaded, &placed, ends, *wrench);
+    }
+    push_written(system, work, built, &mut loaded, &loads);
+    let values: Vec<(Id, Id)> = symbols.iter().copied().zip(loads.iter().copied()).collect();
+    replace_in_tree(&mut work.graph, &mut loaded, &values);
+    Closed {
+        accelerations,
+        constraints: kept.into_iter().map(|(_, row)| row).collect(),
+        written,
+        inertias: (0..matrix.driving.len())
+            .map(|freedom| matrix.rows[freedom][freedom])
+            .collect(),
+        wrenches,
+        loads,
+        values,
+        loaded,
+        unsettled,
+    }
+}
+
+/// All that is kept.
+fn keepers(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+    (placed, ends): (&[Placed], &[Ends<'_>]),
+    motion: &Direction,
+) -> Vec<(Keeper, Row)> {
+    let mut kept: Vec<(Keeper, Row)> = Vec::new();
+    for (number, ends) in ends.iter().enumerate() {
+        let rows = rows_of_joint(&mut work.graph, &built.tree, placed, ends);
+        let rows = rows.into_iter();
+        kept.extend(rows.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
+    }
+    let written = rows_of_written(system, work, built, motion).into_iter();
+    let written = written.enumerate();
+    kept.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
+    kept
+}
+
+/// Block by block if that can be done, and is not dearer than to eliminate all together.
+fn found(
+    system: &System,
+    work: &mut Workspace,
+    known: &Known<'_>,
+    (matrix, followed): (&MassMatrix, &[Option<Id>]),
+    is_idle: bool,
+) -> Found {
+    let by_blocks = if system.is_planar && !is_idle {
+        in_plane(work, known)
+    } else {
+        None
+    };
+    match by_blocks {
+        Some(by_blocks) if by_blocks.is_resolved => by_blocks,
+        by_blocks => {
+            let eliminated = eliminated(work, matrix, known.kept, followed);
+            let cost = |found: &Found| work.graph.late_cost(&found.accelerations).total();
+            let by_blocks = by_blocks.filter(|one| cost(one) < cost(&eliminated));
+            by_blocks.unwrap_or(eliminated)
+        }
+    }
+}
+
+/// Force and moment of each joint that closes a loop, and the load of each written constraint, by the
+/// loads of all rows.
+fn loads_of(
+    system: &System,
+    work: &mut Workspace,
+    kept: &[(Keeper, Row)],
+    found: impl Iterator<Item = Id>,
+) -> (Vec<[Components; 2]>, Vec<Id>) {
+    let mut wrenches = vec![[work.graph.zeros(); 2]; system.closings.len()];
+    let mut loads = vec![work.graph.zero(); system.constraints.list.len()];
+    for ((keeper, row), load) in kept.iter().zip(found) {
+        match keeper {
+            Keeper::Joint(number, unit) => {
+                for (sum, unit) in wrenches[*number].iter_mut().zip(unit) {
+                    let part = work.graph.scale_vector(load, *unit);
+                    *sum = work.graph.add_vectors(*sum, part);
+                }
+            }
+            Keeper::Written(number) => {
+                let load = work.graph.quantity(load);
+                let name = format!("{}_load", row.name.replace('.', "_"));
+                work.labels.name(load, name);
+                loads[*number] = load;
+            }
+        }
+    }
+    (wrenches, loads)
+}
+
+fn ends<'a>(
+    system: &'a System,
+    work: &mut Workspace,
+    built: &Built,
+    closing: &'a Closing,
+) -> Ends<'a> {
+    let offset = |work: &mut Workspace, body: Option<usize>, place: Components| match body {
+        None => place,
+        Some(body) => work.graph.subtract_vectors(place, system.joints[body].pin),
+    };
+    Ends {
+        closing,
+        links: [closing.carrier, Some(closing.carried)].map(|body| Some(built.body(body?))),
+        offsets: [
+            offset(work, closing.carrier, closing.place),
+            offset(work, Some(closing.carried), closing.pin),
+        ],
+        is_planar: system.is_planar,
+    }
+}
+
+/// Puts the load of a joint on both of its links, at its point on the carried one.
+fn push(
+    graph: &mut Graph,
+    tree: &mut Tree,
+    placed: &[Placed],
+    ends: &Ends<'_>,
+    [force, moment]: [Components; 2],
+) {
+    let Some(carried) = ends.links[1] else { return };
+    let place = placed[carried].spot(graph, ends.offsets[1]).place;
+    for (link, is_carried) in [(ends.links[0], false), (ends.links[1], true)] {
+        let Some(link) = link else { continue };
+        let arm = graph.subtract_vectors(place, placed[link].origin);
+        let lever = graph.cross(arm, force);
+        let about = graph.add_vectors(moment, lever);
+        let turning = placed[link].turning;
+        let both = [force, about].map(|part| {
+            let part = turning.to_link(graph, part);
+            let part = graph.quantities(part);
+            if is_carried {
+                part
+            } else {
+                graph.negate_vector(part)
+            }
+        });
+        let link = &mut tree.links[link];
+        link.force = graph.add_vectors(link.force, both[0]);
+        link.moment = graph.add_vectors(link.moment, both[1]);
+    }
+}
+
+/// The tree with the accelerations of free links along world axes.
+pub fn moved_in_world(work: &mut Workspace, tree: &Tree) -> Tree {
+    let mut tree = tree.clone();
+    for link in tree.links.iter_mut().filter(|link| link.is_free) {
+        link.is_free = false;
+        for freedom in &mut link.freedoms {
+            freedom.twist.linear = link.turning.to_link(&mut work.graph, freedom.twist.linear);
+        }
+    }
+    tree
+}
+
+/// Place and velocity of the links that are free, world axes.
+fn free_links(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+) -> Vec<Option<[Components; 2]>> {
+    let mut free = vec![None; built.tree.links.len()];
+    for (number, body) in system.bodies.iter().enumerate() {
+        let link = built.body(number);
+        if built.tree.links[link].is_free {
+            let state = [body.state.position, body.state.velocity];
+            free[link] = Some(state.map(|vector| work.components(vector, Frame::WORLD)));
+        }
+    }
+    free
+}

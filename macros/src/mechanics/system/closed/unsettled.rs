@@ -1,0 +1,186 @@
+//! What keeps more than the motion needs: loads that the equations do not determine.
+
+use std::collections::BTreeSet;
+
+use crate::errors::Errors;
+use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::{Built, Properties};
+use crate::model::{System, Workspace};
+use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
+
+use super::super::constraints::{Ends, Placed, Row};
+
+/// What keeps a scalar at zero.
+pub enum Keeper {
+    /// A joint that closes a loop, by number: the force and moment of a unit of its load.
+    Joint(usize, [Components; 2]),
+    /// The load of a written constraint, by number.
+    Written(usize),
+}
+
+/// What has loads that the equations do not determine, by number.
+#[derive(Default)]
+pub struct Unsettled {
+    /// Loads that balance each other, and may be added to those that are found.
+    pub spare: Vec<Spare>,
+    /// Written constraints that say nothing, or nothing new, each with the names of those it follows
+    /// from.
+    pub written: Vec<(usize, BTreeSet<String>)>,
+}
+
+/// Loads that balance each other in all bodies: force and moment of each joint on what it carries, at
+/// its point there, world axes.
+pub struct Spare {
+    /// Of the joints that close loops.
+    pub closings: Vec<[Components; 2]>,
+    /// Of those of the tree.
+    pub joints: Vec<[Components; 2]>,
+}
+
+impl Spare {
+    /// From those of the joints that close loops, and what written constraints do to the links of a
+    /// `tree` without loads.
+    pub fn new(
+        graph: &mut Graph,
+        built: &Built,
+        (tree, placed, ends): (&Tree, &[Placed], &[Ends<'_>]),
+        closings: Vec<[Components; 2]>,
+    ) -> Self {
+        let links = built.links.iter().map(|links| links.end - 1);
+        let joints = links.map(|link| {
+            let is_above = |other: usize| tree.is_above(other, link);
+            let mut sums = [graph.zeros(); 2];
+            for (number, other) in tree.links.iter().enumerate() {
+                if is_above(number) {
+                    let pair = [other.force, other.moment];
+                    let pair = pair.map(|part| placed[number].to_world(graph, part));
+                    subtract_at(
+                        graph,
+                        &mut sums,
+                        pair,
+                        (placed[number].origin, placed[link].origin),
+                    );
+                }
+            }
+            for (ends, wrench) in ends.iter().zip(&closings) {
+                let [on_carrier, on_carried] = ends.links.map(|link| link.is_some_and(is_above));
+                let Some(carried) = ends.links[1].filter(|_| on_carried != on_carrier) else {
+                    continue;
+                };
+                let place = placed[carried].spot(graph, ends.offsets[1]).place;
+                let wrench = if on_carried {
+                    *wrench
+                } else {
+                    wrench.map(|part| graph.negate_vector(part))
+                };
+                subtract_at(graph, &mut sums, wrench, (place, placed[link].origin));
+            }
+            sums
+        });
+        Self {
+            joints: joints.collect(),
+            closings,
+        }
+    }
+}
+
+/// Takes a force and a moment at a place from their sums about another one.
+fn subtract_at(
+    graph: &mut Graph,
+    sums: &mut [Components; 2],
+    [force, moment]: [Components; 2],
+    (place, center): (Components, Components),
+) {
+    let arm = graph.subtract_vectors(place, center);
+    let lever = graph.cross(arm, force);
+    let whole = graph.add_vectors(moment, lever);
+    for (sum, part) in sums.iter_mut().zip([force, whole]) {
+        *sum = graph.subtract_vectors(*sum, part);
+    }
+}
+
+impl Keeper {
+    /// Of a written constraint, its number.
+    pub fn number(&self) -> Option<usize> {
+        match self {
+            Self::Joint(..) => None,
+            Self::Written(number) => Some(*number),
+        }
+    }
+
+    /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as those of
+    /// parallel axes in space do, has any load.
+    pub fn is_idle(&self, work: &Workspace, row: &Row) -> bool {
+        let rest = [row.rate, row.bias].into_iter().chain(row.value);
+        let mut parts = row.slopes.iter().copied();
+        let vanishes = |part: Id| work.graph.vanishes(part);
+        match self {
+            Self::Joint(..) => parts.chain(rest).all(vanishes),
+            Self::Written(_) => parts.all(vanishes),
+        }
+    }
+}
+
+impl Unsettled {
+    /// A constraint whose load is not determined, with the names of what can do all that it does.
+    pub fn add(&mut self, keeper: &Keeper, others: BTreeSet<String>) {
+        if let Keeper::Written(number) = keeper {
+            self.written.push((*number, others));
+        }
+    }
+}
+
+/// The equations of what one unit of the load of a column does together with the others: nothing.
+pub fn without_column(graph: &mut Graph, equations: &[Equation], column: usize) -> Vec<Equation> {
+    let equations = equations.iter().map(|equation| {
+        let mut equation = equation.clone();
+        let unit = equation.coefficients.remove(column);
+        equation.sample.remove(column);
+        equation.sizes.remove(column);
+        equation.right = graph.negate(unit);
+        equation
+    });
+    equations.collect()
+}
+
+/// The tree, of bodies that have no mass and on which nothing acts.
+pub fn bare(graph: &Graph, built: &Built) -> Tree {
+    let mut tree = built.tree.clone();
+    tree.gravity = graph.zeros();
+    for link in &mut tree.links {
+        link.properties = Properties::none(graph);
+        (link.force, link.moment) = (graph.zeros(), graph.zeros());
+        for freedom in &mut link.freedoms {
+            freedom.drive = graph.zero();
+        }
+    }
+    tree
+}
+
+/// The rows whose loads are not determined, each with those that can do all that it does.
+pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
+    let row = |column: &usize| column.checked_sub(count);
+    let undetermined = solved.undetermined.iter();
+    let open = undetermined.filter_map(|one| {
+        let others = one.others.iter().filter_map(row).collect();
+        Some((row(&one.column)?, others))
+    });
+    open.collect()
+}
+
+/// Reports written constraints that say nothing, or nothing new.
+pub fn check_kept(system: &System, unsettled: &Unsettled, errors: &mut Errors) -> Option<()> {
+    for (number, others) in &unsettled.written {
+        let constraint = &system.constraints.list[*number];
+        let name = &constraint.name;
+        let message = if others.is_empty() {
+            format!("no acceleration changes `{name}`: no load can keep it at zero")
+        } else {
+            let others: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
+            let others = others.join(" and ");
+            format!("`{name}` is kept already by {others}: leave one of them out")
+        };
+        errors.push(constraint.place.span(), message);
+    }
+    unsettled.written.is_empty().then_some(())
+}

@@ -1,0 +1,99 @@
+//! Absolute coordinates: of each open freedom that turns the angle of its link in the world, of the
+//! others what they are.
+
+use crate::mechanics::tree::link::{Freedom, Tree};
+use crate::symbolic::{Graph, Id};
+
+use super::super::constraints::Placed;
+
+/// What the links of a tree turn by. Links that are held to their carriers turn with them.
+pub struct Absolute {
+    /// The coordinate of the angle of each link; none: what turns it is known.
+    pub turns: Vec<Option<usize>>,
+    /// Its angular acceleration without that of the coordinate.
+    pub given: Vec<Id>,
+    /// The square of its angular velocity.
+    pub squares: Vec<Id>,
+    /// The first coordinate of each link.
+    pub first: Vec<usize>,
+    pub count: usize,
+    /// Hinges: the coordinate, and the link that carries it.
+    hinges: Vec<(usize, usize)>,
+}
+
+/// Whether a freedom turns what it carries.
+pub fn is_turn(graph: &Graph, freedom: &Freedom) -> bool {
+    !graph.is_zero_vector(&freedom.twist.angular)
+}
+
+impl Absolute {
+    pub fn of(graph: &mut Graph, tree: &Tree, placed: &[Placed]) -> Self {
+        let zero = graph.zero();
+        let mut found = Self {
+            turns: Vec::new(),
+            given: Vec::new(),
+            squares: Vec::new(),
+            first: Vec::new(),
+            count: 0,
+            hinges: Vec::new(),
+        };
+        for (link, placed) in tree.links.iter().zip(placed) {
+            let mut turns = link.carrier.and_then(|carrier| found.turns[carrier]);
+            let mut given = link.carrier.map_or(zero, |carrier| found.given[carrier]);
+            found.first.push(found.count);
+            for freedom in &link.freedoms {
+                let is_turn = is_turn(graph, freedom);
+                match freedom.given {
+                    Some(rate) if is_turn => given = graph.add(given, rate),
+                    Some(_) => {}
+                    None => {
+                        if is_turn {
+                            if let Some(carrier) = link.carrier {
+                                found.hinges.push((found.count, carrier));
+                            }
+                            (turns, given) = (Some(found.count), zero);
+                        }
+                        found.count += 1;
+                    }
+                }
+            }
+            let square = graph.square(placed.w[2]);
+            found.turns.push(turns);
+            found.given.push(graph.quantity(given));
+            found.squares.push(graph.quantity(square));
+        }
+        found
+    }
+
+    /// What belongs to the coordinates of joints, for absolute ones: `T^T u`.
+    pub fn gathered(&self, graph: &mut Graph, of_joints: &[Id]) -> Vec<Id> {
+        let mut all = of_joints.to_vec();
+        for (own, carrier) in &self.hinges {
+            if let Some(below) = self.turns[*carrier] {
+                all[below] = graph.subtract(all[below], of_joints[*own]);
+            }
+        }
+        all
+    }
+
+    /// The accelerations of joints, `T x - d`.
+    pub fn of_joints(&self, graph: &mut Graph, absolute: &[Id]) -> Vec<Id> {
+        let mut all = absolute.to_vec();
+        for (own, carrier) in &self.hinges {
+            let below = self.turns[*carrier].map(|below| absolute[below]);
+            for part in below.into_iter().chain([self.given[*carrier]]) {
+                all[*own] = graph.subtract(all[*own], part);
+            }
+        }
+        all
+    }
+
+    /// `u . d`
+    pub fn known(&self, graph: &mut Graph, of_joints: &[Id]) -> Id {
+        let hinges = self.hinges.iter();
+        let parts: Vec<Id> = hinges
+            .map(|(own, carrier)| graph.multiply(of_joints[*own], self.given[*carrier]))
+            .collect();
+        graph.sum(&parts)
+    }
+}

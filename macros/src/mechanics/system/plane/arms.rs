@@ -1,0 +1,125 @@
+//! Vectors that are fixed in links, in world axes.
+
+use crate::mechanics::tree::link::Tree;
+use crate::model::Labels;
+use crate::symbolic::{Components, Graph, Id};
+
+use super::super::constraints::Placed;
+
+/// The vectors that are formed for each link: what is parallel to one of them is a multiple of it.
+pub struct Arms<'a> {
+    placed: &'a [Placed],
+    /// In the axes of the link, and in those of the world.
+    known: Vec<Vec<[Components; 2]>>,
+}
+
+/// A vector of a link as a sum, `along a + across z x a`: products with it are those with its arm.
+pub struct ByArm {
+    arm: Components,
+    along: Id,
+    across: Id,
+}
+
+/// `z x v`
+pub fn quarter_turn(graph: &mut Graph, [x, y, _]: Components) -> Components {
+    let zero = graph.zero();
+    [graph.negate(y), x, zero]
+}
+
+impl<'a> Arms<'a> {
+    pub fn new(placed: &'a [Placed]) -> Self {
+        Self {
+            placed,
+            known: vec![Vec::new(); placed.len()],
+        }
+    }
+
+    /// A vector of a link, in world axes; the opposite of a known one is its negative.
+    pub fn world(&mut self, graph: &mut Graph, link: usize, vector: Components) -> Components {
+        if graph.is_zero_vector(&vector) {
+            return vector;
+        }
+        let mut parts = vector.into_iter();
+        let first = parts.find(|part| !graph.is_zero(*part));
+        let is_negative = first.is_some_and(|first| graph.split_sign(first).0);
+        let signed = |graph: &mut Graph, vector: Components| {
+            if is_negative {
+                graph.negate_vector(vector)
+            } else {
+                vector
+            }
+        };
+        let vector = signed(graph, vector);
+        let mut known = self.known[link].iter();
+        let found = if let Some([_, found]) = known.find(|[own, _]| *own == vector) {
+            *found
+        } else {
+            let found = self.placed[link].to_world(graph, vector);
+            self.known[link].push([vector, found]);
+            found
+        };
+        signed(graph, found)
+    }
+
+    /// Names of all that are known.
+    pub fn name(&self, labels: &mut Labels, tree: &Tree) {
+        for (link, known) in tree.links.iter().zip(&self.known) {
+            for [_, arm] in known {
+                labels.vector(&format!("arm_{}", link.name), *arm);
+            }
+        }
+    }
+
+    /// The angular velocity of a link.
+    pub fn turning_rate(&self, link: usize) -> Id {
+        self.placed[link].w[2]
+    }
+
+    /// A vector of a link by its first arm, if it has one that is known early.
+    pub fn by_arm(&mut self, graph: &mut Graph, link: usize, vector: Components) -> ByArm {
+        let mut known = self.known[link].iter();
+        if let Some([own, arm]) = known.find(|[own, _]| graph.are_early(own)).copied()
+            && graph.are_early(&vector)
+        {
+            let square = graph.norm_squared(own);
+            let along = graph.dot(own, vector);
+            let across = graph.cross(own, vector)[2];
+            return ByArm {
+                arm,
+                along: graph.divide(along, square),
+                across: graph.divide(across, square),
+            };
+        }
+        ByArm {
+            arm: self.world(graph, link, vector),
+            along: graph.one(),
+            across: graph.zero(),
+        }
+    }
+}
+
+impl ByArm {
+    /// `s . v`
+    pub fn dot(&self, graph: &mut Graph, v: Components) -> Id {
+        let (along, across) = self.products(graph, v);
+        let (a, b) = (
+            graph.multiply(self.along, along),
+            graph.multiply(self.across, across),
+        );
+        graph.add(a, b)
+    }
+
+    /// `z . (s x v)`, which is `(z x s) . v`.
+    pub fn cross(&self, graph: &mut Graph, v: Components) -> Id {
+        let (along, across) = self.products(graph, v);
+        let (a, b) = (
+            graph.multiply(self.along, across),
+            graph.multiply(self.across, along),
+        );
+        graph.subtract(a, b)
+    }
+
+    fn products(&self, graph: &mut Graph, v: Components) -> (Id, Id) {
+        (graph.dot(self.arm, v), graph.cross(self.arm, v)[2])
+    }
+}

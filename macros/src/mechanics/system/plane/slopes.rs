@@ -1,0 +1,140 @@
+//! What is kept, by absolute coordinates.
+
+use crate::mechanics::tree::link::Tree;
+use crate::symbolic::{Components, Graph, Id};
+
+use super::super::constraints::{Ends, Row};
+use super::super::reduced::Held;
+use super::absolute::{Absolute, is_turn};
+use super::arms::{Arms, quarter_turn};
+
+/// What a link has to do with a loop: a vector in its axes, from where the loop enters it to where it
+/// leaves it.
+struct Part {
+    vector: Components,
+    /// How often the loop passes through its joint, less how often it does so backwards.
+    passes: i32,
+}
+
+/// The two rows of a hinge that closes a loop: the sum of the arms of its links is kept.
+///
+/// ```text
+/// sum of z x a_i x_i = sum of w_i^2 a_i - ..
+/// ```
+pub fn of_hinge(
+    graph: &mut Graph,
+    tree: &Tree,
+    absolute: &Absolute,
+    arms: &mut Arms<'_>,
+    ends: &Ends<'_>,
+) -> [Held; 2] {
+    let zeros = graph.zeros();
+    let mut columns = vec![zeros; absolute.count];
+    let mut sizes = vec![graph.zero(); absolute.count];
+    let mut right = zeros;
+    for (link, part) in parts(graph, tree, ends).into_iter().enumerate() {
+        let Some(Part { vector, passes }) = part else {
+            continue;
+        };
+        let arm = arms.world(graph, link, vector);
+        let swept = quarter_turn(graph, arm);
+        if let Some(own) = absolute.turns[link] {
+            columns[own] = graph.add_vectors(columns[own], swept);
+            let square = graph.norm_squared(vector);
+            sizes[own] = graph.add(sizes[own], square);
+        }
+        let inwards = graph.scale_vector(absolute.squares[link], arm);
+        let turned = graph.scale_vector(absolute.given[link], swept);
+        right = graph.add_vectors(right, inwards);
+        right = graph.subtract_vectors(right, turned);
+        if passes == 0 {
+            continue;
+        }
+        let sign = graph.integer(i64::from(passes));
+        let (mut next, known) = (absolute.first[link], &tree.links[link]);
+        for freedom in &known.freedoms {
+            let own = next;
+            next += usize::from(freedom.given.is_none());
+            if is_turn(graph, freedom) {
+                continue;
+            }
+            let along = graph.scale_vector(sign, freedom.twist.linear);
+            let square = graph.norm_squared(freedom.twist.linear);
+            let along = if known.is_free {
+                along
+            } else {
+                arms.world(graph, link, along)
+            };
+            if let Some(rate) = freedom.given {
+                let driven = graph.scale_vector(rate, along);
+                right = graph.subtract_vectors(right, driven);
+            } else {
+                columns[own] = graph.add_vectors(columns[own], along);
+                sizes[own] = graph.add(sizes[own], square);
+            }
+            if !known.is_free {
+                let coriolis = coriolis(graph, arms.turning_rate(link), freedom.rate, along);
+                right = graph.subtract_vectors(right, coriolis);
+            }
+        }
+    }
+    [0, 1].map(|axis| Held {
+        slopes: columns.iter().map(|column| column[axis]).collect(),
+        sizes: sizes.clone(),
+        right: graph.quantity(right[axis]),
+    })
+}
+
+/// `2 w x v`
+pub fn coriolis(graph: &mut Graph, w: Id, rate: Id, along: Components) -> Components {
+    let across = quarter_turn(graph, along);
+    let product = graph.multiply(w, rate);
+    let twice = graph.add(product, product);
+    let twice = graph.quantity(twice);
+    graph.scale_vector(twice, across)
+}
+
+/// What each link has to do with the loop of a joint.
+fn parts(graph: &mut Graph, tree: &Tree, ends: &Ends<'_>) -> Vec<Option<Part>> {
+    let zeros = graph.zeros();
+    let mut sums: Vec<Part> = tree
+        .links
+        .iter()
+        .map(|_| Part {
+            vector: zeros,
+            passes: 0,
+        })
+        .collect();
+    for (end, passes) in [(0, -1), (1, 1)] {
+        let (mut at, mut offset) = (ends.links[end], ends.offsets[end]);
+        while let Some(link) = at {
+            let own = &mut sums[link];
+            own.passes += passes;
+            own.vector = if passes > 0 {
+                graph.add_vectors(own.vector, offset)
+            } else {
+                graph.subtract_vectors(own.vector, offset)
+            };
+            (at, offset) = (tree.links[link].carrier, tree.links[link].place);
+        }
+    }
+    let sums = sums.into_iter();
+    sums.map(|part| {
+        let is_there = part.passes != 0 || !graph.is_zero_vector(&part.vector);
+        is_there.then_some(part)
+    })
+    .collect()
+}
+
+/// A row that is known by the coordinates of joints.
+pub fn of_row(graph: &mut Graph, absolute: &Absolute, row: &Row) -> Held {
+    let slopes = absolute.gathered(graph, &row.slopes);
+    let slopes: Vec<Id> = slopes.into_iter().map(|one| graph.quantity(one)).collect();
+    let known = absolute.known(graph, &row.slopes);
+    let right = graph.subtract(known, row.bias);
+    Held {
+        sizes: slopes.iter().map(|one| graph.square(*one)).collect(),
+        slopes,
+        right: graph.quantity(right),
+    }
+}

@@ -1,0 +1,289 @@
+//! Balances and rows, of which one block after another is resolved.
+
+use crate::mechanics::proofs::samples;
+use crate::model::Workspace;
+use crate::symbolic::{Graph, Id};
+
+use super::block::{Block, Way, next_rows, numerators, solved, way};
+
+/// A row of what is kept: `sum of slopes * x = right`.
+#[derive(Clone)]
+pub struct Held {
+    pub slopes: Vec<Id>,
+    pub right: Id,
+    /// Bounds of the squares of the slopes.
+    pub sizes: Vec<Id>,
+}
+
+/// A coordinate, and its balance.
+#[derive(Clone)]
+pub struct Balance {
+    pub name: String,
+    /// What the accelerations of all coordinates take.
+    pub masses: Vec<Id>,
+    pub driving: Id,
+}
+
+/// Balances and rows that are being resolved.
+pub struct Balances<'w> {
+    pub work: &'w mut Workspace,
+    pub all: Vec<Balance>,
+    pub rows: Vec<Held>,
+    /// Bounds of the inertia of each coordinate.
+    sizes: Vec<Id>,
+    /// The coordinates that nothing gives yet, and the rows that give none.
+    pub open: Vec<bool>,
+    is_left: Vec<bool>,
+    pub blocks: Vec<Block>,
+}
+
+/// The rows of a block by its coordinates.
+struct Chosen {
+    rows: Vec<usize>,
+    coordinates: Vec<usize>,
+    slopes: Vec<Vec<Id>>,
+    right: Vec<Id>,
+}
+
+impl<'w> Balances<'w> {
+    pub fn new(work: &'w mut Workspace, all: Vec<Balance>, rows: Vec<Held>) -> Self {
+        let sizes = all.iter().enumerate().map(|(own, one)| one.masses[own]);
+        let mut balances = Self {
+            work,
+            sizes: sizes.collect(),
+            open: vec![true; all.len()],
+            is_left: vec![true; rows.len()],
+            all,
+            rows,
+            blocks: Vec::new(),
+        };
+        balances.drop_zeros();
+        balances
+    }
+
+    /// The rows that are not resolved.
+    pub fn left(&self) -> Vec<usize> {
+        (0..self.rows.len())
+            .filter(|row| self.is_left[*row])
+            .collect()
+    }
+
+    /// Slopes that are proved to vanish.
+    fn drop_zeros(&mut self) {
+        let left = self.left();
+        let slopes = left.iter().flat_map(|row| self.rows[*row].slopes.clone());
+        let slopes: Vec<Id> = slopes.collect();
+        let mut values = samples(self.work, &slopes).into_iter();
+        let zero = self.work.graph.zero();
+        for row in left {
+            for (slope, value) in self.rows[row].slopes.iter_mut().zip(&mut values) {
+                if value.is_zero() {
+                    *slope = zero;
+                }
+            }
+        }
+    }
+
+    /// Resolves the smallest block; whether there was one.
+    pub fn next_block(&mut self) -> bool {
+        let open = self.left().into_iter().map(|row| {
+            let slopes = self.rows[row].slopes.iter().enumerate();
+            let there = slopes.filter(|(_, slope)| !self.work.graph.is_zero(**slope));
+            (row, there.map(|(coordinate, _)| coordinate).collect())
+        });
+        let open: Vec<(usize, Vec<usize>)> = open.collect();
+        let Some((rows, coordinates)) = next_rows(&open) else {
+            return false;
+        };
+        let known = rows.iter().map(|row| &self.rows[*row]);
+        let chosen = Chosen {
+            slopes: known
+                .clone()
+                .map(|row| coordinates.iter().map(|own| row.slopes[*own]).collect())
+                .collect(),
+            right: known.map(|row| row.right).collect(),
+            rows,
+            coordinates,
+        };
+        let block = if chosen.rows.len() == chosen.coordinates.len() {
+            self.determined(chosen)
+        } else {
+            self.with_way(chosen)
+        };
+        let Some(block) = block else { return false };
+        self.replace(block);
+        self.drop_zeros();
+        true
+    }
+
+    /// Rows of as many coordinates; nothing where their determinant may vanish throughout a branch.
+    fn determined(&mut self, known: Chosen) -> Option<Block> {
+        let graph = &mut self.work.graph;
+        let (determinant, numerators) = solved(graph, &known.slopes, &known.right);
+        let size = graph.largest_term(determinant);
+        let determinant = graph.quantity(determinant);
+        if samples(self.work, &[determinant])[0].may_vanish() {
+            return None;
+        }
+        let graph = &mut self.work.graph;
+        let inverse = graph.pivot(determinant, size);
+        Some(Block {
+            fixed: divided(graph, &numerators, inverse),
+            rows: known.rows,
+            coordinates: known.coordinates,
+            slopes: known.slopes,
+            way: None,
+            inverse,
+            later: Vec::new(),
+        })
+    }
+
+    /// Rows of one coordinate more; nothing where there may be no way, or none with inertia, throughout
+    /// a branch.
+    fn with_way(&mut self, known: Chosen) -> Option<Block> {
+        let bounds = self.bounds(&known);
+        let graph = &mut self.work.graph;
+        let own = &known.coordinates;
+        let (along, bounds) = way(graph, &known.slopes, &bounds);
+        let momentum: Vec<Id> = own
+            .iter()
+            .map(|one| {
+                let sum = products(graph, at(&self.all[*one].masses, own), &along);
+                graph.quantity(sum)
+            })
+            .collect();
+        let inertia = products(graph, momentum.iter().copied(), &along);
+        let inertia = graph.quantity(inertia);
+        if samples(self.work, &[inertia])[0].may_vanish() {
+            return None;
+        }
+        let graph = &mut self.work.graph;
+        let size = products(graph, at(&self.sizes, own), &bounds);
+        let inverse = graph.pivot(inertia, size);
+        let numerators = numerators(graph, &known.slopes, &known.right, &momentum);
+        let fixed = divided(graph, &numerators, inverse);
+        self.sizes.push(size);
+        for row in &mut self.rows {
+            let bound = products(graph, at(&row.sizes, own), &bounds);
+            row.sizes.push(bound);
+        }
+        let coordinate = self.stand_for(own, &along, inertia);
+        let labels = &mut self.work.labels;
+        for ((one, along), momentum) in own.iter().zip(&along).zip(&momentum) {
+            let name = &self.all[*one].name;
+            labels.name(*along, format!("share_{name}"));
+            labels.name(*momentum, format!("momentum_{name}"));
+        }
+        let name = &self.all[coordinate].name;
+        labels.name(inertia, format!("inertia_{name}"));
+        labels.name(inverse, format!("inverse_inertia_{name}"));
+        Some(Block {
+            rows: known.rows,
+            coordinates: known.coordinates,
+            slopes: known.slopes,
+            fixed,
+            way: Some(Way {
+                along,
+                momentum,
+                numerators,
+                coordinate,
+            }),
+            inverse,
+            later: Vec::new(),
+        })
+    }
+
+    /// Bounds of the squares of all slopes of each coordinate.
+    fn bounds(&mut self, known: &Chosen) -> Vec<Id> {
+        let graph = &mut self.work.graph;
+        let bounds = known.coordinates.iter().map(|own| {
+            let rows = known.rows.iter();
+            let mut sizes: Vec<Id> = rows.map(|row| self.rows[*row].sizes[*own]).collect();
+            sizes.dedup();
+            graph.sum(&sizes)
+        });
+        bounds.collect()
+    }
+
+    /// A coordinate that stands for others along a way: its balance, and its part in the rows.
+    fn stand_for(&mut self, coordinates: &[usize], along: &[Id], inertia: Id) -> usize {
+        let graph = &mut self.work.graph;
+        let mut masses: Vec<Id> = Vec::new();
+        for balance in &mut self.all {
+            let sum = products(graph, at(&balance.masses, coordinates), along);
+            let coupling = graph.quantity(sum);
+            balance.masses.push(coupling);
+            masses.push(coupling);
+        }
+        masses.push(inertia);
+        let driving = coordinates.iter().map(|own| self.all[*own].driving);
+        let driving = products(graph, driving, along);
+        for row in &mut self.rows {
+            let sum = products(graph, at(&row.slopes, coordinates), along);
+            row.slopes.push(graph.quantity(sum));
+        }
+        self.open.push(true);
+        let name = format!("loop_{}", self.blocks.len() + 1);
+        self.all.push(Balance {
+            name,
+            masses,
+            driving,
+        });
+        self.all.len() - 1
+    }
+
+    /// Puts what is found of coordinates into the other balances and rows.
+    fn replace(&mut self, mut block: Block) {
+        let graph = &mut self.work.graph;
+        let zero = graph.zero();
+        for own in &block.coordinates {
+            self.open[*own] = false;
+        }
+        for row in &block.rows {
+            self.is_left[*row] = false;
+        }
+        let rows = self.rows.iter_mut().enumerate();
+        for (number, row) in rows.filter(|(number, _)| self.is_left[*number]) {
+            let slopes: Vec<Id> = at(&row.slopes, &block.coordinates).collect();
+            if slopes.iter().all(|slope| graph.is_zero(*slope)) {
+                continue;
+            }
+            let known = products(graph, slopes.iter().copied(), &block.fixed);
+            let right = graph.subtract(row.right, known);
+            row.right = graph.quantity(right);
+            for own in &block.coordinates {
+                row.slopes[*own] = zero;
+            }
+            block.later.push((number, slopes));
+        }
+        // along its way, what is fixed takes nothing
+        let way = block.way.as_ref().map(|way| way.coordinate);
+        for (coordinate, balance) in self.all.iter_mut().enumerate() {
+            if self.open[coordinate] && way != Some(coordinate) {
+                let taken = products(graph, at(&balance.masses, &block.coordinates), &block.fixed);
+                balance.driving = graph.subtract(balance.driving, taken);
+            }
+        }
+        self.blocks.push(block);
+    }
+}
+
+fn divided(graph: &mut Graph, numerators: &[Id], inverse: Id) -> Vec<Id> {
+    let values = numerators.iter().map(|one| {
+        let value = graph.multiply(inverse, *one);
+        graph.quantity(value)
+    });
+    values.collect()
+}
+
+/// What of a list is of these coordinates.
+pub fn at(list: &[Id], coordinates: &[usize]) -> impl Iterator<Item = Id> {
+    coordinates.iter().map(|own| list[*own])
+}
+
+/// The sum of the products.
+pub fn products(graph: &mut Graph, first: impl Iterator<Item = Id>, second: &[Id]) -> Id {
+    let pairs = first.zip(second);
+    let parts: Vec<Id> = pairs.map(|(a, b)| graph.multiply(a, *b)).collect();
+    graph.sum(&parts)
+}

@@ -1,0 +1,107 @@
+//! Rows that are resolved together: which these are, and what follows from them.
+
+use crate::symbolic::{Graph, Id};
+
+/// Rows that are resolved for the coordinates in which they have a part.
+pub struct Block {
+    pub rows: Vec<usize>,
+    pub coordinates: Vec<usize>,
+    /// Of these rows by these coordinates.
+    pub slopes: Vec<Vec<Id>>,
+    /// What the coordinates are; besides the way that is left.
+    pub fixed: Vec<Id>,
+    pub way: Option<Way>,
+    /// One over the determinant of the rows, or over the inertia along the way.
+    pub inverse: Id,
+    /// Of later rows that these coordinates have a part in.
+    pub later: Vec<(usize, Vec<Id>)>,
+}
+
+/// The way of moving that rows leave.
+pub struct Way {
+    pub along: Vec<Id>,
+    /// `M n`
+    pub momentum: Vec<Id>,
+    /// `fixed` before it is divided by the inertia.
+    pub numerators: Vec<Id>,
+    /// The coordinate that stands for the others.
+    pub coordinate: usize,
+}
+
+/// The fewest rows with no more than one coordinate more than they are; of these with the fewest.
+pub fn next_rows(open: &[(usize, Vec<usize>)]) -> Option<(Vec<usize>, Vec<usize>)> {
+    let with = |parts: &[&(usize, Vec<usize>)]| {
+        let rows: Vec<usize> = parts.iter().map(|(row, _)| *row).collect();
+        let mut coordinates: Vec<usize> = parts.iter().flat_map(|(_, own)| own).copied().collect();
+        coordinates.sort_unstable();
+        coordinates.dedup();
+        let count = coordinates.len();
+        (rows.len()..=rows.len() + 1)
+            .contains(&count)
+            .then_some((rows, coordinates))
+    };
+    let single = open.iter().filter_map(|row| with(&[row]));
+    let pairs = open.iter().enumerate().flat_map(|(place, first)| {
+        let others = open[place + 1..].iter();
+        others.filter_map(move |second| with(&[first, second]))
+    });
+    single
+        .chain(pairs)
+        .min_by_key(|(rows, coordinates)| (rows.len(), coordinates.len()))
+}
+
+/// The way of moving that rows leave, by their minors, and bounds of the squares of its components by
+/// those of the slopes.
+pub fn way(graph: &mut Graph, slopes: &[Vec<Id>], sizes: &[Id]) -> (Vec<Id>, Vec<Id>) {
+    match (slopes, sizes) {
+        ([row], [a, b]) => (vec![row[1], graph.negate(row[0])], vec![*b, *a]),
+        ([first, second], [a, b, c]) => {
+            let [first, second] = [first, second].map(|row| [row[0], row[1], row[2]]);
+            let minors = graph.cross(first, second);
+            let sizes = [(b, c), (c, a), (a, b)].map(|(i, j)| graph.multiply(*i, *j));
+            (graph.quantities(minors).to_vec(), sizes.to_vec())
+        }
+        _ => (Vec::new(), Vec::new()),
+    }
+}
+
+/// The determinant of as many rows as coordinates, and their values times it.
+pub fn solved(graph: &mut Graph, slopes: &[Vec<Id>], right: &[Id]) -> (Id, Vec<Id>) {
+    let determinant = |graph: &mut Graph, [a, b]: [Id; 2], [c, d]: [Id; 2]| {
+        let (ad, bc) = (graph.multiply(a, d), graph.multiply(b, c));
+        graph.subtract(ad, bc)
+    };
+    match (slopes, right) {
+        ([first, second], [r, s]) => {
+            let columns = [0, 1].map(|place| [first[place], second[place]]);
+            let whole = determinant(graph, columns[0], columns[1]);
+            let x = determinant(graph, [*r, *s], columns[1]);
+            let y = determinant(graph, columns[0], [*r, *s]);
+            (whole, vec![x, y])
+        }
+        _ => (slopes[0][0], right.to_vec()),
+    }
+}
+
+/// `p mu` of `A p = r`, `m . p = 0`.
+pub fn numerators(graph: &mut Graph, slopes: &[Vec<Id>], right: &[Id], momentum: &[Id]) -> Vec<Id> {
+    match (slopes, right, momentum) {
+        ([_], [right], [first, second]) => {
+            let (a, b) = (
+                graph.multiply(*right, *first),
+                graph.multiply(*right, *second),
+            );
+            vec![graph.negate(b), a]
+        }
+        ([first, second], [r, s], [a, b, c]) => {
+            let turned = [0, 1, 2].map(|place| {
+                let less = graph.multiply(*s, first[place]);
+                let more = graph.multiply(*r, second[place]);
+                let whole = graph.subtract(more, less);
+                graph.quantity(whole)
+            });
+            graph.cross(turned, [*a, *b, *c]).to_vec()
+        }
+        _ => Vec::new(),
+    }
+}

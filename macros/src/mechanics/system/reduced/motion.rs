@@ -1,0 +1,110 @@
+//! Accelerations, block by block.
+
+use crate::model::Workspace;
+use crate::symbolic::{Elimination, Id, Size};
+
+use super::balances::{Balance, Balances, Held, at};
+use super::block::Block;
+use super::together::{Kept, together};
+
+/// What is found.
+pub struct Reduced {
+    /// Of all coordinates: those that were given, and those that stand for others.
+    pub values: Vec<Id>,
+    pub blocks: Vec<Block>,
+    /// The rows that were eliminated with the balances, each with its load.
+    pub eliminated: Vec<(usize, Id)>,
+}
+
+/// Resolves `M x = f + A^T l`, `A x = r` for x; nothing if rows are found to be dependent.
+pub fn reduce(work: &mut Workspace, balances: Vec<Balance>, rows: Vec<Held>) -> Option<Reduced> {
+    let mut balances = Balances::new(work, balances, rows);
+    while balances.next_block() {}
+    finish(balances)
+}
+
+/// What is left is eliminated; then the values of all coordinates follow, the last ones first.
+fn finish(mut balances: Balances<'_>) -> Option<Reduced> {
+    let zero = balances.work.graph.zero();
+    let mut values = vec![zero; balances.all.len()];
+    let left = balances.left();
+    let open = (0..balances.all.len()).filter(|own| balances.open[*own]);
+    let (alone, open): (Vec<usize>, Vec<usize>) =
+        open.partition(|own| is_alone(&balances, *own, &left));
+    let solved = eliminate(&mut balances, &open, &left);
+    if !solved.undetermined.is_empty() {
+        return None;
+    }
+    let mut found = solved.values.into_iter();
+    for (own, value) in open.iter().zip(&mut found) {
+        values[*own] = value;
+    }
+    let graph = &mut balances.work.graph;
+    for block in balances.blocks.iter().rev() {
+        let Some(way) = &block.way else {
+            for (own, value) in block.coordinates.iter().zip(&block.fixed) {
+                values[*own] = *value;
+            }
+            continue;
+        };
+        // what moves alone is divided once, with what it stands for
+        let is_alone = alone.contains(&way.coordinate);
+        let (parts, by) = if is_alone {
+            (&way.numerators, balances.all[way.coordinate].driving)
+        } else {
+            (&block.fixed, values[way.coordinate])
+        };
+        let by = graph.quantity(by);
+        for ((own, part), along) in block.coordinates.iter().zip(parts).zip(&way.along) {
+            let moved = graph.multiply(by, *along);
+            let mut value = graph.add(*part, moved);
+            if is_alone {
+                value = graph.multiply(block.inverse, value);
+            }
+            values[*own] = graph.quantity(value);
+        }
+    }
+    Some(Reduced {
+        values,
+        blocks: balances.blocks,
+        eliminated: left.into_iter().zip(found).collect(),
+    })
+}
+
+/// Whether a coordinate stands for others, and nothing else that is left has to do with it.
+fn is_alone(balances: &Balances<'_>, own: usize, left: &[usize]) -> bool {
+    let graph = &balances.work.graph;
+    let mut ways = balances
+        .blocks
+        .iter()
+        .filter_map(|block| block.way.as_ref());
+    let mut others = (0..balances.all.len()).filter(|other| balances.open[*other] && *other != own);
+    ways.any(|way| way.coordinate == own)
+        && others.all(|other| graph.is_zero(balances.all[own].masses[other]))
+        && left
+            .iter()
+            .all(|row| graph.is_zero(balances.rows[*row].slopes[own]))
+}
+
+/// The balances and the rows that are left, together.
+fn eliminate(balances: &mut Balances<'_>, open: &[usize], left: &[usize]) -> Elimination {
+    let own = open.iter().map(|own| &balances.all[*own]);
+    let masses = own.clone().map(|one| at(&one.masses, open).collect());
+    let masses: Vec<Vec<Id>> = masses.collect();
+    let driving: Vec<Id> = own.map(|one| one.driving).collect();
+    let zero = balances.work.graph.zero();
+    let rows = left.iter().map(|row| {
+        let row = &balances.rows[*row];
+        let slopes: Vec<Id> = at(&row.slopes, open).collect();
+        Kept {
+            pushes: slopes.clone(),
+            slopes,
+            right: row.right,
+            own: zero,
+        }
+    });
+    let rows: Vec<Kept> = rows.collect();
+    let equations = together(balances.work, (&masses, &driving), &rows, Size::Reduced);
+    let unknowns = open.len() + left.len();
+    balances.work.graph.solve(equations, unknowns)
+}

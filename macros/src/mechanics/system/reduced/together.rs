@@ -1,0 +1,52 @@
+//! Balances, and rows that are kept, as equations for the coordinates and then the loads.
+
+use crate::mechanics::proofs::samples;
+use crate::model::Workspace;
+use crate::symbolic::{Equation, Id, Size};
+
+/// A row, and what its load does.
+pub struct Kept {
+    pub slopes: Vec<Id>,
+    pub right: Id,
+    /// Of a unit of its load, along each coordinate.
+    pub pushes: Vec<Id>,
+    /// The factor of its load in the row itself.
+    pub own: Id,
+}
+
+/// `M x - P l = f`, `A x + c l = r`. The matrix is not definite: the loads, of which `of_load` is known,
+/// are eliminated last.
+pub fn together(
+    work: &mut Workspace,
+    (masses, driving): (&[Vec<Id>], &[Id]),
+    rows: &[Kept],
+    of_load: Size,
+) -> Vec<Equation> {
+    let (count, zero) = (driving.len(), work.graph.zero());
+    let mut sides = Vec::new();
+    for (own, (masses, right)) in masses.iter().zip(driving).enumerate() {
+        let mut coefficients = masses.clone();
+        let pushes = rows.iter().map(|row| work.graph.negate(row.pushes[own]));
+        coefficients.extend(pushes);
+        sides.push((coefficients, *right, (own, Size::Squares)));
+    }
+    for (number, row) in rows.iter().enumerate() {
+        let mut coefficients = [row.slopes.clone(), vec![zero; rows.len()]].concat();
+        coefficients[count + number] = row.own;
+        sides.push((coefficients, row.right, (count + number, of_load)));
+    }
+    let all: Vec<Id> = sides.iter().flat_map(|(row, ..)| row.clone()).collect();
+    let mut values = samples(work, &all).into_iter();
+    let equations = sides.into_iter().map(|(coefficients, right, (own, size))| {
+        let mut sizes = vec![Size::Beside; coefficients.len()];
+        sizes[own] = size;
+        Equation {
+            sample: values.by_ref().take(coefficients.len()).collect(),
+            sizes,
+            active: None,
+            coefficients,
+            right,
+        }
+    });
+    equations.collect()
+}

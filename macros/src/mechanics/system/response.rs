@@ -1,0 +1,70 @@
+//! What accelerations change by, to first order, with what the balances change by.
+//!
+//! ```text
+//! r(x, a) = 0, linear in a:    M da = -dr,    M = dr/da
+//! ```
+//!
+//! r is the load along each freedom that inverse dynamics finds, less what acts there; so nothing of
+//! the elimination that gives the accelerations is differentiated, and M is factored once.
+
+use std::collections::HashMap;
+
+use crate::mechanics::tree::{MassMatrix, joint_loads};
+use crate::model::{System, Workspace};
+use crate::symbolic::Id;
+
+use super::closed::moved_in_world;
+use super::equations::SystemEquations;
+use super::loads::{by_link, given_accelerations};
+use super::rates::order;
+
+/// The balances along the freedoms of a tree, with accelerations that are given.
+pub struct Response {
+    matrix: MassMatrix,
+    /// The load that each freedom lacks, by the symbols of the accelerations.
+    pub lacking: Vec<Id>,
+    /// What these symbols stand for.
+    values: HashMap<Id, Id>,
+    /// The accelerations by the same matrix, in the order of the state.
+    pub accelerations: Vec<Id>,
+    /// Of the freedoms, in the order of the state.
+    order: Vec<usize>,
+}
+
+impl Response {
+    /// Of a tree that moves freely.
+    pub fn of(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Option<Self> {
+        system.is_tree().then_some(())?;
+        let tree = moved_in_world(work, &equations.reduced);
+        let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
+        let by_link = by_link(equations, &tree, &given);
+        let loads = joint_loads(&mut work.graph, &tree, &by_link);
+        let mut lacking = Vec::new();
+        for (link, load) in tree.links.iter().zip(loads) {
+            for freedom in link.open() {
+                let needed = freedom.twist.dot(&mut work.graph, load);
+                lacking.push(work.graph.subtract(needed, freedom.drive));
+            }
+        }
+        let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
+        let found = matrix.solve(&mut work.graph, &mut work.labels);
+        let order = order(system, equations);
+        Some(Self {
+            matrix,
+            lacking,
+            accelerations: order.iter().map(|freedom| found[*freedom]).collect(),
+            values: given.concat().into_iter().zip(found).collect(),
+            order,
+        })
+    }
+
+    /// The change of the accelerations, in the order of the state, where what is lacking changes by
+    /// this.
+    pub fn to(&mut self, work: &mut Workspace, change: &[Id]) -> Vec<Id> {
+        let known = &self.values;
+        let change = work.graph.substitute(change, |id| known.get(&id).copied());
+        self.matrix.driving = change.iter().map(|id| work.graph.negate(*id)).collect();
+        let found = self.matrix.solve(&mut work.graph, &mut work.labels);
+        self.order.iter().map(|freedom| found[*freedom]).collect()
+    }
+}

@@ -1,0 +1,66 @@
+//! The tangent space of states: what a motion changes by.
+
+use crate::model::words::Variable;
+
+use super::shape::{Field, Shape};
+
+/// Coordinates of the tangent space that belong together; or accelerations.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// Of a system, the number of the joint in its state.
+    pub joint: usize,
+    pub name: String,
+    /// An attitude is turned by small angles about the axes of what is turned: its variable is the
+    /// quaternion, and it has three components.
+    pub variable: Variable,
+    /// The number of the first component.
+    pub first: usize,
+    pub size: usize,
+}
+
+impl Shape {
+    /// What comes before the rates.
+    pub fn places(&self, joint: usize, prefix: &str) -> Vec<Group> {
+        self.groups(joint, prefix, |variable| !variable.is_rate())
+    }
+
+    /// The rates, in the order of the accelerations.
+    pub fn rates(&self, joint: usize, prefix: &str) -> Vec<Group> {
+        self.groups(joint, prefix, Variable::is_rate)
+    }
+
+    /// The accelerations: `linear`, `angular`, `axis`.
+    pub fn accelerations(&self, joint: usize, prefix: &str) -> Vec<Group> {
+        let second = self.second.iter();
+        let groups = second.map(|field| Group {
+            name: format!("{prefix}{}", field.variable.of_acceleration()),
+            ..field.group(joint)
+        });
+        groups.collect()
+    }
+
+    fn groups(&self, joint: usize, prefix: &str, has: impl Fn(Variable) -> bool) -> Vec<Group> {
+        let fields = self.fields.iter().filter(|field| has(field.variable));
+        let groups = fields.map(|field| {
+            let name = field.path.split('.').next().unwrap_or_default();
+            Group {
+                name: format!("{prefix}{name}"),
+                ..field.group(joint)
+            }
+        });
+        groups.collect()
+    }
+}
+
+impl Field {
+    fn group(&self, joint: usize) -> Group {
+        let is_attitude = self.variable == Variable::Quaternion;
+        Group {
+            joint,
+            name: String::new(),
+            variable: self.variable,
+            first: self.first,
+            size: if is_attitude { 3 } else { self.names.len() },
+        }
+    }
+}

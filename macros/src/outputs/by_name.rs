@@ -1,0 +1,95 @@
+//! Structs with a field for each joint or body of a system, and what there is of each body.
+
+use proc_macro2::{Ident, TokenStream};
+
+use crate::emit::code::{Site, Values};
+use crate::emit::items::{Addition, Field, Record};
+use crate::model::Outline;
+
+/// What joints carry, by name.
+pub fn reactions_by_name(site: &Site<'_>) -> Record {
+    let (shapes, outline) = (&site.shapes, site.outline);
+    let (wrench, scalar) = (shapes.wrench_type(), shapes.scalar.kind());
+    let wrenches = held(outline).map(|name| Field::new(name, wrench.clone()));
+    let kept = outline.kept.iter().filter(|name| outline.is_held(name));
+    let scalars = driving_of(outline).map(|(_, name)| name).chain(kept);
+    let scalars = scalars.map(|name| Field::new(name, scalar.clone()));
+    Record {
+        suffix: "Reactions",
+        doc: format!(
+            " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
+            outline.name
+        ),
+        fields: wrenches.chain(scalars).collect(),
+        has_default: true,
+    }
+}
+
+/// The joints whose reactions are asked for.
+pub fn held(outline: &Outline) -> impl Iterator<Item = &Ident> {
+    outline.holding.iter().filter(|name| outline.is_held(name))
+}
+
+/// The drives of joints whose reactions are asked for.
+pub fn driving_of(outline: &Outline) -> impl Iterator<Item = &(Ident, Ident)> {
+    let all = outline.driving.iter();
+    all.filter(|(joint, _)| outline.is_held(joint))
+}
+
+/// What there is of each body: of a system by name, of a body alone that itself.
+pub enum PerBody {
+    Alone(TokenStream),
+    Each(Record),
+}
+
+impl PerBody {
+    /// `BodyLoads { upper: kind(0), .. }`, documented, or `kind(0)`.
+    pub fn new(
+        site: &Site<'_>,
+        (suffix, doc): (&'static str, &str),
+        kind: impl Fn(usize) -> TokenStream,
+        has_default: bool,
+    ) -> Self {
+        let outline = site.outline;
+        if !outline.is_system {
+            return Self::Alone(kind(0));
+        }
+        let bodies = outline.bodies.iter().enumerate();
+        Self::Each(Record {
+            suffix,
+            doc: doc.to_owned(),
+            fields: bodies
+                .map(|(number, body)| Field::new(body, kind(number)))
+                .collect(),
+            has_default,
+        })
+    }
+
+    pub fn kind(&self, site: &Site<'_>) -> TokenStream {
+        match self {
+            Self::Alone(kind) => kind.clone(),
+            Self::Each(record) => site.own_type(record.suffix),
+        }
+    }
+
+    /// The struct beside what is implemented with it, if there is one.
+    pub fn beside(&self, site: &Site<'_>, addition: Addition) -> Addition {
+        match self {
+            Self::Alone(_) => addition,
+            Self::Each(record) => addition.with(site.outline, record),
+        }
+    }
+
+    /// The part of each body, by its number, filled from the next values.
+    pub fn filled(
+        &self,
+        site: &Site<'_>,
+        values: &mut Values<'_>,
+        fill: impl Fn(usize, &mut Values<'_>) -> TokenStream,
+    ) -> TokenStream {
+        match self {
+            Self::Alone(_) => fill(0, values),
+            Self::Each(record) => record.filled(site.outline, values, fill),
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! Where the blocks of a linearisation are in its matrices.
+
+use std::collections::HashSet;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::emit::code::{Shapes, Site, Values, local};
+use crate::mechanics::{Block, Column, Row};
+use crate::model::{AXES, Group, Outline, Variable};
+
+/// The tangent space of the states, and the inputs, in groups.
+pub struct Space {
+    state: Vec<Group>,
+    accelerations: Vec<Group>,
+    inputs: Vec<(String, usize)>,
+}
+
+/// A block, and where it is in the matrices.
+pub struct Placed {
+    pub name: Ident,
+    size: [usize; 2],
+    /// The first row, and the first column.
+    at: [usize; 2],
+    is_of_input: bool,
+}
+
+impl Space {
+    pub fn of(outline: &Outline) -> Self {
+        let inputs = outline.inputs.iter().map(|input| {
+            let size = input.frame.map_or(1, |_| outline.motion.axes());
+            (input.name.to_string(), size)
+        });
+        Self {
+            state: outline.tangent(),
+            accelerations: outline.accelerations(),
+            inputs: inputs.collect(),
+        }
+    }
+
+    /// How many coordinates there are, and how many components of inputs.
+    fn size(&self) -> [usize; 2] {
+        let state = self.state.iter().map(|group| group.size).sum();
+        [state, self.inputs.iter().map(|(_, size)| size).sum()]
+    }
+
+    pub fn placed(&self, block: &Block) -> Placed {
+        self.place(block.row, block.column)
+    }
+
+    fn place(&self, row: Row, column: Column) -> Placed {
+        let before = |groups: &[Group]| groups.iter().map(|group| group.size).sum::<usize>();
+        let (changing, first) = match row {
+            Row::Attitude(number) => (&self.state[number], before(&self.state[..number])),
+            Row::Acceleration(number) => {
+                let first = before(&self.accelerations[..number]);
+                (&self.accelerations[number], self.size()[0] / 2 + first)
+            }
+        };
+        let (name, columns, at) = match column {
+            Column::State(number) => {
+                let group = &self.state[number];
+                (&group.name, group.size, before(&self.state[..number]))
+            }
+            Column::Input(number) => {
+                let (name, size) = &self.inputs[number];
+                let at = self.inputs[..number].iter().map(|(_, size)| size).sum();
+                (name, *size, at)
+            }
+        };
+        Placed {
+            name: format_ident!("{}_by_{}", changing.name, name.trim_start_matches("r#")),
+            size: [changing.size, columns],
+            at: [first, at],
+            is_of_input: matches!(column, Column::Input(_)),
+        }
+    }
+
+    /// All blocks that there may be.
+    pub fn all(&self) -> Vec<Placed> {
+        let attitudes = self.state.iter().enumerate();
+        let attitudes = attitudes.filter(|(_, group)| group.variable == Variable::Quaternion);
+        let attitudes =
+            attitudes.map(|(number, _)| self.place(Row::Attitude(number), Column::State(number)));
+        let rows = 0..self.accelerations.len();
+        let blocks = rows.flat_map(|row| {
+            let state = (0..self.state.len()).map(Column::State);
+            let columns = state.chain((0..self.inputs.len()).map(Column::Input));
+            columns.map(move |column| self.place(Row::Acceleration(row), column))
+        });
+        // an input that is called like a coordinate was reported
+        let mut seen = HashSet::new();
+        let all = attitudes.chain(blocks);
+        all.filter(|one| seen.insert(one.name.clone())).collect()
+    }
+
+    /// What the coordinates and the components of inputs are called.
+    fn names(&self) -> [Vec<String>; 2] {
+        let spread = |name: &str, size: usize| {
+            let name = name.trim_start_matches("r#").to_owned();
+            let parts = (0..size).map(|part| match size {
+                1 => name.clone(),
+                _ => format!("{name}_{}", AXES[part]),
+            });
+            parts.collect::<Vec<_>>()
+        };
+        let state = self.state.iter();
+        let inputs = self.inputs.iter();
+        [
+            state
+                .flat_map(|group| spread(&group.name, group.size))
+                .collect(),
+            inputs
+                .flat_map(|(name, size)| spread(name, *size))
+                .collect(),
+        ]
+    }
+
+    /// Which entries of A and B may be other than zero.
+    pub fn patterns(&self, blocks: &[Block]) -> [Vec<Vec<bool>>; 2] {
+        let [states, inputs] = self.size();
+        let mut patterns = [
+            vec![vec![false; states]; states],
+            vec![vec![false; inputs]; states],
+        ];
+        for row in 0..states / 2 {
+            patterns[0][row][row + states / 2] = true;
+        }
+        for block in blocks {
+            let placed = self.placed(block);
+            let pattern = &mut patterns[usize::from(placed.is_of_input)];
+            let [rows, _] = placed.size;
+            for (number, is_there) in block.is_there.iter().enumerate() {
+                let [row, column] = [number % rows, number / rows];
+                pattern[placed.at[0] + row][placed.at[1] + column] |= is_there;
+            }
+        }
+        patterns
+    }
+
+    /// All entries, of a description with mistakes.
+    pub fn dense(&self) -> [Vec<Vec<bool>>; 2] {
+        let [states, inputs] = self.size();
+        [
+            vec![vec![true; states]; states],
+            vec![vec![true; inputs]; states],
+        ]
+    }
+
+    /// `impl Linearized<STATES, INPUTS> for BodyLinearization`
+    pub fn matrices(
+        &self,
+        site: &Site<'_>,
+        blocks: &[Placed],
+        patterns: &[Vec<Vec<bool>>; 2],
+    ) -> TokenStream {
+        let private = &site.shapes.private;
+        let kind = site.own_type("Linearization");
+        let [states, inputs] = self.size().map(Literal::usize_unsuffixed);
+        let [coordinates, components] = self.names();
+        let [of_state, of_input] = patterns.each_ref().map(|pattern| {
+            let rows = pattern.iter().map(|row| quote!([#(#row),*]));
+            quote!([#(#rows),*])
+        });
+        let matrix = local("matrix");
+        let filled = |is_of_input: bool| {
+            let blocks = blocks.iter().filter(|one| one.is_of_input == is_of_input);
+            let placed = blocks.map(|one| {
+                let name = &one.name;
+                let [row, column] = one.at.map(Literal::usize_unsuffixed);
+                if one.size == [1, 1] {
+                    quote!(#matrix[(#row, #column)] = self.#name;)
+                } else {
+                    quote!(#private::place(&mut #matrix, [#row, #column], &self.#name);)
+                }
+            });
+            quote!(#(#placed)*)
+        };
+        let (a, b) = (filled(false), filled(true));
+        let mutable = (!b.is_empty()).then(|| quote!(mut));
+        quote! {
+            impl #private::Linearized<#states, #inputs> for #kind {
+                const STATES: [&'static str; #states] = [#(#coordinates),*];
+                const INPUTS: [&'static str; #inputs] = [#(#components),*];
+                const A_PATTERN: [[bool; #states]; #states] = #of_state;
+                const B_PATTERN: [[bool; #inputs]; #states] = #of_input;
+
+                fn a(&self) -> #private::SMatrix<f64, #states, #states> {
+                    let mut #matrix = #private::rates_of_places();
+                    #a
+                    #matrix
+                }
+
+                fn b(&self) -> #private::SMatrix<f64, #states, #inputs> {
+                    let #mutable #matrix = #private::SMatrix::zeros();
+                    #b
+                    #matrix
+                }
+            }
+        }
+    }
+}
+
+impl Placed {
+    pub fn kind(&self, shapes: &Shapes) -> TokenStream {
+        match self.size {
+            [1, 1] => shapes.scalar.kind(),
+            size => shapes.matrix_type(size),
+        }
+    }
+
+    pub fn filled(&self, shapes: &Shapes, values: &mut Values<'_>) -> TokenStream {
+        match self.size {
+            [1, 1] => {
+                let value = values.next();
+                quote!(#value)
+            }
+            size => shapes.matrix(size, values),
+        }
+    }
+}

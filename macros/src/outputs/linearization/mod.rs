@@ -1,0 +1,6 @@
+//! `linearization`: the first derivatives of the motion, in blocks and as matrices.
+
+mod matrices;
+mod output;
+
+pub use output::Linearization;

@@ -1,0 +1,99 @@
+//! `linearization`: what the rates of a state change by with state and input, to first order, in blocks.
+
+use proc_macro2::Ident;
+use quote::{format_ident, quote};
+
+use crate::emit::code::{COMMON, Method, Site};
+use crate::emit::items::{Addition, Field, Record};
+use crate::lower::{LINEARIZATION, Offer};
+use crate::mechanics;
+use crate::symbolic::Id;
+
+use crate::outputs::output::{Basis, Output};
+use crate::outputs::subject::Subject;
+
+use super::matrices::Space;
+
+const OFFER: Offer = Offer {
+    is_of_motion: true,
+    ..Offer::new(LINEARIZATION)
+};
+
+#[derive(Default)]
+pub struct Linearization(Option<mechanics::Linearization>);
+
+impl<S: Subject> Output<S> for Linearization {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {
+        let groups = basis.outline.tangent();
+        let is_taken = |input: &Ident| groups.iter().any(|group| input == &group.name);
+        for input in &basis.outline.inputs {
+            if is_taken(&input.name) {
+                let name = &input.name;
+                let message = format!(
+                    "the state has `{name}`, too, and the blocks of `linearization` go by these names: \
+                     rename the input"
+                );
+                basis.errors.push(name.span(), message);
+            }
+        }
+        let found = (basis.model).linearization(basis.outline, basis.work, basis.equations);
+        self.0 = Some(found);
+        basis.errors.is_empty().then_some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        let all = self.0.iter().flat_map(|all| &all.blocks);
+        all.flat_map(|block| block.entries.clone()).collect()
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let (shapes, space) = (&site.shapes, Space::of(site.outline));
+        let blocks = match &self.0 {
+            Some(found) => found
+                .blocks
+                .iter()
+                .map(|block| space.placed(block))
+                .collect(),
+            None => space.all(),
+        };
+        let acceleration = Field::new(&format_ident!("acceleration"), shapes.acceleration_type());
+        let fields = blocks
+            .iter()
+            .map(|one| Field::new(&one.name, one.kind(shapes)));
+        let by_name = Record {
+            suffix: "Linearization",
+            doc: format!(
+                " What the rates of the state of [`{}`] change by, to first order: by how much what is named first changes with what is named behind `by`, a row for each component of the first, a column for each of the second, SI units. An attitude q becomes `q exp(e)`, with the rotation vector e in body axes.",
+                site.outline.name
+            ),
+            fields: [acceleration].into_iter().chain(fields).collect(),
+            has_default: false,
+        };
+        let method = site.method(self.0.as_ref(), |writer, found| {
+            let entries = found.blocks.iter().flat_map(|block| &block.entries);
+            let roots: Vec<Id> = found.accelerations.iter().chain(entries).copied().collect();
+            Method::write(writer, &roots, |values| {
+                by_name.filled(site.outline, values, |field, values| match field {
+                    0 => shapes.acceleration(values),
+                    field => blocks[field - 1].filled(shapes, values),
+                })
+            })
+        });
+        let kind = site.own_type("Linearization");
+        let methods = [("linearize", &method, &COMMON[..], &kind)];
+        let types = quote!(type Linearization = #kind;);
+        let addition = Addition::implement(site, "Linearization", [types, quote!()], &methods);
+        let mut addition = addition.with(site.outline, &by_name);
+        let double = site.double();
+        let entries = self.0.as_ref();
+        let patterns = entries.map_or_else(|| space.dense(), |found| space.patterns(&found.blocks));
+        addition
+            .implementations
+            .extend(space.matrices(&double, &blocks, &patterns));
+        addition
+    }
+}

@@ -1,0 +1,149 @@
+//! Linearisation: what the motion changes by, to first order, with state and input.
+//!
+//! The space of states is a product of straight lines and rotations; to first order a state changes
+//! by an element x of its tangent space, what comes before the rates first and the rates behind it,
+//! of a system joint by joint:
+//!
+//! ```text
+//! position + dr,  attitude exp(e),  angle + da,  velocity + dv,  angular_velocity + dw
+//!
+//! x' = A x + B u        x = (dr, e, dv, dw),   e in body axes,   u: the change of the input
+//! ```
+//!
+//! An attitude has three coordinates, and `e' = dw - w × e`. What a rod has instead, the unit vector
+//! along its axis, has three as well; x is across the axis there.
+
+use nalgebra::SMatrix;
+
+use super::body::RigidBody;
+
+/// The first derivatives of the motion of a body or a system, `outputs: [linearization]`.
+///
+/// ```
+/// use newton_euler::prelude::*;
+///
+/// rigid_body!(Pendulum {
+///     motion: pivot(hinge),
+///     mass: 2[kg],
+///     inertia: 0.1[kg * m ^ 2],
+///     points: [hinge = (0, 0.5)],
+///     inputs: [torque[N * m]],
+///     fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+///     moments: [motor = torque],
+///     outputs: [linearization],
+/// });
+///
+/// let hanging = Pendulum::default().linearize(0.0, &Hinge::default(), &PendulumInput { torque: 0.0 });
+/// let about_hinge = 0.1 + 2.0 * 0.5 * 0.5;
+/// assert!((hanging.angular_by_torque * about_hinge - 1.0).abs() < 1e-15);
+/// assert!((hanging.angular_by_angle * about_hinge + 2.0 * 9.80665 * 0.5).abs() < 1e-14);
+/// // as x' = A x + B u, and in steps of 1 ms
+/// let (a, b) = (hanging.a(), hanging.b());
+/// assert_eq!([a[(0, 1)], a[(1, 0)], b[(1, 0)]], [1.0, hanging.angular_by_angle, hanging.angular_by_torque]);
+/// let (step, push) = hanging.discretized(1e-3);
+/// assert!((step[(0, 1)] - 1e-3).abs() < 1e-8 && (push[(0, 0)] - 5e-7 * b[(1, 0)]).abs() < 1e-11);
+/// ```
+pub trait Linearization: RigidBody {
+    /// A struct of the acceleration and of all blocks that are not zero in all states:
+    /// `linear_by_attitude`, `angular_by_torque`, of a system `elbow_angular_by_shoulder_angle`; a
+    /// number, or a matrix with a row for each component of what changes. It is [`Linearized`].
+    type Linearization;
+
+    /// The derivatives in this state. Where the motion has a kink (`abs`, `min`, `if`), those of the
+    /// branch that is taken.
+    fn linearize(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Linearization;
+}
+
+/// `x' = A x + B u`: a linearisation as matrices, in doubles.
+pub trait Linearized<const STATES: usize, const INPUTS: usize> {
+    /// What each coordinate of the tangent space is called: `position_x`, `elbow_angle`.
+    const STATES: [&'static str; STATES];
+    /// What each component of the input is called.
+    const INPUTS: [&'static str; INPUTS];
+    /// Which entries of A may be other than zero.
+    const A_PATTERN: [[bool; STATES]; STATES];
+    /// Which entries of B may be other than zero.
+    const B_PATTERN: [[bool; INPUTS]; STATES];
+
+    /// A: the rates of the coordinates by the coordinates.
+    fn a(&self) -> SMatrix<f64, STATES, STATES>;
+
+    /// B: the rates of the coordinates by the input.
+    fn b(&self) -> SMatrix<f64, STATES, INPUTS>;
+
+    /// `x(t + h) = P x(t) + Q u`, with u held for the step h \[s\]:
+    ///
+    /// ```text
+    /// P = exp(A h),    Q = (integral from 0 to h of exp(A s) ds) B
+    /// ```
+    ///
+    /// to rounding: Taylor's series on a step so short that `|A h| <= 1/2`, doubled as often as it
+    /// takes (scaling and squaring; C. Moler and C. Van Loan, Nineteen dubious ways to compute the
+    /// exponential of a matrix). Not a number where A is not, or where the exponential overflows.
+    fn discretized(
+        &self,
+        step: f64,
+    ) -> (SMatrix<f64, STATES, STATES>, SMatrix<f64, STATES, INPUTS>) {
+        let (a, b) = (self.a(), self.b());
+        let size = one_norm(&a) * step.abs();
+        let mut doublings = 0;
+        let mut short = step;
+        // beyond this, the exponential overflows, or A is not finite
+        while size * (short / step).abs() > 0.5 && doublings < 1100 {
+            short *= 0.5;
+            doublings += 1;
+        }
+        let one = SMatrix::identity();
+        let (mut power, mut integral) = (one, one * short);
+        let mut term = integral;
+        for order in 2..20_u8 {
+            term = a * term * (short / f64::from(order));
+            integral += term;
+        }
+        power += a * integral;
+        for _ in 0..doublings {
+            integral += power * integral;
+            power = power * power;
+        }
+        (power, integral * b)
+    }
+}
+
+/// The largest sum of sizes in a column.
+fn one_norm<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
+    let columns = matrix.column_iter();
+    let sums = columns.map(|column| column.iter().map(|entry| entry.abs()).sum::<f64>());
+    sums.fold(0.0, |largest, sum| {
+        if sum > largest || sum.is_nan() {
+            sum
+        } else {
+            largest
+        }
+    })
+}
+
+#[doc(hidden)]
+/// A matrix with what is common to all motions: the rates of what comes before the rates are these.
+#[must_use]
+pub fn rates_of_places<const STATES: usize>() -> SMatrix<f64, STATES, STATES> {
+    let mut matrix = SMatrix::zeros();
+    for place in 0..STATES / 2 {
+        matrix[(place, place + STATES / 2)] = 1.0;
+    }
+    matrix
+}
+
+#[doc(hidden)]
+/// Puts a block into a matrix.
+pub fn place<const ROWS: usize, const COLUMNS: usize, const R: usize, const C: usize>(
+    matrix: &mut SMatrix<f64, ROWS, COLUMNS>,
+    [row, column]: [usize; 2],
+    block: &SMatrix<f64, R, C>,
+) {
+    matrix.fixed_view_mut::<R, C>(row, column).copy_from(block);
+}

@@ -1,0 +1,45 @@
+//! The state of what does not move by itself.
+
+use core::marker::PhantomData;
+
+#[cfg(feature = "serde")]
+use serde::{Deserialize, Serialize};
+
+use super::list::List;
+use super::space::State;
+use crate::numbers::scalar::Scalar;
+
+/// State of a system in which nothing moves by itself, because all joints are welds or are driven:
+/// it has no coordinates, and its acceleration is `()`.
+///
+/// Such a system has loads, energy and momentum at a time, and no motion to integrate.
+///
+/// ```
+/// use newton_euler::prelude::*;
+///
+/// let still = Still::default();
+/// assert_eq!(still.moved(&(still.rate(&()) * 0.1)), still);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound = ""))]
+pub struct Still<T: Scalar> {
+    #[cfg_attr(feature = "serde", serde(skip))]
+    scalar: PhantomData<T>,
+}
+
+impl<T: Scalar> State for Still<T> {
+    type Scalar = T;
+    type Acceleration = ();
+    type Rate = List<T, 0>;
+
+    #[inline(always)]
+    fn rate(&self, (): &()) -> Self::Rate {
+        List([])
+    }
+
+    #[inline(always)]
+    fn moved(&self, _displacement: &Self::Rate) -> Self {
+        *self
+    }
+}

@@ -1,0 +1,232 @@
+//! Screws that close loops, beside hand formulas and beside screws that carry.
+
+use core::f64::consts::PI;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use newton_euler::prelude::*;
+
+use super::compare::{Jointed, Random, close};
+
+// a spindle moves the jaw of a vise, which slides on a rail
+rigid_system!(Vise {
+    params: [pitch = 0.01[m]],
+    inputs: [torque[N * m], load[N]],
+    bodies: [
+        jaw {
+            mass: 3[kg],
+            inertia: principal(0.1, 0.1, 0.1)[kg * m ^ 2],
+            points: [nut = (0, 0.2, 0.1)[m]],
+            forces: [work = world(load, 0, 0)],
+        },
+        spindle {
+            mass: 0.5[kg],
+            inertia: principal(2e-4, 3e-3, 3e-3)[kg * m ^ 2],
+        },
+    ],
+    joints: [
+        rail = prismatic(world(0, 0, 0), jaw.G, body(1, 0, 0)),
+        spin = revolute(world(0, 0.2, 0.1), spindle.G, body(1, 0, 0)),
+        thread = screw(spindle.G, jaw.nut, body(1, 0, 0), pitch),
+    ],
+    drives: [motor = torque.on(spin)],
+    outputs: [energy],
+});
+
+// the jaw stands where the spindle has turned back: x = -pitch * angle
+#[test]
+fn a_vise() {
+    let vise = Vise::default();
+    let mut state = ViseState {
+        rail: Slide {
+            position: -0.021,
+            velocity: -0.03,
+        },
+        spin: Hinge {
+            angle: 2.1,
+            angular_velocity: 3.0,
+        },
+    };
+    let input = ViseInput {
+        torque: 0.7,
+        load: -40.0,
+    };
+    vise.check(0.0, &state, &input).unwrap();
+    let found = vise.acceleration(0.0, &state, &input);
+    let angular = (0.7 + 0.01 * 40.0) / (2e-4 + 3.0 * 1e-4);
+    close(
+        "motion",
+        &[found.spin, found.rail],
+        &[angular, -0.01 * angular],
+        1e4,
+        1e-13,
+    );
+    // with ten turns more it is as well closed, and half a turn beside it is not
+    state.spin.angle += 20.0 * PI;
+    vise.check(0.0, &state, &input).unwrap();
+    state.spin.angle += 1.0 * PI;
+    let half = vise.check(0.0, &state, &input).unwrap_err();
+    assert_eq!((half.constraint, half.is_velocity), ("thread_5", false));
+    // the way back is to the nearest turn
+    state.spin.angle = 2.1 + 20.0 * PI + 1.5;
+    vise.project(0.0, &mut state, &input).unwrap();
+    let turned = state.rail.position / -0.01 - state.spin.angle;
+    close("closed", &[turned], &[-20.0 * PI], 60.0, 1e-14);
+    let end = vise.integrate(&state).input(input).to(0.5).unwrap();
+    let more = [
+        end.rail.position - state.rail.position,
+        end.spin.angle - state.spin.angle,
+    ];
+    assert!(more[1] > 200.0, "many turns");
+    close("thread", &[more[0]], &[-0.01 * more[1]], 1.0, 1e-12);
+}
+
+/// A base and a rotor, with one joint or two between them.
+macro_rules! threaded {
+    ($name:ident, [$($joints:tt)*]) => {
+        rigid_system!($name {
+            inputs: [torque[N * m]],
+            bodies: [
+                base {
+                    mass: 2[kg],
+                    inertia: principal(0.3, 0.4, 0.5)[kg * m ^ 2],
+                    points: [p = (0.2, -0.1, 0.3)[m]],
+                    moments: [turn = body(0, torque, 0)],
+                },
+                rotor {
+                    mass: 0.7[kg],
+                    inertia: principal(0.1, 0.07, 0.05)[kg * m ^ 2],
+                    points: [q = (0.1, 0.1, -0.2)[m]],
+                    forces: [push = world(1[N], -0.3[N], 2[N])],
+                },
+            ],
+            joints: [orbit = free(base), $($joints)*],
+            outputs: [energy, momentum],
+        });
+    };
+}
+threaded!(
+    Carried,
+    [thread = screw(base.p, rotor.q, body(1, 2, -2), 0.2[m]).turned(body(0, 0, 1), 90[deg])]
+);
+threaded!(
+    Twice,
+    [
+        sleeve = cylindrical(base.p, rotor.q, body(1, 2, -2)).turned(body(0, 0, 1), 90[deg]),
+        thread = screw(base.p, rotor.q, body(1, 2, -2), 0.2[m]).turned(body(0, 0, 1), 90[deg]),
+    ]
+);
+threaded!(
+    Loose,
+    [
+        other = free(rotor),
+        thread = screw(base.p, rotor.q, body(1, 2, -2), 0.2[m]).turned(body(0, 0, 1), 90[deg]),
+    ]
+);
+
+#[test]
+fn a_sleeve_with_a_thread_is_a_screw() {
+    let (carried, twice, mut numbers) = (Carried::default(), Twice::default(), Random::new(3));
+    for _ in 0..10 {
+        let orbit = Spatial::random(&mut numbers);
+        let thread = Hinge::random(&mut numbers);
+        let one = CarriedState { orbit, thread };
+        let sleeve = Cylinder {
+            position: 0.2 * thread.angle,
+            angle: thread.angle,
+            velocity: 0.2 * thread.angular_velocity,
+            angular_velocity: thread.angular_velocity,
+        };
+        let two = TwiceState { orbit, sleeve };
+        let torque = numbers.number();
+        twice.check(0.0, &two, &TwiceInput { torque }).unwrap();
+        let expected = carried.acceleration(0.0, &one, &CarriedInput { torque });
+        let found = twice.acceleration(0.0, &two, &TwiceInput { torque });
+        let thread = expected.thread;
+        close(
+            "sleeve",
+            &[found.sleeve.linear, found.sleeve.angular],
+            &[0.2 * thread, thread],
+            10.0,
+            1e-12,
+        );
+        close(
+            "base",
+            found.orbit.linear.as_slice(),
+            expected.orbit.linear.as_slice(),
+            10.0,
+            1e-12,
+        );
+        close(
+            "base",
+            found.orbit.angular.as_slice(),
+            expected.orbit.angular.as_slice(),
+            10.0,
+            1e-12,
+        );
+    }
+}
+
+#[test]
+fn two_free_bodies_on_a_thread() {
+    let (carried, loose, mut numbers) = (Carried::default(), Loose::default(), Random::new(4));
+    for _ in 0..10 {
+        // a rotor that is near its place, moving in any way
+        let orbit = Spatial::random(&mut numbers);
+        let axis = Vector3::new(1.0, 2.0, -2.0) / 3.0;
+        let quarter = UnitQuaternion::new(Vector3::new(0.0, 0.0, PI / 2.0));
+        let along = orbit.attitude * (quarter * axis);
+        let angle = 0.9 * numbers.number();
+        let place = orbit.position + orbit.attitude * Vector3::new(0.2, -0.1, 0.3);
+        let attitude = orbit.attitude * quarter * UnitQuaternion::new(axis * angle);
+        let mut other = Spatial::random(&mut numbers);
+        other.attitude = attitude * UnitQuaternion::new(numbers.vector() * 0.1);
+        let arm = other.attitude * Vector3::new(0.1, 0.1, -0.2);
+        other.position = place + along * (0.2 * angle) - arm + numbers.vector() * 0.05;
+        let mut state = LooseState { orbit, other };
+        let input = LooseInput { torque: 0.4 };
+        loose.project(0.0, &mut state, &input).unwrap();
+        // the same in the coordinates of the screw
+        let base = state.orbit;
+        let along = base.attitude * (quarter * axis);
+        let arm = state.other.attitude * Vector3::new(0.1, 0.1, -0.2);
+        let lever = base.attitude * Vector3::new(0.2, -0.1, 0.3);
+        let apart = state.other.position + arm - base.position - lever;
+        let turning = state.other.attitude * state.other.angular_velocity
+            - base.attitude * base.angular_velocity;
+        let thread = Hinge {
+            angle: along.dot(&apart) / 0.2,
+            angular_velocity: along.dot(&turning),
+        };
+        let one = CarriedState {
+            orbit: base,
+            thread,
+        };
+        let mut relative = base.attitude * quarter * UnitQuaternion::new(axis * thread.angle);
+        relative = relative.inverse() * state.other.attitude;
+        close("turned", &[relative.angle()], &[0.0], 1.0, 1e-13);
+        close("across", &[apart.cross(&along).norm()], &[0.0], 1.0, 1e-14);
+        let (p, q) = (loose.linear_momentum(&state), carried.linear_momentum(&one));
+        close("momentum", p.as_slice(), q.as_slice(), 10.0, 1e-13);
+        let (p, q) = (
+            loose.angular_momentum(&state),
+            carried.angular_momentum(&one),
+        );
+        close("momentum", p.as_slice(), q.as_slice(), 10.0, 1e-13);
+        let expected = carried.acceleration(0.0, &one, &CarriedInput { torque: 0.4 });
+        let found = loose.acceleration(0.0, &state, &input);
+        close(
+            "base",
+            found.orbit.linear.as_slice(),
+            expected.orbit.linear.as_slice(),
+            10.0,
+            1e-12,
+        );
+        close(
+            "base",
+            found.orbit.angular.as_slice(),
+            expected.orbit.angular.as_slice(),
+            10.0,
+            1e-12,
+        );
+    }
+}

@@ -8,7 +8,7 @@ use crate::mechanics::tree::{self, Pair};
 use crate::model::{Rates, System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
-use super::closed::solve_drives;
+use super::closed::{moved_in_world, solve_drives};
 use super::equations::SystemEquations;
 
 /// The open drives, in the order of the joints, that make these accelerate as is given. One that
@@ -60,12 +60,22 @@ pub fn derive_system_inverse(
 /// The load along each freedom that is not prescribed, joint by joint, that makes it accelerate as is
 /// given, less what is known to act there.
 fn needed(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Vec<Id> {
+    let tree = moved_in_world(work, &equations.reduced);
     let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
-    let tree = &equations.reduced;
-    let loads = loads(work, equations, tree, &given);
+    lacking_with(work, equations, &tree, &given)
+}
+
+/// The same of a tree, with these accelerations joint by joint.
+pub fn lacking_with(
+    work: &mut Workspace,
+    equations: &SystemEquations,
+    tree: &Tree,
+    given: &[Vec<Id>],
+) -> Vec<Id> {
+    let loads = loads(work, equations, tree, given);
     let links = tree.links.iter().zip(loads);
     let freedoms = links.flat_map(|(link, load)| link.open().map(move |freedom| (freedom, load)));
-    let accelerations = by_link(equations, tree, &given).concat();
+    let accelerations = by_link(equations, tree, given).concat();
     let freedoms = freedoms.zip(accelerations);
     let needed = freedoms.map(|((freedom, load), acceleration)| {
         lacking(&mut work.graph, freedom, load, acceleration)

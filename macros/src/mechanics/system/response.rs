@@ -9,13 +9,13 @@
 
 use std::collections::HashMap;
 
-use crate::mechanics::tree::{MassMatrix, joint_loads};
+use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, Workspace};
 use crate::symbolic::Id;
 
 use super::closed::moved_in_world;
 use super::equations::SystemEquations;
-use super::loads::{by_link, given_accelerations};
+use super::loads::{given_accelerations, lacking_with};
 use super::rates::order;
 
 /// The balances along the freedoms of a tree, with accelerations that are given.
@@ -37,15 +37,7 @@ impl Response {
         system.is_tree().then_some(())?;
         let tree = moved_in_world(work, &equations.reduced);
         let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
-        let by_link = by_link(equations, &tree, &given);
-        let loads = joint_loads(&mut work.graph, &tree, &by_link);
-        let mut lacking = Vec::new();
-        for (link, load) in tree.links.iter().zip(loads) {
-            for freedom in link.open() {
-                let needed = freedom.twist.dot(&mut work.graph, load);
-                lacking.push(work.graph.subtract(needed, freedom.drive));
-            }
-        }
+        let lacking = lacking_with(work, equations, &tree, &given);
         let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
         let found = matrix.solve(&mut work.graph, &mut work.labels);
         let order = order(system, equations);

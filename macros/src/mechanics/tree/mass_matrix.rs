@@ -69,16 +69,20 @@ impl MassMatrix {
             }
         }
         let freedoms = links.iter().flat_map(Link::open);
-        let names: Vec<String> = freedoms.map(|freedom| freedom.name.clone()).collect();
-        for (row, first) in rows.iter().zip(&names) {
-            for (entry, second) in row.iter().zip(&names) {
-                labels.name(*entry, format!("inertia_{second}_{first}"));
-            }
-        }
-        Self {
+        let matrix = Self {
             rows,
             driving,
-            names,
+            names: freedoms.map(|freedom| freedom.name.clone()).collect(),
+        };
+        matrix.name(labels);
+        matrix
+    }
+
+    fn name(&self, labels: &mut Labels) {
+        for (row, first) in self.rows.iter().zip(&self.names) {
+            for (entry, second) in row.iter().zip(&self.names) {
+                labels.name(*entry, format!("inertia_{second}_{first}"));
+            }
         }
     }
 

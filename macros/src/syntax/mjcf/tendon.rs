@@ -78,23 +78,7 @@ impl Reader<'_> {
                 ("armature", nothing, heavy),
             ],
         );
-        let (mut terms, mut joints) = (Vec::new(), Vec::new());
-        for part in self.parts(node, &["joint"], &[]) {
-            self.check_attributes(part, &["joint", "coef"]);
-            let name = self.attribute(part, "joint")?;
-            let joint = self.joint_named(part, name, bodies)?;
-            self.attribute(part, "coef")?;
-            let factor = self.single(&bare(part), "coef", "1");
-            if !factor.is_zero() {
-                terms.push(Term::new(joint, Some(&factor)));
-                joints.push(joint);
-            }
-        }
-        if terms.is_empty() {
-            return self.report(node, "it has no `<joint>` that changes its length");
-        }
-        self.check_free(node, &joints)?;
-        let length = Length(terms);
+        let length = self.length(node, bodies)?;
         let mut given = |name: &str| {
             let value = self.single(&element, name, "0");
             (!value.is_zero()).then(|| value.literal())
@@ -122,6 +106,27 @@ impl Reader<'_> {
             length,
             extent: self.at(node),
         })
+    }
+
+    /// The sum of coordinates that a tendon is as long as.
+    fn length(&mut self, node: Node<'_, '_>, bodies: &[Body]) -> Option<Length> {
+        let (mut terms, mut joints) = (Vec::new(), Vec::new());
+        for part in self.parts(node, &["joint"], &[]) {
+            self.check_attributes(part, &["joint", "coef"]);
+            let name = self.attribute(part, "joint")?;
+            let joint = self.joint_named(part, name, bodies)?;
+            self.attribute(part, "coef")?;
+            let factor = self.single(&bare(part), "coef", "1");
+            if !factor.is_zero() {
+                terms.push(Term::new(joint, Some(&factor)));
+                joints.push(joint);
+            }
+        }
+        if terms.is_empty() {
+            return self.report(node, "it has no `<joint>` that changes its length");
+        }
+        self.check_free(node, &joints)?;
+        Some(Length(terms))
     }
 
     pub fn tendon_named<'t>(

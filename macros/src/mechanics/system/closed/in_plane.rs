@@ -22,8 +22,8 @@ pub struct Known<'a> {
     pub kept: &'a [(Keeper, Row)],
 }
 
-/// Resolves block by block what is kept; nothing where a body is free, where rows are dependent or say
-/// nothing somewhere, or where loads follow those of constraints.
+/// Resolves block by block what is kept; nothing where a body is free, where a joint has an armature, where
+/// rows are dependent or say nothing somewhere, or where loads follow those of constraints.
 pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let tree = &known.built.tree;
     let links = tree.links.iter();
@@ -34,7 +34,9 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let given: Vec<Id> = given.collect();
     let is_partial = known.kept.iter().any(|(_, row)| row.active.is_some());
     let is_free = tree.links.iter().any(|link| link.is_free);
-    if is_free || is_partial || !reactions_in(work, &given).is_empty() {
+    let freedoms = || tree.links.iter().flat_map(|link| &link.freedoms);
+    let is_geared = freedoms().any(|freedom| !work.graph.is_zero(freedom.armature));
+    if is_free || is_geared || is_partial || !reactions_in(work, &given).is_empty() {
         return None;
     }
     let absolute = Absolute::of(&mut work.graph, tree, known.placed);

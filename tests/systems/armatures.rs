@@ -374,3 +374,90 @@ fn a_drive_beside_an_armature() {
         close("all freedoms", lacking.as_slice(), &[0.0; 10], 100.0, 1e-12);
     }
 }
+
+/// A four-bar on a stage that turns as it is told: with armatures behind two of its hinges, or with
+/// rotors on the ground that gears turn with them.
+macro_rules! linkage {
+    ($name:ident, [$($crank:tt)*], [$($pin:tt)*], [$($rotor:tt)*], [$($axle:tt)*], $constraints:tt) => {
+        rigid_system!($name {
+            motion: planar,
+            bodies: [
+                stage { mass: 2[kg], inertia: 0.3[kg * m ^ 2], points: [p = (0.1, 0), q = (0.4, 0)] },
+                crank { mass: 0.4[kg], inertia: 4e-4[kg * m ^ 2], points: [o = (-0.04, 0), a = (0.06, 0)] },
+                coupler { mass: 1.1[kg], inertia: 0.012[kg * m ^ 2], points: [a = (-0.16, 0), b = (0.19, 0)] },
+                rocker { mass: 0.8[kg], inertia: 4.5e-3[kg * m ^ 2], points: [c = (-0.11, 0), b = (0.14, 0)] },
+                $($rotor)*
+            ],
+            joints: [
+                table = revolute(world(0, 0), stage.G).driven((2[rad / s] * t).sin()),
+                o = revolute(stage.p, crank.o)$($crank)*,
+                a = revolute(crank.a, coupler.a)$($pin)*,
+                b = revolute(coupler.b, rocker.b),
+                c = revolute(stage.q, rocker.c),
+                $($axle)*
+            ],
+            constraints: $constraints,
+            fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+            outputs: [reactions(c, table)],
+        });
+    };
+}
+linkage!(
+    Linkage,
+    [.armature(0.02[kg * m ^ 2])],
+    [.armature(0.01[kg * m ^ 2])],
+    [], [], []
+);
+linkage!(
+    LinkageWithRotors,
+    [],
+    [],
+    [
+        first {
+            mass: 1[kg],
+            inertia: 0.02[kg * m ^ 2]
+        },
+        second {
+            mass: 1[kg],
+            inertia: 0.01[kg * m ^ 2]
+        },
+    ],
+    [
+        one = revolute(world(0, 0), first.G),
+        two = revolute(world(0, 0), second.G)
+    ],
+    [on_crank = one.angle - o.angle, on_pin = two.angle - a.angle]
+);
+
+#[test]
+fn an_armature_in_a_loop_of_the_plane() {
+    let mut state = LinkageState {
+        o: hinge(0.7, 12.0),
+        a: hinge(-0.186, -14.65),
+        b: hinge(0.726, 3.99),
+    };
+    let (own, beside) = (Linkage::default(), LinkageWithRotors::default());
+    own.project(0.4, &mut state, &())
+        .expect("a linkage near its assembly");
+    let LinkageState { o, a, b } = state;
+    let (one, two) = (o, a);
+    let together = LinkageWithRotorsState { o, a, b, one, two };
+    let found = own.acceleration(0.4, &state, &());
+    let expected = beside.acceleration(0.4, &together, &());
+    let (found, expected) = (
+        [found.o, found.a, found.b],
+        [expected.o, expected.a, expected.b],
+    );
+    close("accelerations", &found, &expected, 100.0, 1e-12);
+    let (found, expected) = (
+        own.reactions(0.4, &state, &()),
+        beside.reactions(0.4, &together, &()),
+    );
+    close(
+        "pin",
+        found.c.force.as_slice(),
+        expected.c.force.as_slice(),
+        10.0,
+        1e-12,
+    );
+}

@@ -3,10 +3,10 @@
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::mechanics::tree::link::{Freedom, Tree};
+use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Pair};
 use crate::model::{Rates, System, TreeJoint, Variable, Workspace};
-use crate::symbolic::{Components, Graph, Id};
+use crate::symbolic::{Components, Id};
 
 use super::closed::{moved_in_world, solve_drives};
 use super::equations::SystemEquations;
@@ -72,23 +72,8 @@ pub fn lacking_with(
     tree: &Tree,
     given: &[Vec<Id>],
 ) -> Vec<Id> {
-    let loads = loads(work, equations, tree, given);
-    let links = tree.links.iter().zip(loads);
-    let freedoms = links.flat_map(|(link, load)| link.open().map(move |freedom| (freedom, load)));
-    let accelerations = by_link(equations, tree, given).concat();
-    let freedoms = freedoms.zip(accelerations);
-    let needed = freedoms.map(|((freedom, load), acceleration)| {
-        lacking(&mut work.graph, freedom, load, acceleration)
-    });
-    needed.collect()
-}
-
-/// What is lacking along a freedom for this acceleration of its coordinate, where its joint carries a load.
-fn lacking(graph: &mut Graph, freedom: &Freedom, load: Pair, acceleration: Id) -> Id {
-    let carried = freedom.twist.dot(graph, load);
-    let own = graph.multiply(freedom.armature, acceleration);
-    let needed = graph.add(carried, own);
-    graph.subtract(needed, freedom.drive)
+    let by_link = by_link(equations, tree, given);
+    tree::lacking(&mut work.graph, tree, &by_link)
 }
 
 /// The symbols of the accelerations of a joint, by its freedoms.
@@ -192,7 +177,7 @@ pub fn derive_system_driving(work: &mut Workspace, equations: &SystemEquations) 
             driven.filter_map(move |freedom| Some((freedom, load, freedom.given?)))
         });
         let drives = freedoms.map(|(freedom, load, given)| {
-            let drive = lacking(&mut work.graph, freedom, load, given);
+            let drive = tree::lacks(&mut work.graph, freedom, load, given);
             work.graph.result(drive)
         });
         drives.collect()

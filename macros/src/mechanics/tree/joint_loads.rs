@@ -4,7 +4,7 @@ use crate::symbolic::{Graph, Id};
 
 use super::articulated::wrench_on_carrier;
 use super::bias::Moving;
-use super::link::{Link, Tree};
+use super::link::{Freedom, Link, Tree};
 use super::pair::Pair;
 
 /// The motions of all links, when the freedoms accelerate so, link by link.
@@ -37,6 +37,26 @@ pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) ->
         }
     }
     loads
+}
+
+/// What lacks along the open freedoms, of what drives them, when they accelerate so.
+pub fn lacking(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Id> {
+    let loads = joint_loads(graph, tree, accelerations);
+    let links = tree.links.iter().zip(loads).zip(accelerations);
+    let freedoms = links.flat_map(|((link, load), rates)| {
+        let freedoms = link.open().zip(rates);
+        freedoms.map(move |(freedom, rate)| (freedom, load, *rate))
+    });
+    let all = freedoms.map(|(freedom, load, rate)| lacks(graph, freedom, load, rate));
+    all.collect()
+}
+
+/// What lacks along a freedom whose joint carries a load, for this acceleration of its coordinate.
+pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: Pair, acceleration: Id) -> Id {
+    let carried = freedom.twist.dot(graph, load);
+    let own = graph.multiply(freedom.armature, acceleration);
+    let needed = graph.add(carried, own);
+    graph.subtract(needed, freedom.drive)
 }
 
 /// In world axes.

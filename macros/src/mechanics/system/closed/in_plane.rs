@@ -1,7 +1,7 @@
 //! Loops in the plane: the motion in absolute angles, and after it the loads.
 
 use crate::mechanics::tree::link::{Link, Tree};
-use crate::mechanics::tree::{Built, joint_loads};
+use crate::mechanics::tree::{self, Built};
 use crate::mechanics::unknowns::reactions_in;
 use crate::model::{Part, Workspace};
 use crate::symbolic::{Graph, Id};
@@ -22,8 +22,8 @@ pub struct Known<'a> {
     pub kept: &'a [(Keeper, Row)],
 }
 
-/// Resolves block by block what is kept; nothing where a body is free, where a joint has an armature, where
-/// rows are dependent or say nothing somewhere, or where loads follow those of constraints.
+/// Resolves block by block what is kept; nothing where a body is free, where rows are dependent or say
+/// nothing somewhere, or where loads follow those of constraints.
 pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let tree = &known.built.tree;
     let links = tree.links.iter();
@@ -34,9 +34,7 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let given: Vec<Id> = given.collect();
     let is_partial = known.kept.iter().any(|(_, row)| row.active.is_some());
     let is_free = tree.links.iter().any(|link| link.is_free);
-    let freedoms = || tree.links.iter().flat_map(|link| &link.freedoms);
-    let is_geared = freedoms().any(|freedom| !work.graph.is_zero(freedom.armature));
-    if is_free || is_geared || is_partial || !reactions_in(work, &given).is_empty() {
+    if is_free || is_partial || !reactions_in(work, &given).is_empty() {
         return None;
     }
     let absolute = Absolute::of(&mut work.graph, tree, known.placed);
@@ -97,7 +95,8 @@ fn balances(
 ) -> Vec<Balance> {
     let tree = &known.built.tree;
     let short = shortest(graph, tree, known.ends);
-    let (masses, driving) = derive_masses(graph, absolute, arms, &short);
+    let (mut masses, mut driving) = derive_masses(graph, absolute, arms, &short);
+    absolute.add_armatures(graph, tree, (&mut masses, &mut driving));
     let open = || tree.links.iter().flat_map(Link::open);
     let drives: Vec<Id> = open().map(|freedom| freedom.drive).collect();
     let drives = absolute.gathered(graph, &drives);
@@ -119,14 +118,6 @@ fn lacking(work: &mut Workspace, tree: &Tree, accelerations: &[Id]) -> Vec<Id> {
         .map(|link| rest.by_ref().take(link.open().count()).collect())
         .collect();
     let graph = &mut work.graph;
-    let carried = joint_loads(graph, tree, &by_link);
-    let mut all = Vec::new();
-    for (link, load) in tree.links.iter().zip(carried) {
-        for freedom in link.open() {
-            let needed = freedom.twist.dot(graph, load);
-            let lacking = graph.subtract(needed, freedom.drive);
-            all.push(graph.quantity(lacking));
-        }
-    }
-    all
+    let all = tree::lacking(graph, tree, &by_link).into_iter();
+    all.map(|one| graph.quantity(one)).collect()
 }

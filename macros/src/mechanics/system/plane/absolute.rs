@@ -1,7 +1,7 @@
 //! Absolute coordinates: of each open freedom that turns the angle of its link in the world, of the
 //! others what they are.
 
-use crate::mechanics::tree::link::{Freedom, Tree};
+use crate::mechanics::tree::link::{Freedom, Link, Tree};
 use crate::symbolic::{Graph, Id};
 
 use super::super::constraints::Placed;
@@ -86,6 +86,30 @@ impl Absolute {
             }
         }
         all
+    }
+
+    /// Adds what armatures J take of the coordinates of joints: `T^T J (T x - d)`.
+    pub fn add_armatures(
+        &self,
+        graph: &mut Graph,
+        tree: &Tree,
+        (masses, driving): (&mut [Vec<Id>], &mut [Id]),
+    ) {
+        for (own, freedom) in tree.links.iter().flat_map(Link::open).enumerate() {
+            let armature = freedom.armature;
+            masses[own][own] = graph.add(masses[own][own], armature);
+            let hinge = self.hinges.iter().find(|(hinge, _)| *hinge == own);
+            let Some((_, carrier)) = hinge else { continue };
+            let known = graph.multiply(armature, self.given[*carrier]);
+            driving[own] = graph.add(driving[own], known);
+            if let Some(below) = self.turns[*carrier] {
+                driving[below] = graph.subtract(driving[below], known);
+                masses[below][below] = graph.add(masses[below][below], armature);
+                for (row, column) in [(own, below), (below, own)] {
+                    masses[row][column] = graph.subtract(masses[row][column], armature);
+                }
+            }
+        }
     }
 
     /// `u . d`

@@ -2,7 +2,6 @@
 
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Outline, Variable, Workspace};
-
 use crate::symbolic::{Components, Id};
 
 use super::changes::{Changes, Column};

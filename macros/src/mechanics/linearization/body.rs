@@ -1,4 +1,4 @@
-//! The linearisation of a body: its accelerations are differentiated, each backwards.
+//! The linearisation of a body: its accelerations are differentiated in each direction of its states.
 
 use std::collections::BTreeMap;
 

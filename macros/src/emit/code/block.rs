@@ -8,7 +8,7 @@ use proc_macro2::Ident;
 
 use crate::symbolic::{Id, Node, Number};
 
-use super::naming::unique;
+use super::naming::Names;
 use super::writer::{Source, Writer};
 
 /// Longer names than this are replaced by the kind of operation.
@@ -18,7 +18,7 @@ const LENGTH: usize = 24;
 pub struct Block<'a> {
     pub writer: &'a Writer<'a>,
     pub names: HashMap<Id, Ident>,
-    pub taken: HashSet<String>,
+    pub taken: Names,
     pub noted: HashSet<&'static str>,
     pub reads: Vec<Source>,
     /// Whether it is written for any scalar, whose constants are statements.
@@ -44,7 +44,7 @@ impl<'a> Block<'a> {
 impl Block<'_> {
     /// A name that no other local has.
     pub fn unique(&mut self, wanted: &str) -> Ident {
-        unique(&mut self.taken, wanted)
+        self.taken.unique(wanted)
     }
 
     pub fn statement_name(&mut self, id: Id) -> Ident {

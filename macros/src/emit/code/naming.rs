@@ -1,6 +1,6 @@
 //! Names in generated code beside those of the user.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 use proc_macro2::{Ident, Span};
 
@@ -24,13 +24,46 @@ pub fn local_name(name: &str) -> String {
     }
 }
 
-/// A name that no other local has.
-pub fn unique(taken: &mut HashSet<String>, wanted: &str) -> Ident {
-    let wanted = local_name(wanted);
-    let (mut name, mut suffix) = (wanted.clone(), 0);
-    while !taken.insert(name.clone()) {
-        suffix += 1;
-        name = format!("{wanted}_{suffix}");
+/// The names of locals.
+#[derive(Default)]
+pub struct Names {
+    /// How many names each is the beginning of, as far as that is known.
+    taken: HashMap<String, u32>,
+}
+
+impl Names {
+    /// A name that no other local has.
+    pub fn unique(&mut self, wanted: &str) -> Ident {
+        let wanted = local_name(wanted);
+        let Some(mut suffix) = self.taken.get(&wanted).copied() else {
+            self.taken.insert(wanted.clone(), 0);
+            return local(&wanted);
+        };
+        let name = loop {
+            suffix += 1;
+            let name = format!("{wanted}_{suffix}");
+            if !self.taken.contains_key(&name) {
+                break name;
+            }
+        };
+        self.taken.insert(name.clone(), 0);
+        self.taken.insert(wanted, suffix);
+        local(&name)
     }
-    local(&name)
+}
+
+impl<S: Into<String>> Extend<S> for Names {
+    fn extend<I: IntoIterator<Item = S>>(&mut self, names: I) {
+        for name in names {
+            self.taken.entry(name.into()).or_default();
+        }
+    }
+}
+
+impl<S: Into<String>> FromIterator<S> for Names {
+    fn from_iter<I: IntoIterator<Item = S>>(names: I) -> Self {
+        let mut all = Self::default();
+        all.extend(names);
+        all
+    }
 }

@@ -1,12 +1,11 @@
 //! What functions are written with: what they are given, what is stored, and what the numbers are.
 
-use std::collections::HashSet;
-
 use proc_macro2::Ident;
 
 use crate::model::{Outline, Workspace};
 use crate::symbolic::{Id, Program, Stage};
 
+use super::naming::Names;
 use super::shapes::Shapes;
 
 /// Names that a function has before its first statement.
@@ -95,7 +94,7 @@ impl<'a> Writer<'a> {
     /// Names that are not there for statements: those of arguments, and those of fields, which are
     /// told from statements by `self` in the code and by nothing in its text, or which the
     /// constructor is yet to compute.
-    pub fn taken(&self) -> HashSet<String> {
+    pub fn taken(&self) -> Names {
         let fields = self.fields.0.iter().chain(&self.targets.0);
         let fields = fields.map(|(_, name)| name.to_string());
         let taken = TAKEN.split(' ').map(str::to_owned);

@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use crate::emit::code::{Fields, PRINCIPAL_AXES, Writer, local, to_text, unique};
+use crate::emit::code::{Fields, Names, PRINCIPAL_AXES, Writer, local, to_text};
 use crate::model::{AXES, Meaning, Outline, Substance, Workspace};
 use crate::symbolic::{Cost, Id, Stage};
 
@@ -42,13 +42,13 @@ pub fn stored_fields(outline: &Outline, work: &Workspace, roots: &Roots) -> Fiel
     let hoisted = Writer::new(outline, work, Fields::NONE)
         .schedule(&all)
         .hoisted;
-    let mut taken = ["params", PRINCIPAL_AXES].map(str::to_owned).into();
+    let mut taken: Names = ["params", PRINCIPAL_AXES].into_iter().collect();
     let fields = hoisted.into_iter().map(|id| {
         let label = |id: Id| work.labels.get(id).map(str::to_owned);
         let opposite = || Some(format!("minus_{}", label(work.graph.negation_of(id)?)?));
         let wanted = label(id).or_else(opposite);
         let wanted = wanted.unwrap_or_else(|| field_name(outline, work, id));
-        (id, unique(&mut taken, &wanted))
+        (id, taken.unique(&wanted))
     });
     Fields(fields.collect())
 }

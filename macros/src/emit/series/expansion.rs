@@ -46,7 +46,7 @@ impl Expansion {
         let held = held(&writer.work.graph, recurrences);
 
         let mut block = Block::new(writer, false);
-        block.taken.extend(TAKEN.map(str::to_owned));
+        block.taken.extend(TAKEN);
         let mut statements = start(&mut block, recurrences, &batches, &held);
         let targets = name_results(&mut block, recurrences);
         let writer = Writer {

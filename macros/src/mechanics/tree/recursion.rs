@@ -29,7 +29,7 @@ pub fn derive_tree(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Solve
     drop_frames(graph, &mut tree);
     merge_welds(graph, &mut tree);
     let best = reduced(graph, &tree, |graph, tree| {
-        let found = solve(graph, &mut Labels::default(), tree);
+        let found = solve(graph, &mut Labels::silent(), tree);
         cost(graph, &found)
     });
     Solved {
@@ -45,11 +45,11 @@ fn cost(graph: &Graph, found: &Accelerations) -> u32 {
 
 /// By the recursion; of few freedoms by the mass matrix, if that is cheaper.
 fn solve(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
-    let mut names = Labels::default();
+    let mut names = labels.part();
     let mut best = recursion(graph, &mut names, tree).folded(graph, &mut names);
     let freedoms = || tree.links.iter().map(|link| link.open().count());
     if freedoms().sum::<usize>() <= 2 {
-        let mut others = Labels::default();
+        let mut others = labels.part();
         let mut solved = MassMatrix::derive(graph, &mut others, tree).solve(graph, &mut others);
         let by_matrix = freedoms().map(|count| solved.drain(..count).collect());
         let by_matrix = Accelerations(by_matrix.collect()).folded(graph, &mut others);

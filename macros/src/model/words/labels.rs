@@ -14,15 +14,38 @@ pub struct Labels {
     notes: HashMap<&'static str, &'static str>,
     /// The unknowns that guarded reciprocals give.
     unknowns: HashMap<Id, String>,
+    /// Of what is only tried: nothing has a name.
+    is_silent: bool,
 }
 
 impl Labels {
+    /// Those of what is only tried, which have no names.
+    pub fn silent() -> Self {
+        Self {
+            is_silent: true,
+            ..Self::default()
+        }
+    }
+
+    /// The labels of a part, to be adopted or not.
+    pub fn part(&self) -> Self {
+        Self {
+            is_silent: self.is_silent,
+            ..Self::default()
+        }
+    }
+
     pub fn name(&mut self, id: Id, name: impl Into<String>) {
-        self.names.entry(id).or_insert_with(|| name.into());
+        if !self.is_silent {
+            self.names.entry(id).or_insert_with(|| name.into());
+        }
     }
 
     /// Names the components `name_x`, `name_y`, `name_z`.
     pub fn vector(&mut self, name: &str, components: Components) {
+        if self.is_silent {
+            return;
+        }
         for (id, axis) in components.into_iter().zip(AXES) {
             self.name(id, format!("{name}_{axis}"));
         }
@@ -40,6 +63,9 @@ impl Labels {
 
     /// Names the entries `name_xx`, `name_xy`, ...
     pub fn matrix(&mut self, name: &str, rows: &[Components; 3]) {
+        if self.is_silent {
+            return;
+        }
         for (row, first) in rows.iter().zip(AXES) {
             for (id, second) in row.iter().zip(AXES) {
                 self.name(*id, format!("{name}_{first}{second}"));
@@ -53,12 +79,10 @@ impl Labels {
     }
 
     /// Names what named expressions have become.
-    pub fn follow(&mut self, images: &HashMap<Id, Id>) {
-        let mut moved: Vec<(Id, Id)> = images.iter().map(|(id, image)| (*id, *image)).collect();
-        moved.sort_unstable();
-        for (id, image) in moved {
-            if let Some(name) = self.names.get(&id).cloned() {
-                self.name(image, name);
+    pub fn follow(&mut self, images: &[(Id, Id)]) {
+        for (id, image) in images {
+            if let Some(name) = self.names.get(id).cloned() {
+                self.name(*image, name);
             }
         }
     }

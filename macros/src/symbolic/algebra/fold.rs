@@ -1,27 +1,26 @@
 //! Statements that are used once, and whose constants are better gathered where they are used.
 
-use std::collections::HashMap;
-
 use crate::symbolic::graph::{Graph, Id, Node};
 
 impl Graph {
     /// `roots` without the statements `early * late` and `early + late` that are used once, and what
-    /// has become of all that they are made of; the same if that is no cheaper.
-    pub fn folded(&mut self, roots: &[Id]) -> (Vec<Id>, HashMap<Id, Id>) {
-        let mut uses: HashMap<Id, usize> = HashMap::new();
-        for id in self.reachable(roots, |id| !self.is_early(id)) {
+    /// has become of all that they are made of, in order; the same if that is no cheaper.
+    pub fn folded(&mut self, roots: &[Id]) -> (Vec<Id>, Vec<(Id, Id)>) {
+        let last = roots.iter().max().map_or(0, |last| last.index());
+        let mut uses = vec![0_u32; last + 1];
+        for id in self.reached(roots, |id| !self.is_early(id)) {
             for operand in self.node(id).operands() {
-                *uses.entry(operand).or_default() += 1;
+                uses[operand.index()] += 1;
             }
         }
         for root in roots {
-            *uses.entry(*root).or_default() += 1;
+            uses[root.index()] += 1;
         }
         // all that they are made of follows the roots, so that its images are known
         let order = self.reachable(roots, |_| true);
         let all = [roots, &order].concat();
         let images = self.rebuild(&all, |graph, id, image| match *graph.node(id) {
-            Node::Quantity(inner) if uses.get(&id) == Some(&1) && graph.has_early_part(inner) => {
+            Node::Quantity(inner) if uses[id.index()] == 1 && graph.has_early_part(inner) => {
                 image(inner)
             }
             _ => graph.remake(id, image),
@@ -32,7 +31,7 @@ impl Graph {
             let images = order.into_iter().zip(images.iter().copied());
             (folded.to_vec(), images.collect())
         } else {
-            (roots.to_vec(), HashMap::new())
+            (roots.to_vec(), Vec::new())
         }
     }
 

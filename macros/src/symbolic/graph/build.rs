@@ -71,6 +71,15 @@ impl Graph {
     }
 
     pub fn negate(&mut self, a: Id) -> Id {
+        if let Some(known) = self.negatives[a.index()] {
+            return known;
+        }
+        let negative = self.made_negative(a);
+        self.negatives[a.index()] = Some(negative);
+        negative
+    }
+
+    fn made_negative(&mut self, a: Id) -> Id {
         match *self.node(a) {
             Node::Undefined => a,
             Node::Number(ref number) => {

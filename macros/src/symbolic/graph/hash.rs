@@ -27,6 +27,13 @@ impl Hasher for WordHasher {
         self.0 = (self.0.rotate_left(23) ^ word).wrapping_mul(FACTOR);
     }
 
+    fn write_u128(&mut self, word: u128) {
+        #[expect(clippy::cast_possible_truncation, reason = "its two halves")]
+        let halves = [word as u64, (word >> 64) as u64];
+        self.write_u64(halves[0]);
+        self.write_u64(halves[1]);
+    }
+
     fn write_usize(&mut self, word: usize) {
         self.write_u64(word as u64);
     }

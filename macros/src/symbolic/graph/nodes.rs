@@ -59,7 +59,7 @@ impl Comparison {
 }
 
 /// One operation.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Node {
     Number(Number),
     Truth(bool),
@@ -89,10 +89,16 @@ pub enum Node {
 impl Node {
     /// The operands, left to right.
     pub fn operands(&self) -> impl Iterator<Item = Id> {
-        let operands = match *self {
-            Self::Number(_) | Self::Truth(_) | Self::Undefined | Self::Symbol(_) => [None; 3],
+        let (operands, count) = self.operands_in_place();
+        operands.into_iter().take(count)
+    }
+
+    /// The operands, left to right, and how many of the three places they take.
+    fn operands_in_place(&self) -> ([Id; 3], usize) {
+        match *self {
+            Self::Number(_) | Self::Truth(_) | Self::Undefined | Self::Symbol(_) => ([ZERO; 3], 0),
             Self::Quantity(a) | Self::Negate(a) | Self::Not(a) | Self::Unary(_, a) => {
-                [Some(a), None, None]
+                ([a, ZERO, ZERO], 1)
             }
             Self::Add(a, b)
             | Self::Subtract(a, b)
@@ -102,18 +108,54 @@ impl Node {
             | Self::Pivot(a, b)
             | Self::Compare(_, a, b)
             | Self::And(a, b)
-            | Self::Or(a, b) => [Some(a), Some(b), None],
-            Self::Select(a, b, c) => [Some(a), Some(b), Some(c)],
+            | Self::Or(a, b) => ([a, b, ZERO], 2),
+            Self::Select(a, b, c) => ([a, b, c], 3),
+        }
+    }
+
+    /// The operation and its operands in words of their own, which nothing else has; not of numbers.
+    fn words(&self) -> u128 {
+        let (operation, which): (u8, u32) = match *self {
+            Self::Number(_) => (0, 0),
+            Self::Truth(holds) => (1, u32::from(holds)),
+            Self::Undefined => (2, 0),
+            Self::Symbol(Symbol(number)) => (3, number),
+            Self::Quantity(_) => (4, 0),
+            Self::Negate(_) => (5, 0),
+            Self::Add(..) => (6, 0),
+            Self::Subtract(..) => (7, 0),
+            Self::Multiply(..) => (8, 0),
+            Self::Divide(..) => (9, 0),
+            Self::Unary(function, _) => (10, function as u32),
+            Self::Binary(function, ..) => (11, function as u32),
+            Self::Compare(comparison, ..) => (12, comparison as u32),
+            Self::And(..) => (13, 0),
+            Self::Or(..) => (14, 0),
+            Self::Not(_) => (15, 0),
+            Self::Select(..) => (16, 0),
+            Self::Pivot(..) => (17, 0),
         };
-        operands.into_iter().flatten()
+        let ([a, b, c], _) = self.operands_in_place();
+        // three operands leave no place for more than the operation
+        let last = if which == 0 { c.0 } else { which };
+        let operands = u128::from(a.0) | u128::from(b.0) << 32 | u128::from(last) << 64;
+        operands | u128::from(operation) << 96
     }
 }
+
+/// What is found by words.
+type ByWords<K> = HashMap<K, Id, BuildHasherDefault<WordHasher>>;
 
 /// All expressions of one description.
 pub struct Graph {
     nodes: Vec<Node>,
     stages: Vec<Stage>,
-    ids: HashMap<Node, Id, BuildHasherDefault<WordHasher>>,
+    numbers: ByWords<Number>,
+    operations: ByWords<u128>,
+    /// The products of early factors that were asked for.
+    pub(super) products: ByWords<[Id; 2]>,
+    /// The negatives that were asked for, by what they are negatives of.
+    pub(super) negatives: Vec<Option<Id>>,
     symbols: Vec<Id>,
     /// Of the tensors whose axes were asked for.
     pub(in crate::symbolic) spectra: HashMap<[Components; 3], Spectrum>,
@@ -128,7 +170,10 @@ impl Default for Graph {
         let mut graph = Self {
             nodes: Vec::new(),
             stages: Vec::new(),
-            ids: HashMap::default(),
+            numbers: HashMap::default(),
+            operations: HashMap::default(),
+            products: HashMap::default(),
+            negatives: Vec::new(),
             symbols: Vec::new(),
             spectra: HashMap::new(),
         };
@@ -173,7 +218,7 @@ impl Graph {
 
     /// The one node of this shape. Only constructors call it, on nodes that they cannot simplify.
     pub(in crate::symbolic) fn intern(&mut self, node: Node) -> Id {
-        if let Some(&id) = self.ids.get(&node) {
+        if let Some(id) = self.find(&node) {
             return id;
         }
         let stage = node.operands().map(|operand| self.stage(operand)).max();
@@ -182,19 +227,33 @@ impl Graph {
 
     /// The node of this shape, if there is one already.
     pub(in crate::symbolic) fn find(&self, node: &Node) -> Option<Id> {
-        self.ids.get(node).copied()
+        match node {
+            Node::Number(number) => self.numbers.get(number).copied(),
+            operation => self.operations.get(&operation.words()).copied(),
+        }
     }
 
     fn insert(&mut self, node: Node, stage: Stage) -> Id {
         let id = Id(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
-        self.nodes.push(node.clone());
+        match &node {
+            Node::Number(number) => self.numbers.insert(number.clone(), id),
+            operation => self.operations.insert(operation.words(), id),
+        };
+        self.nodes.push(node);
         self.stages.push(stage);
-        self.ids.insert(node, id);
+        self.negatives.push(None);
         id
     }
 
     /// All nodes that `roots` are made of, children first; `enter` says which are looked into.
     pub fn reachable(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
+        let mut found = self.reached(roots, enter);
+        found.sort_unstable();
+        found
+    }
+
+    /// The same, in no order that means anything.
+    pub(in crate::symbolic) fn reached(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut seen = vec![false; self.nodes.len()];
         let mut pending = roots.to_vec();
         let mut found = Vec::new();
@@ -207,7 +266,6 @@ impl Graph {
                 pending.extend(self.node(id).operands());
             }
         }
-        found.sort_unstable();
         found
     }
 

@@ -93,6 +93,18 @@ impl Graph {
 
     /// Product of two early factors, in one canonical form: a number, parameters, over parameters.
     fn multiply_known(&mut self, a: Id, b: Id) -> Id {
+        if self.is_one(a) && self.is_one(b) {
+            return a;
+        }
+        if let Some(known) = self.products.get(&[a, b]) {
+            return *known;
+        }
+        let product = self.made_product(a, b);
+        self.products.insert([a, b], product);
+        product
+    }
+
+    fn made_product(&mut self, a: Id, b: Id) -> Id {
         let mut number = Number::one();
         let mut powers: Vec<(Id, i32)> = Vec::new();
         let mut pending = vec![(a, 1), (b, 1)];

@@ -8,7 +8,7 @@ use core::cell::RefCell;
 use std::rc::Rc;
 
 use dashu_int::ops::{BitTest, UnsignedAbs};
-use dashu_int::{IBig, UBig};
+use dashu_int::{IBig, Sign, UBig};
 use dashu_ratio::RBig;
 
 use super::ball::Ball;
@@ -141,11 +141,11 @@ impl Number {
     }
 
     pub fn is_negative(&self) -> bool {
-        self.value < RBig::ZERO
+        self.value.sign() == Sign::Negative
     }
 
     pub fn is_positive(&self) -> bool {
-        self.value > RBig::ZERO
+        self.value.sign() == Sign::Positive && !self.is_zero()
     }
 
     /// The integer that this number is, if it is a small one.

@@ -5,7 +5,7 @@ use crate::symbolic::{Graph, Id};
 use super::articulated::wrench_on_carrier;
 use super::bias::Moving;
 use super::link::{Freedom, Link, Tree};
-use super::pair::Pair;
+use super::pair::{Along, Pair};
 
 /// The motions of all links, when the freedoms accelerate so, link by link.
 pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Moving> {
@@ -20,8 +20,18 @@ pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec
 }
 
 /// The force and the moment of each joint on what it carries, about the origin of the link, in its
-/// axes, when the freedoms accelerate so.
+/// axes, when the freedoms accelerate as they do: along them they are the drives.
 pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Pair> {
+    loads(graph, tree, accelerations, driven)
+}
+
+/// The same as the balances have it, when the freedoms accelerate as is given.
+fn loads(
+    graph: &mut Graph,
+    tree: &Tree,
+    accelerations: &[Vec<Id>],
+    known: impl Fn(&mut Graph, &Link, &[Id], Pair) -> Pair,
+) -> Vec<Pair> {
     let motions = motions(graph, tree, accelerations);
     let links = tree.links.iter().zip(&motions);
     let taken = links.map(|(link, moving)| {
@@ -30,7 +40,8 @@ pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) ->
     });
     let mut loads: Vec<Pair> = taken.collect();
     for (index, link) in tree.links.iter().enumerate().rev() {
-        loads[index] = loads[index].quantities(graph);
+        let load = known(graph, link, &accelerations[index], loads[index]);
+        loads[index] = load.quantities(graph);
         if let Some(carrier) = link.carrier {
             let passed = wrench_on_carrier(graph, link, loads[index]);
             loads[carrier] = loads[carrier].plus(graph, passed);
@@ -39,9 +50,27 @@ pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) ->
     loads
 }
 
+/// A load whose components along open freedoms are what drives these.
+fn driven(graph: &mut Graph, link: &Link, accelerations: &[Id], mut load: Pair) -> Pair {
+    if link.is_free {
+        return load;
+    }
+    for (freedom, rate) in link.open().zip(accelerations) {
+        let own = graph.multiply(freedom.armature, *rate);
+        let drive = graph.subtract(freedom.drive, own);
+        let driven = freedom.twist.scaled(graph, drive);
+        match freedom.twist.axis(graph) {
+            Some(Along::Angular(axis)) => load.angular[axis] = driven.angular[axis],
+            Some(Along::Linear(axis)) => load.linear[axis] = driven.linear[axis],
+            None => {}
+        }
+    }
+    load
+}
+
 /// What lacks along the open freedoms, of what drives them, when they accelerate so.
 pub fn lacking(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Id> {
-    let loads = joint_loads(graph, tree, accelerations);
+    let loads = loads(graph, tree, accelerations, |_, _, _, load| load);
     let links = tree.links.iter().zip(loads).zip(accelerations);
     let freedoms = links.flat_map(|((link, load), rates)| {
         let freedoms = link.open().zip(rates);

@@ -204,3 +204,61 @@ fn periods_that_are_none() {
     let error = samples.next().unwrap().unwrap_err().error;
     assert!(matches!(error, IntegrationError::NotFinite { .. }));
 }
+
+/// Members that do not come to the end are handed out with their index, and the others come there.
+#[test]
+fn others_do_not_wait() {
+    let moved = |start: &Ensemble<bodies::Turning<f64>>| {
+        let mut ensemble = start.clone();
+        let lost = ensemble.integrate().tolerance(1e-10).each_to(2.0);
+        (ensemble, lost)
+    };
+    let (mut start, all) = (spinning(), moved(&spinning()));
+    assert!(all.1.is_empty());
+    for index in [3, 12] {
+        let torque = Vector3::new(0.0, f64::NAN, 0.0);
+        start
+            .inputs_mut()
+            .set(index, &bodies::TurningInput { torque });
+    }
+    let (ensemble, lost) = moved(&start);
+    let indices: Vec<usize> = lost.iter().map(|one| one.index).collect();
+    assert_eq!(indices, [3, 12]);
+    for index in 0..start.len() {
+        let wanted = if indices.contains(&index) {
+            start.state(index)
+        } else {
+            all.0.state(index)
+        };
+        assert!(ensemble.state(index) == wanted, "{index}");
+    }
+    // what ends all of them
+    let mut ensemble = start.clone();
+    assert_eq!(ensemble.integrate().each_to(f64::NAN).len(), 19);
+    assert!(ensemble.states() == start.states());
+    let short = ensemble.integrate().max_step(0.0).each_to(1.0);
+    assert_eq!(short.len(), 19);
+}
+
+/// Under a controller they stay at their last good states, while the others go on.
+#[test]
+fn others_go_on_under_a_controller() {
+    let mut ensemble = Ensemble::new(&bodies::Turning::default(), [Rotation::default(); 9]);
+    let control = |time: f64, index: usize, _: &Rotation| {
+        let push = if index == 5 && time > 0.4 {
+            f64::NAN
+        } else {
+            1.5
+        };
+        let torque = Vector3::new(0.0, 0.0, push);
+        bodies::TurningInput { torque }
+    };
+    let lost = ensemble.integrate().control(0.25, control).each_to(1.0);
+    assert_eq!(lost.len(), 1);
+    assert_eq!((lost[0].index, lost[0].error.time()), (5, 0.5));
+    for (index, state) in ensemble.states().iter().enumerate() {
+        let wanted = if index == 5 { 0.5 } else { 1.0 };
+        let rate = state.angular_velocity.z;
+        assert!((rate - wanted).abs() < 1e-12, "{index}: {rate}");
+    }
+}

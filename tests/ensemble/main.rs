@@ -4,9 +4,10 @@ use std::fmt::Debug;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector2, Vector3};
 use newton_euler::columns::{Generic, Source};
-use newton_euler::ensemble::{Blocks, Ensemble, InvalidMember};
+use newton_euler::ensemble::{Blocks, Ensemble, InvalidMember, Moves, OneByOne, Together};
 use newton_euler::integrate::{
-    Classical4, DormandPrince8, Fixed, Midpoint, RungeKutta, Tsitouras5, Verner9,
+    Classical4, DormandPrince, DormandPrince8, Fixed, Midpoint, RungeKutta, Tolerant as _,
+    Tsitouras5, Verner9,
 };
 use newton_euler::lanes::Width;
 use newton_euler::{columns::Columns, integrate, prelude::*};
@@ -91,7 +92,7 @@ impl Unit for Hinge {}
 /// Compares an ensemble with its members alone, in all widths.
 fn check<B>(params: impl Fn(f64) -> B::Params)
 where
-    B: Generic<State: Unit + PartialEq, Input: Clone> + Integrate,
+    B: Generic<State: Unit + PartialEq, Input: Clone> + Integrate<Best: Together>,
     <B::State as State>::Acceleration: PartialEq + Debug + Columns<f64>,
 {
     let mut numbers = Numbers(7);
@@ -128,95 +129,67 @@ where
                 "member {index}, {width:?}: {alone:?}"
             );
         }
-        steps_as_if_alone(
-            &start,
-            width,
-            Fixed {
-                method: Classical4,
-                step: 0.06,
-            },
-        );
-        steps_as_if_alone(
-            &start,
-            width,
-            Fixed {
-                method: Tsitouras5,
-                step: 0.06,
-            },
-        );
-        steps_as_if_alone(
-            &start,
-            width,
-            Fixed {
-                method: DormandPrince8,
-                step: 0.1,
-            },
-        );
-        steps_as_if_alone(
-            &start,
-            width,
-            Fixed {
-                method: Verner9,
-                step: 0.1,
-            },
-        );
-        steps_as_if_alone(
-            &start,
-            width,
-            Fixed {
-                method: Midpoint,
-                step: 0.02,
-            },
-        );
+        let fixed = |step| Steps(&start, width, step);
+        fixed(0.06).as_if_alone(Classical4);
+        fixed(0.06).as_if_alone(Tsitouras5);
+        fixed(0.1).as_if_alone(DormandPrince8);
+        fixed(0.1).as_if_alone(Verner9);
+        fixed(0.02).as_if_alone(Midpoint);
+        for tolerance in [1e-3, 1e-8, 1e-13] {
+            moves_as_if_alone(&start, width, DormandPrince { tolerance });
+        }
     }
-    let mut ensemble = start.clone();
-    ensemble
-        .integrate()
-        .starting_at(0.3)
-        .tolerance(1e-8)
-        .to(0.7)
-        .unwrap();
-    for (index, (state, input)) in states.iter().zip(&inputs).enumerate() {
-        let body = ensemble.body(index);
-        let alone = body
-            .integrate(state)
-            .starting_at(0.3)
-            .input(input.clone())
-            .tolerance(1e-8);
-        assert!(
-            ensemble.state(index) == alone.to(0.7).unwrap(),
-            "member {index}"
-        );
+    let best = B::Best::with_tolerance(1e-8);
+    moves_as_if_alone(&start, Width::One, OneByOne(best));
+}
+
+/// Equal steps \[s\] in lanes.
+struct Steps<'e, B: Generic>(&'e Ensemble<B>, Width, f64);
+
+impl<B> Steps<'_, B>
+where
+    B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together>,
+{
+    fn as_if_alone<M: RungeKutta>(self, method: M) {
+        let Self(start, width, step) = self;
+        moves_as_if_alone(start, width, Fixed { method, step });
     }
 }
 
-/// Equal steps in lanes, and of each member alone.
-fn steps_as_if_alone<B, M>(start: &Ensemble<B>, width: Width, method: Fixed<M>)
+/// All members together, and each of them alone: on a plain way, backwards, and with steps that end where they are told to.
+fn moves_as_if_alone<B, M>(start: &Ensemble<B>, width: Width, method: M)
 where
-    B: Generic<State: PartialEq, Input: Clone> + Integrate,
-    M: RungeKutta,
+    B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together>,
+    M: Moves<B> + Copy,
 {
-    let mut ensemble = start.clone();
-    ensemble.set_width(width);
-    ensemble
-        .integrate()
-        .starting_at(0.3)
-        .method(method)
-        .to(0.7)
-        .unwrap();
-    for index in 0..start.len() {
-        let (body, input) = (start.body(index), start.inputs().get(index));
-        let state = start.state(index);
-        let alone = body
-            .integrate(&state)
-            .starting_at(0.3)
-            .method(method)
-            .input(input);
-        let alone = alone.to(0.7).unwrap();
-        assert!(
-            ensemble.state(index) == alone,
-            "member {index}, {width:?}, {method:?}: {alone:?}"
-        );
+    let plain = (f64::INFINITY, &[][..]);
+    for (end, (max_step, breaks)) in [
+        (0.7, plain),
+        (-0.1, plain),
+        (0.7, (0.17, &[0.4, 0.65, 9.0, 0.3][..])),
+    ] {
+        let mut ensemble = start.clone();
+        ensemble.set_width(width);
+        let motion = ensemble.integrate().starting_at(0.3).method(method);
+        let motion = motion.max_step(max_step).breaks(breaks);
+        motion.to(end).unwrap();
+        for index in 0..start.len() {
+            let (body, input) = (start.body(index), start.inputs().get(index));
+            let state = start.state(index);
+            let alone = body
+                .integrate(&state)
+                .starting_at(0.3)
+                .method(method.alone())
+                .max_step(max_step)
+                .breaks(breaks)
+                .input(input);
+            let alone = alone.to(end).unwrap();
+            assert!(
+                ensemble.state(index) == alone,
+                "member {index}, {width:?}, {}: {alone:?}",
+                std::any::type_name::<M>()
+            );
+        }
     }
 }
 

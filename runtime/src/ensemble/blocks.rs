@@ -162,7 +162,7 @@ pub(super) fn range<C: Columns<f64>>(block: usize) -> Range<usize> {
     C::COUNT * block..C::COUNT * (block + 1)
 }
 
-fn write<C: Columns<f64>>(rows: &mut [Eight], block: usize, lane: usize, value: &C) {
+pub(super) fn write<C: Columns<f64>>(rows: &mut [Eight], block: usize, lane: usize, value: &C) {
     value.write(&mut ColumnMut {
         rows: rows[range::<C>(block)].iter_mut(),
         lane,

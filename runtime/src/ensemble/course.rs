@@ -5,6 +5,7 @@
     reason = "a motion is at a time, or it is not: it is put there"
 )]
 
+use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::moves::{MemberError, Moves};
@@ -55,6 +56,8 @@ pub(super) struct EnsembleCourse<'e, B: Generic, M, C> {
     end: f64,
     /// Until when the inputs act that act now.
     held_until: f64,
+    /// Members that did not come this far, of those that others do not wait for.
+    lost: Option<Vec<MemberError<B::State>>>,
     #[cfg(feature = "progress")]
     bar: Option<Bar>,
 }
@@ -76,6 +79,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             time,
             end,
             held_until: time,
+            lost: None,
             #[cfg(feature = "progress")]
             bar: None,
         }
@@ -92,8 +96,8 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             return Ok(());
         }
         if !(self.time.is_finite() && time.is_finite()) {
-            let (time, state) = (self.time, self.ensemble.state(0));
-            return Err(at_first(IntegrationError::not_finite(time, state)));
+            let time = self.time;
+            return Err(self.ended(|state| IntegrationError::not_finite(time, state)));
         }
         while self.time != time {
             let forwards = time > self.time;
@@ -101,9 +105,8 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             if self.time == self.held_until {
                 let until = self.control.set(self.ensemble, self.time, self.end);
                 if !is_ahead(until, self.time) {
-                    let (time, state) = (self.time, self.ensemble.state(0));
-                    let step = until - time;
-                    return Err(at_first(IntegrationError::StepTooSmall {
+                    let (time, step) = (self.time, until - self.time);
+                    return Err(self.ended(|state| IntegrationError::StepTooSmall {
                         time,
                         state,
                         step,
@@ -133,9 +136,56 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             }
         };
         let (ensemble, limits) = (&mut *self.ensemble, &self.limits);
-        self.method.moved(ensemble, times, limits, shown)?;
+        match &mut self.lost {
+            None => {
+                let before = ensemble.states.clone();
+                let lost = self.method.moved(ensemble, times, limits, shown);
+                if let Some(first) = lost.into_iter().next() {
+                    ensemble.states = before;
+                    return Err(first);
+                }
+            }
+            Some(all) => {
+                for one in self.method.moved(ensemble, times, limits, shown) {
+                    if all.iter().all(|known| known.index != one.index) {
+                        all.push(one);
+                    }
+                }
+                for one in all {
+                    ensemble.states.set(one.index, one.error.state());
+                }
+            }
+        }
         self.time = next;
         Ok(())
+    }
+
+    /// Goes on to the end with those members that get there; returns the others, in order.
+    pub(super) fn seek_with_each(mut self) -> Vec<MemberError<B::State>> {
+        self.lost = Some(Vec::new());
+        // what ends them all is known of each
+        let _ = self.seek(self.end);
+        let mut lost = self.lost.unwrap_or_default();
+        lost.sort_by_key(|one| one.index);
+        lost
+    }
+
+    /// What ends all motions, at the first; there is one.
+    fn ended(
+        &mut self,
+        error: impl Fn(B::State) -> IntegrationError<B::State>,
+    ) -> MemberError<B::State> {
+        if let Some(lost) = &mut self.lost {
+            let all = self.ensemble.states.iter().enumerate();
+            let late = all.filter(|(index, _)| lost.iter().all(|known| known.index != *index));
+            let late = late.map(|(index, state)| MemberError {
+                index,
+                error: error(state),
+            });
+            let late: Vec<_> = late.collect();
+            lost.extend(late);
+        }
+        at_first(error(self.ensemble.state(0)))
     }
 }
 

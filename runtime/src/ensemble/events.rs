@@ -7,9 +7,9 @@ use rayon::iter::ParallelIterator as _;
 use super::Ensemble;
 use super::course::AsGiven;
 use super::integration::EnsembleIntegration;
-use super::moves::{MemberError, OneByOne, indices};
+use super::moves::{MemberError, Moves, indices};
 use crate::bodies::columns::Generic;
-use crate::integrate::{Event, Integrate, Method};
+use crate::integrate::{Event, Integrate};
 
 /// An event in the motion of a member.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,12 +20,12 @@ pub struct MemberEvent<S> {
     pub event: Event<S>,
 }
 
-impl<B: Generic + Integrate, M: Method<B>> EnsembleIntegration<'_, B, OneByOne<M>, AsGiven> {
+impl<B: Generic + Integrate, M: Moves<B>> EnsembleIntegration<'_, B, M, AsGiven> {
     /// Moves all members to the end \[s\] and tells where a function of time, member and its state
     /// changes its sign on the way: the events of the first member in their order, then those of
     /// the second, as [`Integration::events`](crate::integrate::Integration::events) finds them.
     ///
-    /// It is for members one by one, under the inputs that they have, and shows no bar.
+    /// Members move one by one for it, under the inputs that they have, and no bar is shown.
     ///
     /// # Errors
     /// [`MemberError`] with a member that does not come there, or of which the function is not a
@@ -41,10 +41,11 @@ impl<B: Generic + Integrate, M: Method<B>> EnsembleIntegration<'_, B, OneByOne<M
         let Self {
             ensemble,
             start,
-            method: OneByOne(method),
+            method,
             limits,
             ..
         } = self;
+        let method = method.alone();
         let Ensemble {
             states, members, ..
         } = &*ensemble;

@@ -5,11 +5,13 @@ use core::borrow::Borrow;
 
 use super::Ensemble;
 use super::course::{AsGiven, EnsembleControl, EnsembleCourse, EnsembleSamples};
-use super::moves::{MemberError, Moves, OneByOne};
+#[cfg(doc)]
+use super::moves::OneByOne;
+use super::moves::{MemberError, Moves, Together};
 use super::plan::Limits;
 use crate::bodies::columns::Generic;
 #[cfg(doc)]
-use crate::integrate::Fixed;
+use crate::integrate::{DormandPrince, Fixed};
 use crate::integrate::{Integrate, Sampled, TOLERANCE, Tolerant};
 
 /// A motion of all members that is to be integrated, as one body's by
@@ -57,15 +59,17 @@ pub struct EnsembleIntegration<'e, B: Generic, M, C> {
     shows_progress: bool,
 }
 
-impl<B: Generic + Integrate> Ensemble<B> {
+impl<B: Generic + Integrate<Best: Together>> Ensemble<B> {
     /// Integrates the motion of all members: from time zero, under the inputs that they have, each
-    /// by the method that is best for it ([`Integrate::Best`]) with steps of its own, all of which
-    /// [`EnsembleIntegration`] can change.
-    pub fn integrate(&mut self) -> EnsembleIntegration<'_, B, OneByOne<B::Best>, AsGiven> {
+    /// with steps of its own; in closed form where there is one ([`Integrate::Best`]), else by
+    /// DOP853, several in a register. [`EnsembleIntegration`] can change all of that.
+    pub fn integrate(
+        &mut self,
+    ) -> EnsembleIntegration<'_, B, <B::Best as Together>::Moves, AsGiven> {
         EnsembleIntegration {
             ensemble: self,
             start: 0.0,
-            method: OneByOne(B::Best::with_tolerance(TOLERANCE)),
+            method: Tolerant::with_tolerance(TOLERANCE),
             control: AsGiven,
             limits: Limits {
                 max_step: f64::INFINITY,
@@ -95,7 +99,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         self.method(M::with_tolerance(tolerance))
     }
 
-    /// By another method: [`Fixed`] in lanes, or [`OneByOne`] of any.
+    /// By another method: [`DormandPrince`] and [`Fixed`] in lanes, or [`OneByOne`] of any.
     pub fn method<N>(self, method: N) -> EnsembleIntegration<'e, B, N, C> {
         EnsembleIntegration {
             ensemble: self.ensemble,
@@ -164,6 +168,18 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         C: EnsembleControl<B>,
     {
         self.course(end).seek(end)
+    }
+
+    /// Moves those members to the end \[s\] that get there, and returns why the others do not, in
+    /// order: these stay at their last good states, and nobody waits for them. A controller is
+    /// asked for them as well.
+    #[must_use = "these members are not at the end"]
+    pub fn each_to(self, end: f64) -> Vec<MemberError<B::State>>
+    where
+        M: Moves<B>,
+        C: EnsembleControl<B>,
+    {
+        self.course(end).seek_with_each()
     }
 
     /// The states of all members at the start and every so many seconds after, up to the end \[s\];

@@ -14,6 +14,7 @@ use crate::bodies::body::InvalidBody;
 use crate::bodies::columns::Generic;
 use crate::numbers::lanes::Width;
 
+mod adaptive;
 mod blocks;
 mod course;
 mod evaluate;
@@ -31,7 +32,7 @@ pub use blocks::Blocks;
 pub use course::{AsGiven, EnsembleControl, EnsembleSamples};
 pub use events::MemberEvent;
 pub use integration::EnsembleIntegration;
-pub use moves::{MemberError, Moves, OneByOne};
+pub use moves::{MemberError, Moves, OneByOne, Together};
 pub use plan::Limits;
 
 /// Bodies of one kind that move independently of each other.

@@ -8,15 +8,17 @@ use alloc::vec::Vec;
 #[cfg(feature = "rayon")]
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
-use super::Ensemble;
+use super::adaptive::{Stream, nobody};
 use super::blocks::{BLOCK, Blocks, Eight, GroupMut};
 use super::evaluate::{in_chunks, read};
 use super::plan::{Limits, Plan};
 use super::ways::{Apart, Ways};
+use super::{Ensemble, Members};
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
 use crate::integrate::{
-    Course, Equations, Fixed, Held, IntegrationError, Method, Run as _, RungeKutta, Tolerant, add,
+    ClosedForm, Course, DormandPrince, Equations, Fixed, Held, IntegrationError, Method, Projected,
+    Run as _, RungeKutta, TaylorSeries, Tolerant, add,
 };
 use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
@@ -45,19 +47,46 @@ impl<S: fmt::Debug + 'static> core::error::Error for MemberError<S> {
 
 /// A method for all members of an ensemble.
 pub trait Moves<B: Generic> {
+    /// The method by which a member moves so when it is alone, to the bit.
+    type Alone: Method<B>;
+
+    /// That method.
+    fn alone(&self) -> Self::Alone;
+
     /// Moves all members between two times \[s\], with the inputs held, and tells an observer what
-    /// part of them is done.
-    ///
-    /// # Errors
-    /// [`MemberError`] with the first of those that do not come to the end; the ensemble stays
-    /// where it is.
+    /// part of them is done. Those that do not come to the end stay where they are, and are
+    /// returned, in order.
     fn moved(
         &self,
         ensemble: &mut Ensemble<B>,
         times: Range<f64>,
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
-    ) -> Result<(), MemberError<B::State>>;
+    ) -> Vec<MemberError<B::State>>;
+}
+
+/// A method of one body, and how an ensemble moves by default where that is the best one.
+pub trait Together {
+    /// In lanes, or one by one.
+    type Moves: Tolerant;
+}
+
+/// Nothing is to be gained by lanes.
+impl Together for ClosedForm {
+    type Moves = OneByOne<Self>;
+}
+
+/// Steps of DOP853 in lanes are faster than series one by one.
+impl Together for TaylorSeries {
+    type Moves = DormandPrince;
+}
+
+impl Together for DormandPrince {
+    type Moves = Self;
+}
+
+impl<M: Tolerant> Together for Projected<M> {
+    type Moves = OneByOne<Self>;
 }
 
 /// Every member for itself, by any method, with steps of its own.
@@ -65,36 +94,117 @@ pub trait Moves<B: Generic> {
 pub struct OneByOne<M>(pub M);
 
 impl<B: Generic, M: Method<B>> Moves<B> for OneByOne<M> {
+    type Alone = M;
+
+    fn alone(&self) -> M {
+        self.0
+    }
+
     fn moved(
         &self,
         ensemble: &mut Ensemble<B>,
         times: Range<f64>,
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
-    ) -> Result<(), MemberError<B::State>> {
-        if !(times.start.is_finite() && times.end.is_finite()) {
-            return ensemble.states.iter().next().map_or(Ok(()), |state| {
-                let time = times.start;
-                let error = IntegrationError::not_finite(time, state);
-                Err(MemberError { index: 0, error })
-            });
-        }
-        let (states, members) = (&ensemble.states, &ensemble.members);
-        let done = Done::of(states.len(), observer);
-        let end_of = |index: usize| {
-            let (body, input) = (members.body(index), members.inputs.get(index));
-            let start = (times.start, &states.get(index));
-            let mut course =
-                Course::new(&body, self.0, Held(input), limits.pace(), start, times.end);
-            course.given = Some(limits.given);
-            let reached = course.seek(times.end);
-            let reached = reached.map(|()| course.run.state());
+    ) -> Vec<MemberError<B::State>> {
+        let all = indices(ensemble.len());
+        let done = Done::of(ensemble.len(), observer);
+        let ends = all.map(|index| {
+            let end = end_alone(ensemble, self.0, index, &times, limits);
             done.add(1);
-            reached.map_err(|error| MemberError { index, error })
-        };
-        let ends: Result<Vec<B::State>, _> = indices(states.len()).map(end_of).collect();
-        ensemble.states = ends?.into_iter().collect();
-        Ok(())
+            end
+        });
+        let ends: Vec<Result<_, _>> = ends.collect();
+        put(&mut ensemble.states, ends.into_iter().enumerate())
+    }
+}
+
+/// Where a member comes to when it moves by itself.
+fn end_alone<B: Generic, M: Method<B>>(
+    ensemble: &Ensemble<B>,
+    method: M,
+    index: usize,
+    times: &Range<f64>,
+    limits: &Limits,
+) -> Result<B::State, IntegrationError<B::State>> {
+    let Ensemble {
+        states, members, ..
+    } = ensemble;
+    let (body, input) = (members.body(index), members.inputs.get(index));
+    let (start, pace) = ((times.start, &states.get(index)), limits.pace());
+    let mut course = Course::new(&body, method, Held(input), pace, start, times.end);
+    course.given = Some(limits.given);
+    course.seek(times.end)?;
+    Ok(course.run.state())
+}
+
+/// Puts members where they came to; returns those that came to no end.
+fn put<S: Columns<f64>>(
+    states: &mut Blocks<S>,
+    ends: impl Iterator<Item = (usize, Result<S, IntegrationError<S>>)>,
+) -> Vec<MemberError<S>> {
+    let mut lost = Vec::new();
+    for (index, end) in ends {
+        match end {
+            Ok(end) => states.set(index, &end),
+            Err(error) => lost.push(MemberError { index, error }),
+        }
+    }
+    lost
+}
+
+/// In lanes, each member with its own steps: it moves as it would alone, to the bit.
+impl<B: Generic> Moves<B> for DormandPrince {
+    type Alone = Self;
+
+    fn alone(&self) -> Self {
+        *self
+    }
+
+    fn moved(
+        &self,
+        ensemble: &mut Ensemble<B>,
+        times: Range<f64>,
+        limits: &Limits,
+        observer: impl Fn(f64) + Sync,
+    ) -> Vec<MemberError<B::State>> {
+        let (count, before) = (ensemble.len(), ensemble.states.clone());
+        let left = nobody(&before);
+        let done = Done::of(count, observer);
+        if times.start.is_finite() && times.end.is_finite() {
+            let columns = <B::State as Columns<f64>>::COUNT;
+            let (members, width) = (&ensemble.members, ensemble.width);
+            in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
+                let here = BLOCK * first..count.min(BLOCK * (first + rows.len() / columns));
+                let plan = Plan {
+                    method: *self,
+                    members,
+                    first,
+                    times: times.clone(),
+                    limits,
+                };
+                width.run(Stream {
+                    plan: &plan,
+                    states: rows,
+                    count: here.len(),
+                    left: &left[here.clone()],
+                });
+                done.add(here.len());
+            });
+        } else {
+            for one in &left {
+                one.store(true, Ordering::Relaxed);
+            }
+        }
+        let left = left.iter().enumerate();
+        let left = left.filter(|(_, is_left)| is_left.load(Ordering::Relaxed));
+        let left: Vec<usize> = left.map(|(index, _)| index).collect();
+        let ends = indices(left.len()).map(|number| {
+            let index = left[number];
+            (index, end_alone(ensemble, *self, index, &times, limits))
+        });
+        let ends: Vec<_> = ends.collect();
+        put(&mut ensemble.states, ends.into_iter())
     }
 }
 
@@ -135,42 +245,49 @@ pub(super) fn indices(count: usize) -> Range<usize> {
 /// In lanes: each member moves as it would alone, to the bit. Of a motion that does not stay
 /// finite, the error has the state at the start.
 impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
+    type Alone = Self;
+
+    fn alone(&self) -> Self {
+        *self
+    }
+
     fn moved(
         &self,
         ensemble: &mut Ensemble<B>,
         times: Range<f64>,
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
-    ) -> Result<(), MemberError<B::State>> {
+    ) -> Vec<MemberError<B::State>> {
         let (time, end) = (times.start, times.end);
         let before = ensemble.states.clone();
-        let failed = |index: usize, step: Option<f64>| {
+        let failed = |members: &Members<B>, index: usize, step: Option<f64>| {
             let state = before.get(index);
             let error = match step {
                 Some(step) => IntegrationError::StepTooSmall { time, state, step },
                 None => IntegrationError::not_finite(time, state),
             };
-            let (body, input) = (
-                ensemble.members.body(index),
-                ensemble.members.inputs.get(index),
-            );
+            let (body, input) = (members.body(index), members.inputs.get(index));
             let error = error.named(&body, &input, end >= time);
-            Err(MemberError { index, error })
+            MemberError { index, error }
+        };
+        let none_moves = |members: &Members<B>, step: Option<f64>| {
+            let all = 0..before.len();
+            all.map(|index| failed(members, index, step)).collect()
         };
         let is_there = end - time == 0.0;
         if before.is_empty() || is_there {
-            return Ok(());
+            return Vec::new();
         }
         let Some(steps) = self.count(end - time) else {
-            return failed(0, end.is_finite().then_some(self.step));
+            return none_moves(&ensemble.members, end.is_finite().then_some(self.step));
         };
         let pace = limits.pace();
         if pace.limit(time, end).is_none() || pace.limit(end, time).is_none() {
-            return failed(0, Some(limits.max_step));
+            return none_moves(&ensemble.members, Some(limits.max_step));
         }
         let done = Done::of(before.len(), observer);
         let plan = Plan {
-            fixed: *self,
+            method: *self,
             members: &ensemble.members,
             first: 0,
             times,
@@ -181,20 +298,22 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             let coordinates = state.coordinates();
             !coordinates.as_ref().iter().sum::<f64>().is_finite()
         };
-        let lost = ensemble.states.iter().position(is_lost);
-        match lost {
-            None => Ok(()),
-            Some(index) => {
-                ensemble.states = before.clone();
-                failed(index, None)
-            }
+        let ends = ensemble.states.iter().enumerate();
+        let lost: Vec<usize> = ends
+            .filter_map(|(index, end)| is_lost(end).then_some(index))
+            .collect();
+        for index in &lost {
+            ensemble.states.set(*index, &before.get(*index));
         }
+        let lost = lost.into_iter();
+        lost.map(|index| failed(&ensemble.members, index, None))
+            .collect()
     }
 }
 
 /// Moves all members by this many steps, or by those that each takes on its way.
 fn in_lanes<B: Generic, M: RungeKutta>(
-    plan: &Plan<'_, M, B>,
+    plan: &Plan<'_, Fixed<M>, B>,
     steps: usize,
     width: Width,
     states: &mut Blocks<B::State>,
@@ -227,7 +346,7 @@ fn in_lanes<B: Generic, M: RungeKutta>(
 
 /// The members of each register that take the same steps; says whether those are all.
 struct Advance<'e, M, B: Generic> {
-    plan: &'e Plan<'e, M, B>,
+    plan: &'e Plan<'e, Fixed<M>, B>,
     step: f64,
     steps: usize,
     states: &'e mut [Eight],

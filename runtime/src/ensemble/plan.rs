@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use super::Members;
 use crate::bodies::columns::Generic;
-use crate::integrate::{Fixed, Pace};
+use crate::integrate::Pace;
 
 /// What the steps of all members keep to.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl Limits {
 
 /// What moves, how, and when.
 pub(super) struct Plan<'e, M, B: Generic> {
-    pub(super) fixed: Fixed<M>,
+    pub(super) method: M,
     pub(super) members: &'e Members<B>,
     /// The block of the first rows.
     pub(super) first: usize,

@@ -46,7 +46,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
     #[inline(always)]
     pub(super) fn new<B: Generic, L: RigidBody<Scalar: Scalar>>(
         (body, input): (&L, &L::Input),
-        plan: &Plan<'e, M, B>,
+        plan: &Plan<'e, Fixed<M>, B>,
     ) -> Self {
         let (times, limits) = (plan.times.clone(), plan.limits);
         let start = times.start;
@@ -61,7 +61,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             steps: 0,
         };
         let mut ways = Self {
-            fixed: plan.fixed,
+            fixed: plan.method,
             limits,
             times,
             each: [way; BLOCK],
@@ -90,19 +90,17 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
         let Some(way) = self.each.get_mut(lane) else {
             return;
         };
-        (way.start, way.taken, way.steps) = (way.end, 0, 0);
-        if way.start == end {
+        let is_under_way = way.taken < way.steps;
+        let now = if is_under_way { way.time() } else { way.end };
+        if now == end {
+            way.steps = 0;
             return;
         }
         let is_before = |time: f64| {
-            if forwards {
-                way.start < time
-            } else {
-                way.start > time
-            }
+            if forwards { now < time } else { now > time }
         };
         if !is_before(way.stretch.next) {
-            let from = (way.start, forwards, lane);
+            let from = (now, forwards, lane);
             way.stretch = Stretch::of(body, input, from, self.limits.breaks.iter());
         }
         let next = way.stretch.next;
@@ -111,8 +109,12 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
         } else {
             next.max(end)
         };
-        way.end = self.limits.pace().limit(way.start, limit).unwrap_or(limit);
-        way.steps = self.fixed.count(way.end - way.start).unwrap_or(1);
+        let limit = self.limits.pace().limit(now, limit).unwrap_or(limit);
+        if is_under_way && way.end == limit {
+            return;
+        }
+        (way.start, way.end, way.taken) = (now, limit, 0);
+        way.steps = self.fixed.count(limit - now).unwrap_or(1);
     }
 
     /// The state at the end.
@@ -156,7 +158,8 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             for lane in 0..self.count {
                 let way = &mut self.each[lane];
                 way.taken += 1;
-                if way.taken >= way.steps {
+                // the longest step counts from where the last one has led
+                if way.taken >= way.steps || self.limits.max_step < f64::INFINITY {
                     self.go_on((body, input), lane);
                 }
             }
@@ -175,7 +178,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
 
 /// The members of those registers in which each has steps of its own.
 pub(super) struct Apart<'e, M, B: Generic> {
-    pub(super) plan: &'e Plan<'e, M, B>,
+    pub(super) plan: &'e Plan<'e, Fixed<M>, B>,
     pub(super) states: &'e mut [Eight],
 }
 

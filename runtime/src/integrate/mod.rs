@@ -52,7 +52,11 @@ pub(crate) use {
     course::instants::Instants,
     course::integration::TOLERANCE,
     course::{Course, Pace},
-    steps::point::add,
+    methods::adaptive::{Lengths, error, first, in_range, tried},
+    steps::chatter::Watch,
+    steps::equations::Rates,
+    steps::point::{add, compensated},
+    steps::size::finest,
     steps::stretch::Within,
 };
 

@@ -1,7 +1,7 @@
 //! Many bodies at once, in registers of every width.
 
 use newton_euler::columns::{Columns, Generic};
-use newton_euler::ensemble::Ensemble;
+use newton_euler::ensemble::{Ensemble, Together};
 use newton_euler::integrate::{DormandPrince8, Fixed, Integrate, Midpoint};
 use newton_euler::lanes::Width;
 
@@ -10,7 +10,11 @@ use crate::kinds::*;
 use crate::motions::Kept;
 use crate::systems::DoublePendulum;
 
-fn of<B: Generic<State: Kept> + Integrate>(bits: &mut Bits, body: &B, width: Width) {
+fn of<B: Generic<State: Kept> + Integrate<Best: Together>>(
+    bits: &mut Bits,
+    body: &B,
+    width: Width,
+) {
     let mut numbers = Numbers(10);
     let mut ensemble = Ensemble::new(body, (0..21).map(|_| numbers.state()));
     for index in 0..ensemble.len() {

@@ -2,16 +2,17 @@
 
 use core::fmt;
 
-use super::runge_kutta::{DormandPrince8, runge_kutta_step};
+use super::runge_kutta::{DormandPrince8, number, runge_kutta_step};
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
-use crate::integrate::steps::chatter::{LOOK, Watch};
+use crate::integrate::steps::chatter::Watch;
 use crate::integrate::steps::equations::{Equations, Rates};
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::integrate::steps::point::Point;
 use crate::integrate::steps::size::{finest, relative_size, root};
 use crate::integrate::steps::stretch::Within;
+use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
 /// How much of the step that the last error permits is taken, and how much a step may change.
@@ -58,8 +59,8 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for DormandPrince
             tolerance: finest(self.tolerance),
             before: (time, now.coordinates),
             now,
-            next: None,
-            watch: Watch::every(LOOK),
+            lengths: Lengths::NEW,
+            watch: Watch::OF_DORMAND_PRINCE,
         }
     }
 }
@@ -71,9 +72,71 @@ pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>> {
     now: Point<B::State>,
     /// Where the step taken last began.
     before: (f64, <B::State as Coordinates>::Array),
-    /// How long the next step may be.
-    next: Option<f64>,
+    lengths: Lengths,
     watch: Watch,
+}
+
+/// How long the steps of a motion are, one after another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lengths {
+    /// How long the next one may be \[s\]; none, before the first.
+    permitted: Option<f64>,
+    /// By how much it may grow.
+    longest: f64,
+    /// That of the last attempt.
+    error: f64,
+}
+
+impl Lengths {
+    pub(crate) const NEW: Self = Self {
+        permitted: None,
+        longest: GROW,
+        error: 0.0,
+    };
+
+    pub(crate) fn is_new(&self) -> bool {
+        self.permitted.is_none()
+    }
+
+    /// Begins with a step \[s\].
+    pub(crate) fn begin(&mut self, step: f64) {
+        self.permitted = Some(step);
+    }
+
+    /// The next step \[s\] where so much is left, and whether it is all of that.
+    #[inline(always)]
+    pub(crate) fn next(&self, rest: f64) -> (f64, bool) {
+        let permitted = self.permitted.unwrap_or(f64::NAN);
+        if permitted >= rest.abs() {
+            (rest, true)
+        } else {
+            (permitted.copysign(rest), false)
+        }
+    }
+
+    /// Whether a step is accepted with this error; the next one is as long as that permits.
+    #[inline(always)]
+    pub(crate) fn is_accepted(
+        &mut self,
+        (step, is_last): (f64, bool),
+        error: f64,
+        tolerance: f64,
+    ) -> bool {
+        let next = step.abs() * shrunk(tolerance, error).min(self.longest);
+        let is_accepted = error <= tolerance;
+        (self.permitted, self.longest, self.error) = if is_accepted {
+            // a step cut short at the end says little about the next
+            let before = self.permitted.filter(|_| is_last);
+            (
+                Some(before.map_or(next, |before| next.max(before))),
+                GROW,
+                0.0,
+            )
+        } else {
+            (Some(next), 1.0, error)
+        };
+        is_accepted
+    }
 }
 
 impl<B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug for AdaptiveRun<'_, B> {
@@ -81,7 +144,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug for AdaptiveRun<
         f.debug_struct("AdaptiveRun")
             .field("tolerance", &self.tolerance)
             .field("time", &self.now.time)
-            .field("next", &self.next)
+            .field("lengths", &self.lengths)
             .finish_non_exhaustive()
     }
 }
@@ -117,35 +180,28 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
         }
         self.before = (self.now.time, self.now.coordinates);
         let (time, rest) = (self.now.time, self.now.rest(end));
-        let mut permitted = match self.next {
-            Some(next) => next,
-            None => first(&equations, &self.now, rest, self.tolerance),
-        };
-        let (mut longest, mut error) = (GROW, 0.0_f64);
+        if self.lengths.is_new() {
+            let coordinates = &self.now.coordinates;
+            let step = first(&equations, time, coordinates, rest, self.tolerance);
+            self.lengths.begin(step);
+        }
         loop {
-            let is_last = permitted >= rest.abs();
-            let step = if is_last {
-                rest
-            } else {
-                permitted.copysign(rest)
-            };
+            let (step, is_last) = self.lengths.next(rest);
             if step.is_nan() {
                 return Err(self.now.not_finite());
             }
             if (time + step) - time == 0.0 && !is_last {
-                return Err(if error.is_nan() {
+                return Err(if self.lengths.error.is_nan() {
                     self.now.not_finite()
                 } else {
                     self.now.step_too_small(step)
                 });
             }
-            let (change, tried) = attempt(&equations, time, &self.now.coordinates, step);
-            error = tried;
-            let factor = shrunk(self.tolerance, error).min(longest);
-            if error <= self.tolerance {
-                let next = step.abs() * factor;
-                // a step cut short at the end says little about the next
-                self.next = Some(if is_last { next.max(permitted) } else { next });
+            let (change, error) = attempt(&equations, time, &self.now.coordinates, step);
+            if self
+                .lengths
+                .is_accepted((step, is_last), error, self.tolerance)
+            {
                 let is_finite = if is_last {
                     self.now.arrive(change, end)
                 } else {
@@ -158,8 +214,6 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
                     Err(self.now.not_finite())
                 };
             }
-            permitted = step.abs() * factor;
-            longest = 1.0;
         }
     }
 
@@ -191,23 +245,50 @@ pub(super) fn attempt<E: Rates<State: Coordinates<Scalar = f64>>>(
     coordinates: &<E::State as Coordinates>::Array,
     step: f64,
 ) -> (<E::State as Coordinates>::Array, f64) {
+    let (change, sizes) = tried(equations, time, coordinates, step);
+    (change, in_range(sizes, error(sizes)))
+}
+
+/// What a step changes, and how large its differences to methods of orders 5 and 3 are: the first is
+/// not a number where any of it is none.
+#[inline(always)]
+pub(crate) fn tried<T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
+    equations: &E,
+    time: T,
+    coordinates: &<E::State as Coordinates>::Array,
+    step: T,
+) -> (<E::State as Coordinates>::Array, [T; 2]) {
     let [change, fifth, third] = DormandPrince8::sums(equations, time, coordinates, step);
-    if fifth.as_ref().iter().any(|part| part.is_nan()) {
-        return (change, f64::NAN);
+    let mut is_number = step.equal(step);
+    for part in fifth.as_ref() {
+        is_number = is_number & part.equal(*part);
     }
-    let [fifth, third] = [fifth, third].map(|part| relative_size::<E::State>(&part, coordinates));
-    let squares = fifth * fifth + 0.01 * third * third;
-    let error = if fifth == 0.0 {
+    // no closures: in lanes they would not be compiled for the register
+    let fifth = relative_size::<E::State>(&fifth, coordinates);
+    let third = relative_size::<E::State>(&third, coordinates);
+    let none = step.constant(f64::NAN, f32::NAN);
+    (change, [T::select(is_number, fifth, none), third])
+}
+
+/// The error of a step by these sizes, and the sum of squares by whose root it is divided.
+#[inline(always)]
+pub(crate) fn error<T: Scalar>([fifth, third]: [T; 2]) -> [T; 2] {
+    let squares = fifth * fifth + number(fifth, 0.01) * third * third;
+    [fifth * (fifth / squares.sqrt()), squares]
+}
+
+/// The same error, where the squares are beyond the range of numbers, too.
+#[inline(always)]
+pub(crate) fn in_range([fifth, third]: [f64; 2], [error, squares]: [f64; 2]) -> f64 {
+    if squares.is_normal() {
+        error
+    } else if fifth == 0.0 {
         0.0
     } else if fifth + third == f64::INFINITY {
         f64::INFINITY
-    } else if squares.is_normal() {
-        fifth * (fifth / libm::sqrt(squares))
     } else {
-        // squares beyond the range of numbers
         fifth * (fifth / libm::hypot(fifth, 0.1 * third))
-    };
-    (change, error)
+    }
 }
 
 /// The share of a step that its error permits, of no number the least.
@@ -217,37 +298,41 @@ pub(super) fn shrunk(tolerance: f64, error: f64) -> f64 {
     if share >= SHRINK { share } else { SHRINK }
 }
 
-/// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4).
-pub(super) fn first<E: Rates<State: Coordinates<Scalar = f64>>>(
+/// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4), where
+/// so much time is left.
+#[inline(always)]
+pub(crate) fn first<T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
     equations: &E,
-    now: &Point<E::State>,
-    rest: f64,
+    time: T,
+    coordinates: &<E::State as Coordinates>::Array,
+    rest: T,
     tolerance: f64,
-) -> f64 {
-    let (time, coordinates) = (now.time, now.coordinates);
-    let size = |change| relative_size::<E::State>(change, &coordinates);
-    let rates = equations.rates(time, &coordinates);
-    let speed = size(&rates);
-    let short = (if speed > 0.0 { 1e-4 / speed } else { 1e-6 })
-        .min(rest.abs())
-        .copysign(rest);
-    let mut there = coordinates;
+) -> T {
+    let (zero, left) = (number(rest, 0.0), rest.abs());
+    let rates = equations.rates(time, coordinates);
+    let speed = relative_size::<E::State>(&rates, coordinates);
+    let short = T::select(
+        zero.less(speed),
+        number(rest, 1e-4) / speed,
+        number(rest, 1e-6),
+    );
+    let short = T::select(left.less(short), left, short);
+    let short = T::select(rest.less(zero), -short, short);
+    let mut there = *coordinates;
     for (coordinate, rate) in there.as_mut().iter_mut().zip(rates.as_ref()) {
-        *coordinate += short * rate;
+        *coordinate += short * *rate;
     }
     let mut difference = equations.rates(time + short, &there);
     for (difference, rate) in difference.as_mut().iter_mut().zip(rates.as_ref()) {
-        *difference = (*difference - rate) / short;
+        *difference = (*difference - *rate) / short;
     }
-    let curvature = libm::sqrt(size(&difference));
-    let pace = if speed >= curvature { speed } else { curvature };
+    let curvature = relative_size::<E::State>(&difference, coordinates).sqrt();
+    let pace = T::select(curvature.less_or_equal(speed), speed, curvature);
     // not everything at once, of what seems to be at rest
-    let longest = rest.abs() / 16.0;
-    if pace > 0.0 {
-        longest.min(root(tolerance, 1.0, 8) / pace)
-    } else if pace == 0.0 {
-        longest
-    } else {
-        pace
-    }
+    let longest = left / number(rest, 16.0);
+    let step = number(rest, root(tolerance, 1.0, 8)) / pace;
+    let step = T::select(step.less(longest), step, longest);
+    let step = T::select(zero.less(pace), step, longest);
+    // what is not a number gives no step
+    T::select(pace.equal(pace), step, pace)
 }

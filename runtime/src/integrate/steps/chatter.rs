@@ -50,7 +50,7 @@ const AHEAD: f64 = 4_194_304.0; // 2²²
 
 /// The steps of a motion since it was looked at last.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::integrate) struct Watch {
+pub(crate) struct Watch {
     steps: u32,
     /// After how many steps it is looked at.
     period: u32,
@@ -60,8 +60,11 @@ pub(in crate::integrate) struct Watch {
 }
 
 impl Watch {
+    /// Of a motion by DOP853.
+    pub(crate) const OF_DORMAND_PRINCE: Self = Self::every(LOOK);
+
     /// Of a motion that is looked at after so many steps.
-    pub(in crate::integrate) fn every(period: u32) -> Self {
+    pub(in crate::integrate) const fn every(period: u32) -> Self {
         Self {
             steps: 0,
             period,
@@ -71,20 +74,20 @@ impl Watch {
     }
 
     /// Hears where the motion is to end \[s\].
-    pub(in crate::integrate) fn heads_for(&mut self, end: f64) {
+    pub(crate) fn heads_for(&mut self, end: f64) {
         self.end = end;
     }
 
     /// Hears of a step \[s\]; one that is cut short counts for its length only.
     #[inline(always)]
-    pub(in crate::integrate) fn saw(&mut self, step: f64, is_cut: bool) {
+    pub(crate) fn saw(&mut self, step: f64, is_cut: bool) {
         self.steps = self.steps.saturating_add(u32::from(!is_cut));
         self.longest = larger(self.longest, step.abs());
     }
 
     /// Whether it is time to look at the motion.
     #[inline(always)]
-    pub(in crate::integrate) fn is_due(&self) -> bool {
+    pub(crate) fn is_due(&self) -> bool {
         self.steps >= self.period
     }
 

@@ -128,7 +128,7 @@ pub(crate) fn add<T: Scalar, A: AsRef<[T]> + AsMut<[T]>>(sums: &mut A, lost: &mu
 
 /// A sum, and what was lost in rounding it.
 #[inline(always)]
-pub(in crate::integrate) fn compensated<T: Scalar>(sum: T, lost: T, change: T) -> (T, T) {
+pub(crate) fn compensated<T: Scalar>(sum: T, lost: T, change: T) -> (T, T) {
     let change = change + lost;
     let next = sum + change;
     (next, change - (next - sum))

@@ -1,5 +1,6 @@
 //! How large a change of a state is, and which step that permits.
 
+use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, group};
 
 /// The size of a change of coordinates: of position, attitude, velocity, angular velocity each the
@@ -7,24 +8,25 @@ use crate::state::{Coordinates, group};
 /// 1, absolute (m, rad, m/s, rad/s) below; and of these the largest. What is not a number may be
 /// passed over.
 #[inline(always)]
-pub(in crate::integrate) fn relative_size<S: Coordinates<Scalar = f64>>(
+pub(in crate::integrate) fn relative_size<S: Coordinates>(
     change: &S::Array,
     coordinates: &S::Array,
-) -> f64 {
-    let mut largest = 0.0;
+) -> S::Scalar {
+    let mut largest = S::Scalar::default();
+    let one = largest.constant(1.0, 1.0);
     let (mut changes, mut wholes) = (change.as_ref(), coordinates.as_ref());
     for count in S::GROUPS {
         let size = largest_of(group(&mut changes, *count));
         let whole = largest_of(group(&mut wholes, *count));
         // the quotient is there before the size is
-        largest = larger(largest, size * (1.0 / larger(whole, 1.0)));
+        largest = larger(largest, size * (one / larger(whole, one)));
     }
     largest
 }
 
 #[inline(always)]
-pub(in crate::integrate) fn largest_of(numbers: &[f64]) -> f64 {
-    let mut largest = 0.0;
+pub(in crate::integrate) fn largest_of<T: Scalar>(numbers: &[T]) -> T {
+    let mut largest = T::default();
     for number in numbers {
         largest = larger(largest, number.abs());
     }
@@ -33,13 +35,13 @@ pub(in crate::integrate) fn largest_of(numbers: &[f64]) -> f64 {
 
 /// One instruction, where `f64::max` looks for what is not a number.
 #[inline(always)]
-pub(in crate::integrate) fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
+pub(in crate::integrate) fn larger<T: Scalar>(a: T, b: T) -> T {
+    T::select(b.less(a), a, b)
 }
 
 /// A tolerance, of what is finer than rounding the finest that there is; what is no tolerance is
 /// zero, which no step keeps.
-pub(in crate::integrate) fn finest(tolerance: f64) -> f64 {
+pub(crate) fn finest(tolerance: f64) -> f64 {
     if tolerance > 0.0 {
         tolerance.max(1e-18)
     } else {

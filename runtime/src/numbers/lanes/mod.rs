@@ -15,6 +15,7 @@ use crate::numbers::scalar::Scalar;
 mod register;
 mod width;
 
+pub(crate) use register::by_itself;
 pub use register::{Register, Work};
 pub use width::Width;
 

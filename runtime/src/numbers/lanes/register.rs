@@ -60,6 +60,24 @@ pub(super) fn run_in<S: Register, W: Work>(simd: S, work: W) -> W::Output {
     simd.vectorize(Compiled(simd, work))
 }
 
+/// Does a part of such work in a function of its own, for the same register.
+#[inline(always)]
+pub(crate) fn by_itself<S: Register, R>(simd: S, part: impl FnOnce() -> R) -> R {
+    simd.vectorize(Part(part))
+}
+
+/// A part of some work.
+struct Part<F>(F);
+
+impl<R, F: FnOnce() -> R> WithSimd for Part<F> {
+    type Output = R;
+
+    #[inline(always)]
+    fn with_simd<Same: Simd>(self, _: Same) -> R {
+        (self.0)()
+    }
+}
+
 /// Work for a register.
 struct Compiled<S, W>(S, W);
 

@@ -121,7 +121,7 @@ fn change<S: Coordinates, const M: usize>(
 
 /// A coefficient as a scalar.
 #[inline(always)]
-fn number<T: Scalar>(like: T, value: f64) -> T {
+pub(super) fn number<T: Scalar>(like: T, value: f64) -> T {
     #[expect(
         clippy::cast_possible_truncation,
         reason = "the nearest in single precision"

@@ -186,7 +186,13 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
             [64.0, 2.0].map(|times| times * permitted)
         } else {
             // where one crossing follows another, steps grow
-            let first = first(&equations, &self.now, rest, tolerance);
+            let first = first(
+                &equations,
+                self.now.time,
+                &self.now.coordinates,
+                rest,
+                tolerance,
+            );
             [larger(first, GROW * self.length), 0.0]
         };
         let is_last = longest >= rest.abs();

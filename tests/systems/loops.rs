@@ -178,3 +178,70 @@ fn operations_of_a_four_bar() {
     let count = row.mul + row.add + row.div;
     assert!(count <= 93, "{row:?}");
 }
+
+// a crank of no length: it swings alone, and the loop is a triangle
+rigid_system!(Eccentric {
+    motion: planar,
+    params: [eccentricity = 0.1[m]],
+    bodies: [
+        crank {
+            mass: 0.4[kg],
+            inertia: 4e-4[kg * m ^ 2],
+            points: [o = (-0.04, 0), a = (-0.04[m] + eccentricity, 0)],
+        },
+        coupler {
+            mass: 1.1[kg],
+            inertia: 0.012[kg * m ^ 2],
+            points: [a = (-0.16, 0), b = (0.19, 0)]
+        },
+        rocker {
+            mass: 0.8[kg],
+            inertia: 4.5e-3[kg * m ^ 2],
+            points: [c = (-0.11, 0), b = (0.14, 0)]
+        },
+    ],
+    joints: [
+        o = revolute(world(0, 0), crank.o),
+        a = revolute(crank.a, coupler.a),
+        b = revolute(coupler.b, rocker.b),
+        c = revolute(world(0.3, 0), rocker.c),
+    ],
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+    outputs: [reactions],
+});
+
+#[test]
+fn an_arm_of_a_loop_may_have_no_length() {
+    let system = Eccentric::new(EccentricParams { eccentricity: 0.0 }).unwrap();
+    // of the triangle with the sides 0.35, 0.25 and 0.3
+    let coupler =
+        ((0.35_f64.powi(2) + 0.3_f64.powi(2) - 0.25_f64.powi(2)) / (2.0 * 0.35 * 0.3)).acos();
+    let rocker = (0.35 * coupler.sin()).atan2(0.35 * coupler.cos() - 0.3);
+    let crank = 0.7_f64;
+    let hinge = |angle| Hinge {
+        angle,
+        angular_velocity: 0.0,
+    };
+    let state = EccentricState {
+        o: hinge(crank),
+        a: hinge(coupler - crank),
+        b: hinge(rocker - coupler),
+    };
+    let found = system.acceleration(0.0, &state, &());
+    let swings = -0.4 * 9.81 * 0.04 * crank.cos() / (4e-4 + 0.4 * 0.04_f64.powi(2));
+    close(
+        "accelerations",
+        &[found.o, found.a, found.b],
+        &[swings, -swings, 0.0],
+        100.0,
+        1e-13,
+    );
+    // the triangle stands: moments of the weights about the ends of its sides
+    let reactions = system.reactions(0.0, &state, &());
+    let (pin, end) = (reactions.b.force, 0.35);
+    let about_a =
+        end * (coupler.cos() * -pin.y + coupler.sin() * pin.x) - 1.1 * 9.81 * 0.16 * coupler.cos();
+    let about_c =
+        0.25 * (rocker.cos() * pin.y - rocker.sin() * pin.x) - 0.8 * 9.81 * 0.11 * rocker.cos();
+    close("moments", &[about_a, about_c], &[0.0, 0.0], 10.0, 1e-13);
+}

@@ -27,7 +27,7 @@ pub struct Linkage {
 
 const GROUND: Option<usize> = None;
 
-pub const LINKAGES: [Linkage; 9] = [
+pub const LINKAGES: [Linkage; 11] = [
     Linkage {
         name: "four-bar",
         hinges: &[
@@ -38,6 +38,33 @@ pub const LINKAGES: [Linkage; 9] = [
         ],
         slide: None,
         lines: &[[0, 1, 2], [1, 2, 3]],
+    },
+    Linkage {
+        name: "five-bar",
+        hinges: &[
+            (GROUND, 0, 0),
+            (Some(0), 1, 1),
+            (Some(1), 2, 2),
+            (Some(2), 3, 3),
+            (GROUND, 3, 4),
+        ],
+        slide: None,
+        lines: &[[0, 1, 2], [1, 2, 3]],
+    },
+    Linkage {
+        name: "five-bar that carries a four-bar",
+        hinges: &[
+            (GROUND, 0, 0),
+            (Some(0), 1, 1),
+            (Some(1), 2, 2),
+            (Some(2), 3, 3),
+            (GROUND, 3, 4),
+            (Some(1), 4, 5),
+            (Some(4), 5, 6),
+            (Some(2), 5, 7),
+        ],
+        slide: None,
+        lines: &[[1, 2, 3], [5, 6, 7]],
     },
     Linkage {
         name: "slider-crank",

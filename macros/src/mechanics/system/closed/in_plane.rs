@@ -8,7 +8,7 @@ use crate::symbolic::{Graph, Id};
 
 use super::super::constraints::{Ends, Placed, Row};
 use super::super::plane::{Absolute, Arms, derive_masses, of_hinge, of_row, shortest};
-use super::super::reduced::{Balance, Held, loads, reduce};
+use super::super::reduced::{Balance, Held, Reduced, loads, reduce};
 use super::eliminated::Found;
 use super::unsettled::Keeper;
 
@@ -22,8 +22,8 @@ pub struct Known<'a> {
     pub kept: &'a [(Keeper, Row)],
 }
 
-/// Resolves block by block what is kept; nothing where a body is free, where rows are dependent or say
-/// nothing somewhere, or where loads follow those of constraints.
+/// Resolves block by block what is kept; nothing where rows are dependent or say nothing somewhere, or
+/// where loads follow those of constraints.
 pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let tree = &known.built.tree;
     let links = tree.links.iter();
@@ -33,17 +33,15 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     });
     let given: Vec<Id> = given.collect();
     let is_partial = known.kept.iter().any(|(_, row)| row.active.is_some());
-    let is_free = tree.links.iter().any(|link| link.is_free);
-    if is_free || is_partial || !reactions_in(work, &given).is_empty() {
+    if is_partial || !reactions_in(work, &given).is_empty() {
         return None;
     }
     let absolute = Absolute::of(&mut work.graph, tree, known.placed);
     let mut arms = Arms::new(known.placed);
     let rows = rows(&mut work.graph, known, &absolute, &mut arms);
-    let balances = balances(&mut work.graph, known, &absolute, &mut arms);
-    arms.name(&mut work.labels, tree);
     let count = rows.len();
-    let reduced = reduce(work, balances, rows)?;
+    let reduced = resolve(work, known, (&absolute, &mut arms), &rows)?;
+    arms.name(&mut work.labels, tree);
     let graph = &mut work.graph;
     let values = &reduced.values[..absolute.count];
     let accelerations = absolute.of_joints(graph, values);
@@ -61,40 +59,71 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     })
 }
 
-/// What is kept, by absolute coordinates: that of joints, and then what is written.
+/// What is kept, by absolute coordinates, and by which joint: that of joints, and then what is written.
 fn rows(
     graph: &mut Graph,
     known: &Known<'_>,
     absolute: &Absolute,
     arms: &mut Arms<'_>,
-) -> Vec<Held> {
+) -> Vec<(Option<usize>, Held)> {
     let mut rows = Vec::new();
     for (number, ends) in known.ends.iter().enumerate() {
         if let [Part::Turn(_)] = ends.closing.kind.parts {
-            rows.extend(of_hinge(graph, &known.built.tree, absolute, arms, ends));
+            let both = of_hinge(graph, &known.built.tree, absolute, arms, ends);
+            rows.extend(both.map(|row| (Some(number), row)));
             continue;
         }
         for (keeper, row) in known.kept {
             if matches!(keeper, Keeper::Joint(of, _) if *of == number) {
-                rows.push(of_row(graph, absolute, row));
+                rows.push((Some(number), of_row(graph, absolute, row)));
             }
         }
     }
     let written = known.kept.iter();
     let written = written.filter(|(keeper, _)| keeper.number().is_some());
-    rows.extend(written.map(|(_, row)| of_row(graph, absolute, row)));
+    rows.extend(written.map(|(_, row)| (None, of_row(graph, absolute, row))));
     rows
 }
 
-/// The balances of absolute coordinates, with the drives of the joints.
+/// The motion. A hinge that closes a loop may carry, for fewer links that are coupled: this changes the
+/// loads of its rows, and of no others,
+///
+/// ```text
+/// J' = J + W A        J'^T (m J' x - f) = J^T (m J x - f) + A^T W^T (..)
+/// ```
+///
+/// so it does not where they are found with the motion, and not from it.
+fn resolve(
+    work: &mut Workspace,
+    known: &Known<'_>,
+    (absolute, arms): (&Absolute, &mut Arms<'_>),
+    rows: &[(Option<usize>, Held)],
+) -> Option<Reduced> {
+    let held: Vec<Held> = rows.iter().map(|(_, row)| row.clone()).collect();
+    let mut carrying: Vec<usize> = (0..known.ends.len()).collect();
+    loop {
+        let balances = balances(&mut work.graph, known, (absolute, arms), &carrying);
+        let reduced = reduce(work, balances, held.clone())?;
+        let eliminated = reduced.eliminated.iter();
+        let eliminated: Vec<usize> = eliminated.filter_map(|(row, _)| rows[*row].0).collect();
+        let count = carrying.len();
+        carrying.retain(|joint| !eliminated.contains(joint));
+        if carrying.len() == count {
+            return Some(reduced);
+        }
+    }
+}
+
+/// The balances of absolute coordinates, with the drives of the joints; these hinges may carry.
 fn balances(
     graph: &mut Graph,
     known: &Known<'_>,
-    absolute: &Absolute,
-    arms: &mut Arms<'_>,
+    (absolute, arms): (&Absolute, &mut Arms<'_>),
+    carrying: &[usize],
 ) -> Vec<Balance> {
     let tree = &known.built.tree;
-    let short = shortest(graph, tree, known.ends);
+    let ends: Vec<&Ends<'_>> = carrying.iter().map(|joint| &known.ends[*joint]).collect();
+    let short = shortest(graph, tree, &ends);
     let (mut masses, mut driving) = derive_masses(graph, absolute, arms, &short);
     absolute.add_armatures(graph, tree, (&mut masses, &mut driving));
     let open = || tree.links.iter().flat_map(Link::open);

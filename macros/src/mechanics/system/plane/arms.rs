@@ -75,20 +75,20 @@ impl<'a> Arms<'a> {
         self.placed[link].w[2]
     }
 
-    /// A vector of a link by its first arm, if it has one that is known early.
+    /// A vector of a link by its first arm that is known early, if that is so whatever the parameters are:
+    /// with these, an arm may be zero.
     pub fn by_arm(&mut self, graph: &mut Graph, link: usize, vector: Components) -> ByArm {
         let mut known = self.known[link].iter();
         if let Some([own, arm]) = known.find(|[own, _]| graph.are_early(own)).copied()
             && graph.are_early(&vector)
         {
             let square = graph.norm_squared(own);
-            let along = graph.dot(own, vector);
-            let across = graph.cross(own, vector)[2];
-            return ByArm {
-                arm,
-                along: graph.divide(along, square),
-                across: graph.divide(across, square),
-            };
+            let products = [graph.dot(own, vector), graph.cross(own, vector)[2]];
+            let [along, across] = products.map(|product| graph.divide(product, square));
+            let is_number = |one: &Id| graph.as_number(*one).is_some();
+            if is_number(&square) || [along, across].iter().all(is_number) {
+                return ByArm { arm, along, across };
+            }
         }
         ByArm {
             arm: self.world(graph, link, vector),

@@ -19,7 +19,7 @@ pub struct Shortest {
 type Pin = [(Option<usize>, Components); 2];
 
 /// The tree with links at the hinges at which they are nearest to the ground.
-pub fn shortest(graph: &mut Graph, tree: &Tree, ends: &[Ends<'_>]) -> Shortest {
+pub fn shortest(graph: &mut Graph, tree: &Tree, ends: &[&Ends<'_>]) -> Shortest {
     let mut tree = tree.clone();
     let hinges = ends
         .iter()

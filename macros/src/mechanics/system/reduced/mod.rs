@@ -24,5 +24,5 @@ mod together;
 
 pub use balances::{Balance, Held};
 pub use loads::loads;
-pub use motion::reduce;
+pub use motion::{Reduced, reduce};
 pub use together::{Kept, together};

@@ -27,6 +27,7 @@ examples! {
     engine "../../examples/engine.rs";
     furuta "../../examples/furuta.rs";
     lagrange_top "../../examples/lagrange_top.rs";
+    level_turn "../../examples/level_turn.rs";
     planetary_gear "../../examples/planetary_gear.rs";
     plank "../../examples/plank.rs";
     quadrotor "../../examples/quadrotor.rs";
@@ -70,6 +71,7 @@ pub const BODIES: &[Body] = bodies![
     engine::Engine,
     furuta::Furuta,
     lagrange_top::Top,
+    level_turn::Navion,
     planetary_gear::Planetary,
     plank::Plank,
     quadrotor::Quadrotor,

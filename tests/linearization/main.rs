@@ -1,5 +1,16 @@
-//! `outputs: [linearization]`: A and B of bodies and systems of every kind beside dual numbers.
+//! `outputs: [linearization]`: A and B of bodies and systems of every kind beside dual numbers; steady
+//! motions and modes.
+#![allow(missing_docs, reason = "tests")]
 
 mod bodies;
+#[path = "../../examples/level_turn.rs"]
+mod level_turn;
+mod modes;
 mod oracle;
 mod systems;
+mod trim;
+
+#[test]
+fn an_aeroplane_has_its_published_modes() {
+    level_turn::main();
+}

@@ -66,7 +66,7 @@ pub mod motions {
             ],
             fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
             pole: nozzle,
-            outputs: [energy, momentum, balance],
+            outputs: [linearization, energy, momentum, balance],
         });
     }
 
@@ -76,7 +76,7 @@ pub mod motions {
             motion: spatial,
             mass: 123456789[g],
             inertia: principal(1, 2, 3),
-            outputs: [energy, momentum, balance],
+            outputs: [linearization, energy, momentum, balance],
         });
     }
 
@@ -128,7 +128,7 @@ pub mod motions {
                 n = body(e_x, f, -t * d),
                 o = angular_velocity * 1.0000000000000002
             ],
-            outputs: [energy, momentum, balance],
+            outputs: [linearization, energy, momentum, balance],
         });
     }
 
@@ -145,7 +145,7 @@ pub mod motions {
                 lift_2 = body(0, 0, thrust_2).at((0, arm_left, 0)),
                 lift_3 = body(0, 0, thrust_3 + thrust_4).at((-arm_back, 0, 0)),
             ],
-            outputs: [energy, momentum, balance],
+            outputs: [linearization, energy, momentum, balance],
         });
     }
 
@@ -157,7 +157,7 @@ pub mod motions {
             inputs: [twist = body(_, _, _)[N * m]],
             inertia: principal(0.015, 0.015, polar),
             moments: [motor = twist, damped = -1e-3 * angular_velocity],
-            outputs: [energy, momentum, balance],
+            outputs: [linearization, energy, momentum, balance],
         });
     }
 
@@ -169,7 +169,7 @@ pub mod motions {
             mass: 0.43[kg],
             forces: [drag = -0.3 * (velocity - wind).norm() * (velocity - wind)],
             fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
-            outputs: [energy, momentum, balance],
+            outputs: [linearization, energy, momentum, balance],
         });
     }
 
@@ -185,7 +185,7 @@ pub mod motions {
             moments: [turned = turn],
             fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
             pole: tip,
-            outputs: [energy, momentum, balance],
+            outputs: [linearization, energy, momentum, balance],
         });
     }
 
@@ -197,7 +197,7 @@ pub mod motions {
             mass: 1,
             locals: [half_turn = PI + 2 * t],
             forces: [pushed = world(half_turn, 0.7071 * t + height / depth)],
-            outputs: [energy],
+            outputs: [linearization, energy],
         });
     }
 
@@ -211,7 +211,7 @@ pub mod motions {
             points: [pin = (0, length)],
             fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
             reactions: [R_v = world(_, _).at(pin)],
-            outputs: [energy, momentum, balance, reactions],
+            outputs: [linearization, energy, momentum, balance, reactions],
         });
     }
 
@@ -224,7 +224,7 @@ pub mod motions {
             points: [tip = (0, 0, -0.06)],
             fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
             reactions: [ground = body(_, _, _).at(tip)],
-            outputs: [energy, momentum, balance, reactions],
+            outputs: [linearization, energy, momentum, balance, reactions],
         });
     }
 
@@ -247,7 +247,7 @@ pub mod motions {
             fields: [weight = mass * gravity],
             moments: [drive = torque * along],
             reactions: [A = body(_, _, _).at(a), B = body(0.25, _, _).at(b)],
-            outputs: [energy, momentum, balance, reactions],
+            outputs: [linearization, energy, momentum, balance, reactions],
         });
     }
 
@@ -269,7 +269,7 @@ pub mod motions {
                 ground = world(0, _, _).at(contact),
                 friction = world(-mu * ground.in_world().z, 0, 0).at(contact),
             ],
-            outputs: [reactions, balance, energy, momentum],
+            outputs: [linearization, reactions, balance, energy, momentum],
         });
     }
 
@@ -296,7 +296,7 @@ pub mod motions {
             potentials: [spring = stiffness * (tail.position() - hook.position()).norm()],
             constraints: [on_floor = tail.position().in_world().z],
             reactions: [floor = world(0, 0, _).at(tail)],
-            outputs: [energy, momentum, balance, reactions],
+            outputs: [linearization, energy, momentum, balance, reactions],
         });
     }
 
@@ -307,7 +307,7 @@ pub mod motions {
             params: [friction],
             mass: 0.17[kg],
             forces: [rubbed = -friction * velocity],
-            outputs: [energy, momentum, balance],
+            outputs: [linearization, energy, momentum, balance],
         });
     }
 }

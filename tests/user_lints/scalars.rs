@@ -38,7 +38,7 @@ pub mod generic {
             huge = 1[N] * world(1e300, scalar.sin(), 3.14159),
         ],
         fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
-        outputs: [energy, momentum, balance],
+        outputs: [linearization, energy, momentum, balance],
     });
 }
 
@@ -61,6 +61,6 @@ pub mod generic_planar {
         fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
         moments: [motor = _],
         reactions: [pin = world(_, _).at(tip)],
-        outputs: [energy, momentum, balance, reactions, inverse],
+        outputs: [linearization, energy, momentum, balance, reactions, inverse],
     });
 }

@@ -43,7 +43,7 @@ pub mod spatial {
         locals: [L = torque_z * spin_x.angle],
         moments: [M = moment(hub.body(0, 0, L)).on(Boom)],
         forces: [spring = (2[N]).between(hub.P, Boom.G)],
-        outputs: [energy, momentum, reactions],
+        outputs: [linearization, energy, momentum, reactions],
     });
 }
 
@@ -69,7 +69,7 @@ pub mod planar {
         ],
         fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
         drives: [motor_1 = _.on(arm_a), motor_2 = _.on(arm_B)],
-        outputs: [inverse, reactions, energy, momentum],
+        outputs: [linearization, inverse, reactions, energy, momentum],
     });
 }
 
@@ -91,7 +91,7 @@ pub mod generic {
         ],
         joints: [base = free(A), rail = cylindrical(A.p, B.p, body(1, 0, 0))],
         drives: [spring = (-k * rail.position).on(rail.position)],
-        outputs: [reactions, energy, momentum],
+        outputs: [linearization, reactions, energy, momentum],
     });
 }
 

@@ -70,6 +70,9 @@ pub trait Subject: Sized + 'static {
         work: &mut Workspace,
         equations: &Self::Equations,
     ) -> Linearization;
+
+    /// Whether the coordinates of a joint, by its number in the state, are in world axes.
+    fn is_in_world(&self, joint: usize) -> bool;
 }
 
 impl Subject for Model {
@@ -152,6 +155,10 @@ impl Subject for Model {
         equations: &Equations,
     ) -> Linearization {
         linearize_body(outline, self, work, equations.accelerations)
+    }
+
+    fn is_in_world(&self, _: usize) -> bool {
+        true
     }
 }
 
@@ -245,6 +252,10 @@ impl Subject for System {
         equations: &SystemEquations,
     ) -> Linearization {
         linearize_system(outline, self, work, equations)
+    }
+
+    fn is_in_world(&self, joint: usize) -> bool {
+        self.joints[self.written[joint]].is_in_world()
     }
 }
 

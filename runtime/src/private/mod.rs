@@ -9,7 +9,9 @@ pub use crate::bodies::body::{
 };
 pub use crate::bodies::columns::{Columns, Generic, Sink, Source};
 pub use crate::bodies::constrained::{Constrained, Inconsistent, Violation};
-pub use crate::bodies::linearization::{Linearization, Linearized, place, rates_of_places};
+pub use crate::bodies::linearization::{
+    Coordinated, Linearization, Linearized, Place, place, rates_of_places,
+};
 pub use crate::bodies::operations::{Operations, Stage};
 pub use crate::bodies::structure::{Dependence, Structure, Structured, Symmetry};
 pub use crate::exact::{

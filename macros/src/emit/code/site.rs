@@ -47,12 +47,17 @@ impl<'a> Site<'a> {
 
     /// `impl Trait for Body`, of a generic body `impl<T: Scalar> Trait for Body<T>`
     pub fn header(&self, name: &str) -> TokenStream {
+        self.header_with(name, &TokenStream::new())
+    }
+
+    /// `impl Trait<..> for Body`
+    pub fn header_with(&self, name: &str, arguments: &TokenStream) -> TokenStream {
         let Shapes {
             private, scalar, ..
         } = &self.shapes;
         let (declared, applied) = (scalar.declared(), scalar.applied());
         let (body, name) = (&self.outline.name, format_ident!("{name}"));
-        quote!(impl #declared #private::#name for #body #applied)
+        quote!(impl #declared #private::#name #arguments for #body #applied)
     }
 
     /// The type of the inputs; nothing is given to a body that declares none.

@@ -134,6 +134,13 @@ impl TreeJoint {
             .find_map(|variable| self.coordinates.get(*variable, 0))
     }
 
+    /// Its coordinates are positions and attitudes in the world.
+    pub fn is_in_world(&self) -> bool {
+        let is_alone = self.kind.holds == Holds::Center;
+        let is_ball = self.kind.parts == [Part::Ball] && self.turned.is_empty();
+        self.carrier.is_none() && (is_alone || is_ball)
+    }
+
     /// Its motion is prescribed.
     pub fn is_driven(&self) -> bool {
         self.given.iter().any(Option::is_some)

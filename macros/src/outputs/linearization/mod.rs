@@ -1,5 +1,6 @@
 //! `linearization`: the first derivatives of the motion, in blocks and as matrices.
 
+mod coordinates;
 mod matrices;
 mod output;
 

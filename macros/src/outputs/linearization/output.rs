@@ -12,6 +12,7 @@ use crate::symbolic::Id;
 use crate::outputs::output::{Basis, Output};
 use crate::outputs::subject::Subject;
 
+use super::coordinates::coordinated;
 use super::matrices::Space;
 
 const OFFER: Offer = Offer {
@@ -20,7 +21,11 @@ const OFFER: Offer = Offer {
 };
 
 #[derive(Default)]
-pub struct Linearization(Option<mechanics::Linearization>);
+pub struct Linearization {
+    found: Option<mechanics::Linearization>,
+    /// Of which joints the coordinates are in world axes.
+    in_world: Vec<bool>,
+}
 
 impl<S: Subject> Output<S> for Linearization {
     fn offer(&self) -> Option<&'static Offer> {
@@ -41,18 +46,20 @@ impl<S: Subject> Output<S> for Linearization {
             }
         }
         let found = (basis.model).linearization(basis.outline, basis.work, basis.equations);
-        self.0 = Some(found);
+        self.found = Some(found);
+        let joints = 0..basis.outline.joints.len().max(1);
+        self.in_world = joints.map(|joint| basis.model.is_in_world(joint)).collect();
         basis.errors.is_empty().then_some(())
     }
 
     fn roots(&self) -> Vec<Id> {
-        let all = self.0.iter().flat_map(|all| &all.blocks);
+        let all = self.found.iter().flat_map(|all| &all.blocks);
         all.flat_map(|block| block.entries.clone()).collect()
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
         let (shapes, space) = (&site.shapes, Space::of(site.outline));
-        let blocks = match &self.0 {
+        let blocks = match &self.found {
             Some(found) => found
                 .blocks
                 .iter()
@@ -73,7 +80,7 @@ impl<S: Subject> Output<S> for Linearization {
             fields: [acceleration].into_iter().chain(fields).collect(),
             has_default: false,
         };
-        let method = site.method(self.0.as_ref(), |writer, found| {
+        let method = site.method(self.found.as_ref(), |writer, found| {
             let entries = found.blocks.iter().flat_map(|block| &block.entries);
             let roots: Vec<Id> = found.accelerations.iter().chain(entries).copied().collect();
             Method::write(writer, &roots, |values| {
@@ -89,11 +96,13 @@ impl<S: Subject> Output<S> for Linearization {
         let addition = Addition::implement(site, "Linearization", [types, quote!()], &methods);
         let mut addition = addition.with(site.outline, &by_name);
         let double = site.double();
-        let entries = self.0.as_ref();
+        let entries = self.found.as_ref();
         let patterns = entries.map_or_else(|| space.dense(), |found| space.patterns(&found.blocks));
         addition
             .implementations
             .extend(space.matrices(&double, &blocks, &patterns));
+        let coordinated = coordinated(&double, &self.in_world);
+        addition.implementations.extend(coordinated);
         addition
     }
 }

@@ -1,21 +1,10 @@
-//! Linearisation: what the motion changes by, to first order, with state and input.
-//!
-//! The space of states is a product of straight lines and rotations; to first order a state changes
-//! by an element x of its tangent space, what comes before the rates first and the rates behind it,
-//! of a system joint by joint:
-//!
-//! ```text
-//! position + dr,  attitude exp(e),  angle + da,  velocity + dv,  angular_velocity + dw
-//!
-//! x' = A x + B u        x = (dr, e, dv, dw),   e in body axes,   u: the change of the input
-//! ```
-//!
-//! An attitude has three coordinates, and `e' = dw - w × e`. What a rod has instead, the unit vector
-//! along its axis, has three as well; x is across the axis there.
+//! The blocks of a linearisation as matrices, and their modes.
 
-use nalgebra::SMatrix;
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, DimDiff, DimSub, SMatrix, U1};
 
-use super::body::RigidBody;
+use super::modes::Modes;
+use crate::bodies::body::RigidBody;
 
 /// The first derivatives of the motion of a body or a system, `outputs: [linearization]`.
 ///
@@ -111,6 +100,43 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
             power = power * power;
         }
         (power, integral * b)
+    }
+
+    /// The modes of `x' = A x`: its eigenvalues. They are those of the motion where A stays as it
+    /// is, in a steady motion such as [`trim`](super::Trim::trim) finds; that of a steady turn is
+    /// told by [`Trimmed::modes`](super::Trimmed::modes). Under constraints they hold ways that no
+    /// motion takes, which those of a trimmed body do not.
+    ///
+    /// By Schur's form of what is left of the balanced A without what is neutral. `None` where A is
+    /// not finite.
+    ///
+    /// ```
+    /// use newton_euler::prelude::*;
+    ///
+    /// rigid_body!(Pendulum {
+    ///     motion: pivot(hinge),
+    ///     mass: 2[kg],
+    ///     inertia: 0.1[kg * m ^ 2],
+    ///     points: [hinge = (0, 0.5)],
+    ///     fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    ///     moments: [damper = -0.3[N * m * s] * angular_velocity],
+    ///     outputs: [linearization],
+    /// });
+    ///
+    /// let hanging = Pendulum::default().linearize(0.0, &Hinge::default(), &());
+    /// let modes = hanging.modes().expect("A is finite");
+    /// let frequency = (2.0 * 9.80665 * 0.5 / 0.6_f64).sqrt();
+    /// assert_eq!(modes.len(), 1);
+    /// assert!((modes[0].natural_frequency() - frequency).abs() < 1e-14);
+    /// assert!((modes[0].damping_ratio() - 0.3 / 0.6 / 2.0 / frequency).abs() < 1e-15);
+    /// ```
+    fn modes(&self) -> Option<Modes<STATES>>
+    where
+        Const<STATES>: DimSub<U1>,
+        DefaultAllocator: Allocator<Const<STATES>, DimDiff<Const<STATES>, U1>>
+            + Allocator<DimDiff<Const<STATES>, U1>>,
+    {
+        Modes::of(&self.a(), STATES)
     }
 }
 

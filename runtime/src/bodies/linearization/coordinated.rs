@@ -1,0 +1,31 @@
+//! What the search for a steady motion has to know of a description.
+
+use super::matrices::{Linearization, Linearized};
+use super::place::Place;
+use crate::bodies::constrained::Violation;
+use crate::state::Coordinates;
+
+/// A body or a system whose states and inputs are lists of numbers. `outputs: [linearization]`
+/// implements it.
+pub trait Coordinated<const STATES: usize, const INPUTS: usize>:
+    Linearization<Scalar = f64, State: Coordinates, Linearization: Linearized<STATES, INPUTS>>
+{
+    /// What the coordinates are that come before their rates.
+    const PLACES: &'static [Place];
+
+    /// The components of an input, in the order of [`Linearized::INPUTS`].
+    fn components(input: &Self::Input) -> [f64; INPUTS];
+
+    /// The input with these components.
+    fn input(components: [f64; INPUTS]) -> Self::Input;
+
+    /// How far a state is from each of its constraints; none, unless it is said here.
+    fn each_violation(
+        &self,
+        _time: f64,
+        _state: &Self::State,
+        _input: &Self::Input,
+        _each: &mut dyn FnMut(Violation),
+    ) {
+    }
+}

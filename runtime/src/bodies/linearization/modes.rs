@@ -1,0 +1,263 @@
+//! The modes of a linear motion: the eigenvalues of A.
+
+use nalgebra::allocator::Allocator;
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
+use nalgebra::{Complex, Const, DefaultAllocator, DimDiff, DimSub, SMatrix, SVector, Schur, U1};
+
+use super::orthogonal::{Turning, orthogonalize};
+
+/// A way in which a linear motion changes by itself, `x ~ exp(eigenvalue t)`: an oscillation, of a
+/// pair of eigenvalues; or one that only grows or decays.
+///
+/// ```
+/// use newton_euler::linearization::Mode;
+/// use newton_euler::nalgebra::Complex;
+///
+/// let swing = Mode { eigenvalue: Complex::new(-0.3, 0.4), is_neutral: false };
+/// assert_eq!([swing.natural_frequency(), swing.damping_ratio()], [0.5, 0.6]);
+/// assert!((swing.period().unwrap() - 15.707963267948966).abs() < 1e-14);
+/// assert!((swing.time_to_half().unwrap() - 2.0_f64.ln() / 0.3).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    /// \[1/s\], of a pair the one whose imaginary part is positive.
+    pub eigenvalue: Complex<f64>,
+    /// Whether it is zero to rounding: the motion does not come back, and does not go away as an
+    /// exponential does. So are the positions of what is nowhere held, and headings.
+    pub is_neutral: bool,
+}
+
+impl Mode {
+    /// The size of the eigenvalue \[rad/s\].
+    #[must_use]
+    pub fn natural_frequency(&self) -> f64 {
+        libm::hypot(self.eigenvalue.re, self.eigenvalue.im)
+    }
+
+    /// One where it just does not swing, negative where it grows; of one that does not swing 1 or
+    /// -1, and not a number of one that is neutral.
+    #[must_use]
+    pub fn damping_ratio(&self) -> f64 {
+        -self.eigenvalue.re / self.natural_frequency()
+    }
+
+    /// Of an oscillation \[s\].
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        let rate = self.eigenvalue.im;
+        (rate > 0.0).then(|| core::f64::consts::TAU / rate)
+    }
+
+    /// In which it decays to half of its size, if it decays \[s\].
+    #[must_use]
+    pub fn time_to_half(&self) -> Option<f64> {
+        let rate = -self.eigenvalue.re;
+        (rate > 0.0).then(|| core::f64::consts::LN_2 / rate)
+    }
+
+    /// In which it grows to twice its size, if it grows \[s\].
+    #[must_use]
+    pub fn time_to_double(&self) -> Option<f64> {
+        let rate = self.eigenvalue.re;
+        (rate > 0.0).then(|| core::f64::consts::LN_2 / rate)
+    }
+}
+
+/// The modes of a motion of at most N, the fastest first, those that are neutral last.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Modes<const N: usize> {
+    all: [Mode; N],
+    count: usize,
+}
+
+impl<const N: usize> core::ops::Deref for Modes<N> {
+    type Target = [Mode];
+
+    fn deref(&self) -> &[Mode] {
+        &self.all[..self.count]
+    }
+}
+
+impl<const N: usize> Modes<N> {
+    /// How many eigenvalues are zero to rounding.
+    #[must_use]
+    pub fn neutral(&self) -> usize {
+        self.iter().filter(|mode| mode.is_neutral).count()
+    }
+
+    /// Whether all that is not neutral decays.
+    #[must_use]
+    pub fn is_stable(&self) -> bool {
+        let mut moving = self.iter().filter(|mode| !mode.is_neutral);
+        moving.all(|mode| mode.eigenvalue.re < 0.0)
+    }
+
+    /// Of the first rows and columns of a matrix.
+    pub(super) fn of(matrix: &SMatrix<f64, N, N>, size: usize) -> Option<Self>
+    where
+        Const<N>: DimSub<U1>,
+        DefaultAllocator:
+            Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
+    {
+        if !matrix.iter().all(|entry| entry.is_finite()) {
+            return None;
+        }
+        let largest = matrix.amax();
+        let scale = libm::exp2(f64::from(libm::ilogb(largest.max(f64::MIN_POSITIVE))));
+        let mut balanced = matrix / scale;
+        balance_parlett_reinsch(&mut balanced);
+        let (rest, moving) = without_neutral(balanced, size);
+        let values = eigenvalues(rest, moving)?;
+        let mut modes = Self {
+            all: [Mode {
+                eigenvalue: Complex::new(0.0, 0.0),
+                is_neutral: true,
+            }; N],
+            count: 0,
+        };
+        for value in values.iter().take(moving).filter(|value| value.im >= 0.0) {
+            modes.all[modes.count] = Mode {
+                eigenvalue: value * scale,
+                is_neutral: false,
+            };
+            modes.count += 1;
+        }
+        modes.all[..modes.count].sort_unstable_by(|a, b| {
+            let order = b.natural_frequency().total_cmp(&a.natural_frequency());
+            order.then(a.eigenvalue.re.total_cmp(&b.eigenvalue.re))
+        });
+        modes.count += size - moving;
+        Some(modes)
+    }
+}
+
+/// Iterations for each eigenvalue; three are common.
+const ITERATIONS: usize = 60;
+
+/// It is tried again in other axes: of what is orthogonal, shifts may stay where they are. Mirrored
+/// across planes that no symmetry of a motion has.
+const MIRRORS: [f64; 4] = [1.618, 2.414, 3.303, 4.236];
+
+/// Eigenvalues by Schur's form of the first rows and columns, each in its place on the diagonal.
+fn eigenvalues<const N: usize>(
+    mut matrix: SMatrix<f64, N, N>,
+    size: usize,
+) -> Option<SVector<Complex<f64>, N>>
+where
+    Const<N>: DimSub<U1>,
+    DefaultAllocator: Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
+{
+    for pitch in MIRRORS {
+        if let Some(schur) = Schur::try_new(matrix, f64::EPSILON, ITERATIONS * N) {
+            return Some(schur.complex_eigenvalues());
+        }
+        let mut angle = 1.0;
+        let normal = SVector::<f64, N>::from_fn(|row, _| {
+            angle += pitch;
+            if row < size { libm::sin(angle) } else { 0.0 }
+        });
+        let normal = normal / normal.norm();
+        let mirror = SMatrix::identity() - normal * normal.transpose() * 2.0;
+        matrix = mirror * matrix * mirror;
+    }
+    None
+}
+
+/// Below this fraction of the largest, a singular value is zero.
+const NEUTRAL: f64 = 1e-13;
+
+/// A column of a matrix, and what was made of the columns it is a sum of.
+#[derive(Clone, Copy)]
+struct Column<const N: usize> {
+    entries: SVector<f64, N>,
+    of: SVector<f64, N>,
+}
+
+impl<const N: usize> Turning for Column<N> {
+    fn dot(&self, other: &Self) -> f64 {
+        self.entries.dot(&other.entries)
+    }
+
+    fn sum(&self, cosine: f64, other: &Self, sine: f64) -> Self {
+        Self {
+            entries: self.entries * cosine + other.entries * sine,
+            of: self.of * cosine + other.of * sine,
+        }
+    }
+}
+
+/// An orthonormal basis V with the columns of `matrix V` beside it, orthogonal; of which those that
+/// are zero to `rounding` come last, and how many are not.
+fn basis<const N: usize>(
+    matrix: &SMatrix<f64, N, N>,
+    size: usize,
+    rounding: f64,
+) -> ([Column<N>; N], usize) {
+    let mut columns = core::array::from_fn(|number| Column {
+        entries: matrix.column(number).into_owned(),
+        of: unit(number),
+    });
+    let some = &mut columns[..size];
+    orthogonalize(some);
+    some.sort_unstable_by(|a, b| b.dot(b).total_cmp(&a.dot(a)));
+    let floor = some
+        .first()
+        .map_or(0.0, |first| rounding * rounding * first.dot(first));
+    let rank = some
+        .iter()
+        .filter(|column| column.dot(column) > floor)
+        .count();
+    (columns, rank)
+}
+
+/// What is left of a matrix without its eigenvalues that are zero, and its size. What does not move
+/// is a neutral direction, and what moves along it alone is another (the staircase of V.
+/// Kublanovskaya); each step is a test of rank, so that zeros which would be roots of rounding, as
+/// those of a train without brakes, are told.
+fn without_neutral<const N: usize>(
+    mut matrix: SMatrix<f64, N, N>,
+    mut size: usize,
+) -> (SMatrix<f64, N, N>, usize) {
+    let largest = matrix.amax();
+    loop {
+        let (columns, rank) = basis(&matrix, size, NEUTRAL);
+        if rank == size {
+            return (matrix, size);
+        }
+        matrix = SMatrix::zeros();
+        size = rank;
+        for row in 0..rank {
+            for column in 0..rank {
+                matrix[(row, column)] = columns[row].of.dot(&columns[column].entries);
+            }
+        }
+        // what is left is rounding
+        if matrix.amax() <= NEUTRAL * largest {
+            return (SMatrix::zeros(), 0);
+        }
+    }
+}
+
+/// A matrix in the directions that some rows permit, and how many these are.
+pub(super) fn restricted<const N: usize>(
+    matrix: &SMatrix<f64, N, N>,
+    rows: &SMatrix<f64, N, N>,
+) -> (SMatrix<f64, N, N>, usize) {
+    let (columns, rank) = basis(rows, N, ROWS);
+    let permitted = &columns[rank..];
+    let mut inside = SMatrix::zeros();
+    for (number, to) in permitted.iter().enumerate() {
+        let image = matrix * to.of;
+        for (row, along) in permitted.iter().enumerate() {
+            inside[(row, number)] = along.of.dot(&image);
+        }
+    }
+    (inside, permitted.len())
+}
+
+fn unit<const N: usize>(number: usize) -> SVector<f64, N> {
+    SVector::from_fn(|row, _| f64::from(u8::from(row == number)))
+}
+
+/// Below this fraction of the largest, rows say nothing.
+const ROWS: f64 = 1e-9;

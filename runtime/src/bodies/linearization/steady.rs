@@ -1,0 +1,335 @@
+//! The equations of a steady motion, linear about a state and an input.
+
+use core::ops::Range;
+
+use nalgebra::{SMatrix, SVector, Vector3};
+
+use super::conditions::Conditions;
+use super::coordinated::Coordinated;
+use super::least_change::{Change, Equation};
+use super::matrices::Linearized;
+use super::place::Place;
+use super::tangent;
+use crate::bodies::constrained::Violation;
+
+/// What is to be steady, and how.
+pub struct Steady<'b, B, C> {
+    pub body: &'b B,
+    pub time: f64,
+    /// The angular velocity of the world's turn \[rad/s\], world axes, if there is one.
+    pub turning: Option<Vector3<f64>>,
+    pub conditions: C,
+}
+
+/// A list with room for the rows of a state, twice as many of constraints and conditions.
+#[derive(Clone, Copy)]
+pub struct Rows<T, const N: usize> {
+    room: [[T; 3]; N],
+    count: usize,
+}
+
+impl<T: Copy, const N: usize> Rows<T, N> {
+    fn new(any: T) -> Self {
+        let room = [[any; 3]; N];
+        Self { room, count: 0 }
+    }
+
+    /// Nothing that is too much is taken.
+    fn push(&mut self, row: T) {
+        if let Some(to) = self.room.as_flattened_mut().get_mut(self.count) {
+            *to = row;
+            self.count += 1;
+        }
+    }
+
+    pub fn list(&self) -> &[T] {
+        &self.room.as_flattened()[..self.count]
+    }
+
+    /// There may have been more.
+    pub fn is_full(&self) -> bool {
+        self.count == 3 * N
+    }
+}
+
+/// What is asked of a steady motion.
+#[derive(Clone, Copy)]
+pub struct Asked<const N: usize, const M: usize> {
+    pub name: &'static str,
+    /// Of a coordinate, whether it is an angle: equations of one unit are compared.
+    pub is_angle: Option<bool>,
+    pub equation: Equation<N, M>,
+}
+
+impl<const N: usize, const M: usize> Asked<N, M> {
+    /// One that nothing changes.
+    fn new(name: &'static str, value: f64) -> Self {
+        Self {
+            name,
+            is_angle: None,
+            equation: Equation {
+                value,
+                by: Change::zero(),
+            },
+        }
+    }
+}
+
+/// The equations about one state and input.
+pub struct About<L, const N: usize, const M: usize> {
+    pub rows: Rows<Asked<N, M>, N>,
+    /// Which of them are of constraints: any motion keeps these.
+    pub kept: Range<usize>,
+    pub linearization: L,
+    /// A, of a motion that turns with the world as those see it who turn with it.
+    pub matrix: SMatrix<f64, N, N>,
+    pub rate: SVector<f64, N>,
+    /// By how much each coordinate and each input can be thought to change.
+    pub reach: Change<N, M>,
+}
+
+/// A value that is to be zero; of a constraint of positions, with its rate.
+#[derive(Clone, Copy)]
+struct Measured {
+    name: &'static str,
+    value: f64,
+    rate: Option<f64>,
+}
+
+/// A step of differences, as a fraction of what changes.
+const STEP: f64 = 6e-6;
+
+impl<B, C> Steady<'_, B, C> {
+    /// The equations about a state and an input.
+    pub fn about<const N: usize, const M: usize>(
+        &self,
+        state: &B::State,
+        components: &[f64; M],
+    ) -> About<B::Linearization, N, M>
+    where
+        B: Coordinated<N, M>,
+        C: Conditions<B::State, B::Input>,
+    {
+        let input = B::input(*components);
+        let linearization = self.body.linearize(self.time, state, &input);
+        let acceleration = self.body.acceleration(self.time, state, &input);
+        let values = tangent::values(state, &self.turning.unwrap_or_default());
+        let (matrix, b) = (linearization.a(), linearization.b());
+        let mut about = About {
+            rows: Rows::new(Asked::new("", 0.0)),
+            kept: 0..0,
+            linearization,
+            matrix,
+            rate: tangent::rate(state, &acceleration),
+            reach: Change {
+                state: SVector::from_fn(|row, _| {
+                    if row < N / 2 {
+                        1.0
+                    } else {
+                        libm::fabs(values[row])
+                    }
+                }),
+                input: SVector::from(components.map(f64::abs)),
+            },
+        };
+        let excess = self.excess(&values, &mut about);
+        for row in 0..N {
+            if row >= N / 2 || self.turning.is_some() && B::PLACES[row].turns() {
+                let by = Change {
+                    state: about.matrix.row(row).transpose(),
+                    input: b.row(row).transpose(),
+                };
+                let value = excess[row];
+                about.rows.push(Asked {
+                    name: <B::Linearization as Linearized<N, M>>::STATES[row],
+                    is_angle: Some(B::PLACES[row % (N / 2)].is_angle()),
+                    equation: Equation { value, by },
+                });
+            }
+        }
+        let first = about.rows.count;
+        axes::<B, _, N, M>(&values, &mut about);
+        let kept = self.measured(state, components, &mut about);
+        about.kept = first..kept;
+        about
+    }
+
+    /// The rate of a state beyond that of the turn of the world; A likewise.
+    fn excess<const N: usize, const M: usize>(
+        &self,
+        values: &SVector<f64, N>,
+        about: &mut About<B::Linearization, N, M>,
+    ) -> SVector<f64, N>
+    where
+        B: Coordinated<N, M>,
+    {
+        let mut excess = about.rate;
+        let Some(turning) = self.turning else {
+            return excess;
+        };
+        let (cross, a) = (turning.cross_matrix(), about.matrix);
+        for (row, place) in B::PLACES.iter().enumerate() {
+            match place {
+                Place::Position(part) | Place::Axis(part) => {
+                    let (place, size) = (row - part, vector(&B::PLACES[row - part..]));
+                    // those who turn see positions turn the other way; if nothing depends on these,
+                    // they may stay
+                    let is_seen = a.columns(place, size).amax() > 0.0;
+                    for other in 0..size {
+                        let turn = cross[(*part, other)];
+                        for first in [place, place + N / 2] {
+                            excess[first + part] -= turn * values[first + other];
+                            if is_seen || first > place {
+                                about.matrix[(first + part, first + other)] -= turn;
+                            }
+                        }
+                    }
+                }
+                Place::Attitude(_) => excess[row] -= values[row],
+                Place::Heading => excess[row] -= turning.z,
+                Place::Relative(_) | Place::Angle | Place::Length => {}
+            }
+        }
+        excess
+    }
+
+    /// What constraints and conditions are off by, and their derivatives; the number of rows at the
+    /// end of those of constraints. These are linear in the rates, so that rates of one give their
+    /// derivatives by rates, and those of positions by places, to rounding; all else is by
+    /// differences.
+    fn measured<const N: usize, const M: usize>(
+        &self,
+        state: &B::State,
+        components: &[f64; M],
+        about: &mut About<B::Linearization, N, M>,
+    ) -> usize
+    where
+        B: Coordinated<N, M>,
+        C: Conditions<B::State, B::Input>,
+    {
+        let (here, kept) = self.measure(state, components);
+        let first = about.rows.count;
+        for one in here.list() {
+            about.rows.push(Asked::new(one.name, one.value));
+        }
+        let rows = &mut about.rows.room.as_flattened_mut()[first..about.rows.count];
+        for column in 0..N + M {
+            let mut by = Change::<N, M>::zero();
+            let mut size = 1.0;
+            if let Some((to, reach)) = by.iter_mut().zip(about.reach.iter()).nth(column) {
+                size = STEP * reach.max(1.0);
+                *to = size;
+            }
+            let [(after, _), (before, _)] = [1.0, -1.0].map(|sign| {
+                let there = core::array::from_fn(|i| components[i] + sign * by.input[i]);
+                self.measure(&tangent::moved(state, &(by.state * sign)), &there)
+            });
+            let pairs = after.list().iter().zip(before.list());
+            for (row, (after, before)) in rows.iter_mut().zip(pairs) {
+                let rounding = 4.0 * f64::EPSILON * after.value.abs().max(before.value.abs());
+                let difference = after.value - before.value;
+                if let Some(to) = row.equation.by.iter_mut().nth(column)
+                    && difference.abs() > rounding
+                {
+                    *to = difference / (2.0 * size);
+                }
+            }
+        }
+        let mut rest = tangent::values::<_, N>(state, &Vector3::zeros());
+        rest.rows_mut(0, N / 2).fill(0.0);
+        let rest = tangent::moved(state, &-rest);
+        let (still, _) = self.measure(&rest, components);
+        for place in 0..N / 2 {
+            let rate =
+                SVector::<f64, N>::from_fn(|row, _| f64::from(u8::from(row == place + N / 2)));
+            let (moving, _) = self.measure(&tangent::moved(&rest, &rate), components);
+            let pairs = moving.list().iter().zip(still.list());
+            for (row, (moving, still)) in rows.iter_mut().zip(pairs).take(kept) {
+                match moving.rate.zip(still.rate) {
+                    Some((moving, still)) => row.equation.by.state[place] = moving - still,
+                    None => {
+                        row.equation.by.state[place + N / 2] = moving.value - still.value;
+                    }
+                }
+            }
+        }
+        first + kept
+    }
+
+    /// Constraints, and conditions behind them; how many are of constraints.
+    fn measure<const N: usize, const M: usize>(
+        &self,
+        state: &B::State,
+        components: &[f64; M],
+    ) -> (Rows<Measured, N>, usize)
+    where
+        B: Coordinated<N, M>,
+        C: Conditions<B::State, B::Input>,
+    {
+        let input = B::input(*components);
+        let mut rows = Rows::new(Measured {
+            name: "",
+            value: 0.0,
+            rate: None,
+        });
+        self.body
+            .each_violation(self.time, state, &input, &mut |violation| {
+                let Violation {
+                    name,
+                    position,
+                    velocity,
+                } = violation;
+                if let Some(value) = position {
+                    rows.push(Measured {
+                        name,
+                        value,
+                        rate: Some(velocity),
+                    });
+                }
+                rows.push(Measured {
+                    name,
+                    value: velocity,
+                    rate: None,
+                });
+            });
+        let kept = rows.count;
+        self.conditions.each(state, &input, &mut |name, value| {
+            rows.push(Measured {
+                name,
+                value,
+                rate: None,
+            });
+        });
+        (rows, kept)
+    }
+}
+
+/// The axes of rods change across themselves, and their rates likewise.
+fn axes<B, L, const N: usize, const M: usize>(values: &SVector<f64, N>, about: &mut About<L, N, M>)
+where
+    B: Coordinated<N, M>,
+{
+    for (row, place) in B::PLACES.iter().enumerate() {
+        if *place == Place::Axis(0) {
+            let [mut length, mut level] = [Asked::new("axis", 0.0); 2];
+            let [along, rates] = [&mut length.equation.by, &mut level.equation.by];
+            for part in row..row + vector(&B::PLACES[row..]) {
+                let rate = part + N / 2;
+                along.state[part] = values[part];
+                rates.state[part] = values[rate];
+                rates.state[rate] = values[part];
+            }
+            about.rows.push(length);
+            about.rows.push(level);
+        }
+    }
+}
+
+/// How many of the first places are those of one vector.
+fn vector(places: &[Place]) -> usize {
+    let parts = places.iter().enumerate();
+    parts
+        .take_while(|(number, place)| place.component() == *number)
+        .count()
+        .min(3)
+}

@@ -1,0 +1,438 @@
+//! Steady motions, by Newton's method: what is free is changed until nothing accelerates.
+
+use core::ops::ControlFlow;
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, DimDiff, DimSub, SMatrix, SVector, U1, Vector3};
+
+use super::conditions::{Condition, Conditions};
+use super::coordinated::Coordinated;
+use super::least_change::{Change, Equation, Least, least_change};
+use super::matrices::Linearized;
+use super::modes::{Modes, restricted};
+use super::steady::{About, Asked, Steady};
+use super::tangent;
+use super::trim_error::{FEW, Off, TrimError};
+
+/// Steady motions and equilibria of what has `outputs: [linearization]`.
+///
+/// A motion is *steady* where nothing accelerates: rates stay as they are. With rates of zero it is
+/// an equilibrium. With [`Search::turning`] it is a steady turn: velocities turn with the world at a
+/// given rate, and so does the body.
+pub trait Trim<const STATES: usize, const INPUTS: usize>: Coordinated<STATES, INPUTS> {
+    /// Begins the search for a steady motion near a state. What is not made
+    /// [`free`](Search::free) stays as it is given.
+    ///
+    /// ```
+    /// use newton_euler::prelude::*;
+    ///
+    /// rigid_body!(Quadrotor {
+    ///     motion: spatial,
+    ///     inputs: [thrust_1[N], thrust_2[N], thrust_3[N], thrust_4[N]],
+    ///     mass: 0.5[kg],
+    ///     inertia: principal(2.3e-3, 2.3e-3, 4e-3)[kg * m ^ 2],
+    ///     points: [front = (0.17, 0, 0), left = (0, 0.17, 0), back = (-0.17, 0, 0), right = (0, -0.17, 0)],
+    ///     fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    ///     forces: [
+    ///         lift_1 = body(0, 0, thrust_1).at(front),
+    ///         lift_2 = body(0, 0, thrust_2).at(left),
+    ///         lift_3 = body(0, 0, thrust_3).at(back),
+    ///         lift_4 = body(0, 0, thrust_4).at(right),
+    ///     ],
+    ///     moments: [drag = body(0, 0, 0.016[m] * (thrust_1 - thrust_2 + thrust_3 - thrust_4))],
+    ///     outputs: [linearization],
+    /// });
+    ///
+    /// let quadrotor = Quadrotor::default();
+    /// let search = quadrotor.trim(&Spatial::default());
+    /// let hover = search.free(["thrust_1", "thrust_2", "thrust_3", "thrust_4"]).solve()?;
+    /// assert!((hover.input.thrust_1 - 0.5 * 9.80665 / 4.0).abs() < 1e-15);
+    /// # Ok::<(), newton_euler::linearization::TrimError>(())
+    /// ```
+    fn trim(&self, state: &Self::State) -> Search<'_, Self, (), STATES, INPUTS>
+    where
+        Self: Sized,
+    {
+        Search {
+            steady: Steady {
+                body: self,
+                time: 0.0,
+                turning: None,
+                conditions: (),
+            },
+            state: state.clone(),
+            input: Self::components(&Self::Input::default()),
+            free: Change::zero(),
+            unknown: None,
+        }
+    }
+}
+
+impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trim<N, M> for B {}
+
+/// A search for a steady motion, [`Trim::trim`].
+#[must_use = "a search begins with `solve`"]
+pub struct Search<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> {
+    steady: Steady<'b, B, C>,
+    state: B::State,
+    input: [f64; M],
+    /// One for what is free.
+    free: Change<N, M>,
+    unknown: Option<&'static str>,
+}
+
+impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, C, N, M> {
+    /// The input to begin with, and what stays of it; zero unless it is said.
+    pub fn input(self, input: &B::Input) -> Self {
+        let input = B::components(input);
+        Self { input, ..self }
+    }
+
+    /// The time \[s\]; zero unless it is said.
+    pub fn at(mut self, time: f64) -> Self {
+        self.steady.time = time;
+        self
+    }
+
+    /// What may be changed, by the names in [`Linearized::STATES`] and [`Linearized::INPUTS`]; or
+    /// all of a vector, as `"attitude"`. Where there is more of it than is determined, the change
+    /// from the start is least: in the mean of squares, each unknown counted by what it does.
+    pub fn free<const K: usize>(mut self, names: [&'static str; K]) -> Self {
+        let states = <B::Linearization as Linearized<N, M>>::STATES;
+        let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
+        for name in names {
+            let mut is_known = false;
+            let known = states.iter().chain(&inputs);
+            for (to, known) in self.free.iter_mut().zip(known) {
+                let rest = known.strip_prefix(name);
+                if rest.is_some_and(|rest| matches!(rest, "" | "_x" | "_y" | "_z")) {
+                    *to = 1.0;
+                    is_known = true;
+                }
+            }
+            if !is_known {
+                self.unknown = self.unknown.or(Some(name));
+            }
+        }
+        self
+    }
+
+    /// A steady turn: with this angular velocity \[rad/s\], world axes, in the plane along z, what
+    /// moves freely turns with the world about an axis through the center of the turn. So velocities
+    /// change by `turning × velocity`, and bodies have the angular velocity `turning`, which
+    /// is found with the rest. Joints between bodies, and hinges, stay as they are.
+    ///
+    /// It goes on like this if the loads turn as well: about the vertical, under weight.
+    pub fn turning(mut self, angular_velocity: impl Into<Vector3<f64>>) -> Self {
+        self.steady.turning = Some(angular_velocity.into());
+        for (place, kind) in B::PLACES.iter().enumerate() {
+            if kind.turns() {
+                self.free.state[place + N / 2] = 1.0;
+            }
+        }
+        self
+    }
+
+    /// A condition beside: what is to be zero, smooth in state and input, such as a sideslip, or a
+    /// bank angle less a wanted one.
+    pub fn hold<F: Fn(&B::State, &B::Input) -> f64>(
+        self,
+        name: &'static str,
+        value: F,
+    ) -> Search<'b, B, Condition<C, F>, N, M> {
+        let Steady {
+            body,
+            time,
+            turning,
+            conditions: others,
+        } = self.steady;
+        Search {
+            steady: Steady {
+                body,
+                time,
+                turning,
+                conditions: Condition {
+                    others,
+                    name,
+                    value,
+                },
+            },
+            state: self.state,
+            input: self.input,
+            free: self.free,
+            unknown: self.unknown,
+        }
+    }
+
+    /// Newton's method, with steps that are halved until they come nearer.
+    ///
+    /// # Errors
+    /// [`TrimError`]: what is left over by how much, and what would have to be free.
+    pub fn solve(self) -> Result<Trimmed<B, N, M>, TrimError>
+    where
+        C: Conditions<B::State, B::Input>,
+    {
+        if let Some(name) = self.unknown {
+            return Err(TrimError::Unknown { name });
+        }
+        if self.steady.turning.is_some() && !B::PLACES.iter().any(|place| place.turns()) {
+            return Err(TrimError::NothingTurns);
+        }
+        let mut here = self.about(self.state.clone(), self.input);
+        if here.about.rows.is_full() || here.about.kept.len() > N {
+            return Err(TrimError::TooMany);
+        }
+        if !here.worst.is_finite() {
+            let Steady { body, time, .. } = self.steady;
+            let load = body.lost_load(time, &here.state, &B::input(here.input));
+            return Err(TrimError::NotFinite { load });
+        }
+        for _ in 0..STEPS {
+            if here.worst <= 4.0 * f64::EPSILON {
+                break;
+            }
+            match self.step(here) {
+                ControlFlow::Continue(nearer) => here = nearer,
+                ControlFlow::Break(last) => {
+                    here = last;
+                    break;
+                }
+            }
+        }
+        self.end(here)
+    }
+
+    /// The equations about a state and an input, and how far they are from zero.
+    fn about(&self, state: B::State, input: [f64; M]) -> Here<B, N, M>
+    where
+        C: Conditions<B::State, B::Input>,
+    {
+        let about = self.steady.about::<N, M>(&state, &input);
+        let sizes = sizes(&about);
+        let rows = about.rows.list().iter().zip(sizes.as_flattened());
+        let worst = rows.map(|(row, size)| relative(row.equation.value, *size));
+        let worst = worst.fold(0.0_f64, |worst, one| {
+            if one > worst || one.is_nan() {
+                one
+            } else {
+                worst
+            }
+        });
+        Here {
+            state,
+            input,
+            about,
+            sizes,
+            worst,
+        }
+    }
+
+    /// A step that comes nearer; or the end, if there is none.
+    fn step(&self, here: Here<B, N, M>) -> ControlFlow<Here<B, N, M>, Here<B, N, M>>
+    where
+        C: Conditions<B::State, B::Input>,
+    {
+        let change = here.least(&self.free).change;
+        let angles = B::PLACES.iter().zip(change.state.iter());
+        let angles = angles.filter(|(place, _)| place.is_angle());
+        let turn = angles.map(|(_, turn)| turn.abs()).fold(0.0, f64::max);
+        let mut part = if turn > TURN { TURN / turn } else { 1.0 };
+        let merit = here.merit(&here.sizes);
+        for _ in 0..HALVINGS {
+            let input = core::array::from_fn(|i| here.input[i] + part * change.input[i]);
+            let state = tangent::moved(&here.state, &(change.state * part));
+            let there = self.about(state, input);
+            if there.merit(&here.sizes) < merit {
+                let is_rounding = here.worst <= TOLERANCE && there.worst > 0.5 * here.worst;
+                return if is_rounding {
+                    ControlFlow::Break(there)
+                } else {
+                    ControlFlow::Continue(there)
+                };
+            }
+            part *= 0.5;
+        }
+        ControlFlow::Break(here)
+    }
+
+    fn end(&self, here: Here<B, N, M>) -> Result<Trimmed<B, N, M>, TrimError> {
+        let least = here.least(&self.free);
+        if here.worst <= TOLERANCE {
+            let About {
+                rows, kept, matrix, ..
+            } = &here.about;
+            let mut constraints = SMatrix::<f64, N, N>::zeros();
+            for (to, row) in rows.list()[kept.clone()].iter().enumerate() {
+                constraints.set_row(to, &row.equation.by.state.transpose());
+            }
+            let free = self.free.iter().filter(|free| *free > 0.0).count();
+            return Ok(Trimmed {
+                state: here.state,
+                input: B::input(here.input),
+                matrix: *matrix,
+                rate: here.about.rate,
+                constraints,
+                undetermined: free - least.rank,
+                linearization: here.about.linearization,
+            });
+        }
+        let (rows, sizes) = (here.about.rows.list(), here.sizes.as_flattened());
+        let names = rows.iter().zip(sizes);
+        let residual = few(names.map(|(row, size)| {
+            let by = row.equation.value;
+            let name = row.name;
+            (Off { name, by }, relative(by, *size))
+        }));
+        // what would take many turns cannot be done
+        let mut free = self.free;
+        for (place, kind) in B::PLACES.iter().enumerate() {
+            if kind.is_angle() && least.change.state[place].abs() > 10.0 * TURN {
+                free.state[place] = 0.0;
+            }
+        }
+        let least = here.least(&free);
+        if least.left < 0.1 * here.merit(&here.sizes) {
+            return Err(TrimError::NotConverged { residual });
+        }
+        let states = <B::Linearization as Linearized<N, M>>::STATES;
+        let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
+        let names = states.into_iter().chain(inputs);
+        let held = few(names.zip(least.helps.iter()));
+        Err(TrimError::Unbalanced { residual, held })
+    }
+}
+
+/// Steps of Newton's method: near by it takes about six.
+const STEPS: usize = 100;
+
+/// How often a step is halved that does not come nearer.
+const HALVINGS: usize = 40;
+
+/// The largest angle of a step \[rad\]: beyond, sines are nothing like their slopes.
+const TURN: f64 = 1.0;
+
+/// What is left of an equation, as a fraction of the terms it is summed from, is a failure above
+/// this. The steps go on to rounding in any case: this decides only whether they got there.
+const TOLERANCE: f64 = 1e-9;
+
+/// So much of the largest equation is the size of all others at least.
+const ROUNDING: f64 = 1e-6;
+
+/// The sizes of the terms that equations are summed from, one for all of a unit.
+fn sizes<L, const N: usize, const M: usize>(about: &About<L, N, M>) -> [[f64; 3]; N] {
+    let mut sizes = [[0.0_f64; 3]; N];
+    let rows = about.rows.list();
+    let size = |row: &Asked<N, M>| {
+        let terms = row.equation.by.map(f64::abs).dot(&about.reach);
+        terms + row.equation.value.abs()
+    };
+    let largest = rows.iter().map(size).fold(0.0, f64::max);
+    for (row, to) in rows.iter().zip(sizes.as_flattened_mut()) {
+        let alike = rows
+            .iter()
+            .filter(|other| row.is_angle.is_some() && row.is_angle == other.is_angle);
+        let alike = alike.map(size).fold(size(row), f64::max);
+        *to = alike.max(ROUNDING * largest);
+    }
+    sizes
+}
+
+/// A value as a fraction of its size; nothing is nothing at any.
+fn relative(value: f64, size: f64) -> f64 {
+    if value == 0.0 {
+        0.0
+    } else {
+        value.abs() / size
+    }
+}
+
+/// The largest, in falling order; what is rounding beside the largest is left out.
+fn few<T: Copy>(all: impl Iterator<Item = (T, f64)>) -> [Option<T>; FEW] {
+    let mut found: [Option<(T, f64)>; FEW] = [None; FEW];
+    for mut one in all.map(Some) {
+        for place in &mut found {
+            let size = |one: &Option<(T, f64)>| one.map_or(0.0, |(_, size)| size);
+            if size(&one) > size(place) {
+                core::mem::swap(&mut one, place);
+            }
+        }
+    }
+    let largest = found[0].map_or(0.0, |(_, size)| size);
+    found.map(|one| {
+        one.filter(|(_, size)| *size > TOLERANCE * largest)
+            .map(|(one, _)| one)
+    })
+}
+
+/// Where a search is.
+struct Here<B: Coordinated<N, M>, const N: usize, const M: usize> {
+    state: B::State,
+    input: [f64; M],
+    about: About<B::Linearization, N, M>,
+    /// Of the terms that each equation is summed from.
+    sizes: [[f64; 3]; N],
+    worst: f64,
+}
+
+impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
+    /// What is left over, in units of these sizes.
+    fn merit(&self, sizes: &[[f64; 3]; N]) -> f64 {
+        let rows = self.about.rows.list().iter().zip(sizes.as_flattened());
+        let relative = rows.map(|(row, size)| relative(row.equation.value, *size));
+        relative.map(|relative| relative * relative).sum()
+    }
+
+    fn least(&self, free: &Change<N, M>) -> Least<N, M> {
+        let rows = self.about.rows.list().iter().zip(self.sizes.as_flattened());
+        let scaled = rows.map(|(row, size)| {
+            let factor = if *size > 0.0 { 1.0 / size } else { 0.0 };
+            Equation {
+                value: row.equation.value * factor,
+                by: row.equation.by.map(|entry| entry * factor),
+            }
+        });
+        least_change(scaled, free)
+    }
+}
+
+/// A steady motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Trimmed<B: Coordinated<N, M>, const N: usize, const M: usize> {
+    /// The state, with what was free found.
+    pub state: B::State,
+    /// The input likewise.
+    pub input: B::Input,
+    /// The linearisation there, as [`linearize`](super::Linearization::linearize) gives it.
+    pub linearization: B::Linearization,
+    /// In how many ways what was free can be changed without leaving the steady motions, to first
+    /// order: zero if the one found is alone.
+    pub undetermined: usize,
+    matrix: SMatrix<f64, N, N>,
+    rate: SVector<f64, N>,
+    constraints: SMatrix<f64, N, N>,
+}
+
+impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trimmed<B, N, M> {
+    /// The modes of small motions about the steady one, as those see them who turn with it; of what
+    /// is under constraints those that it can make. `None` if the derivatives are not finite.
+    #[must_use]
+    pub fn modes(&self) -> Option<Modes<N>>
+    where
+        Const<N>: DimSub<U1>,
+        DefaultAllocator:
+            Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
+    {
+        let (matrix, size) = restricted(&self.matrix, &self.constraints);
+        Modes::of(&matrix, size)
+    }
+
+    /// How fast the accelerations change along the motion, in the places of the rates in
+    /// [`Linearized::STATES`]. It stays steady where this is zero; not so does a climb through air
+    /// that thins, or a turn about an axis that is not vertical.
+    #[must_use]
+    pub fn drift(&self) -> SVector<f64, N> {
+        let mut drift = self.matrix * self.rate;
+        drift.rows_mut(0, N / 2).fill(0.0);
+        drift
+    }
+}

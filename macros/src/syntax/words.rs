@@ -14,7 +14,7 @@ const KEYWORDS: [&str; 52] = [
 ];
 
 /// Names that mean something in every description.
-pub const BUILT_IN: [&str; 11] = [
+pub const BUILT_IN: [&str; 13] = [
     "t",
     "mass",
     "G",
@@ -22,6 +22,8 @@ pub const BUILT_IN: [&str; 11] = [
     "velocity",
     "attitude",
     "angular_velocity",
+    "acceleration",
+    "angular_acceleration",
     "world",
     "body",
     "PI",

@@ -19,12 +19,14 @@ use super::value::Value;
 pub const OF_ROD: [&str; 2] = ["axis", "axis_rate"];
 
 /// Built-in names of what changes while the body moves.
-const CHANGING: [&str; 7] = [
+const CHANGING: [&str; 9] = [
     "t",
     "position",
     "velocity",
     "attitude",
     "angular_velocity",
+    "acceleration",
+    "angular_acceleration",
     "axis",
     "axis_rate",
 ];
@@ -174,8 +176,10 @@ pub enum Offset {
 pub struct BodyMotion {
     pub position: Vector,
     pub velocity: Vector,
+    pub acceleration: Vector,
     /// In its axes.
     pub angular_velocity: Components,
+    pub angular_acceleration: Components,
 }
 
 /// Words, and what they stand for.

@@ -44,7 +44,8 @@ impl Random {
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        let high = u32::try_from(self.0 >> 32).expect("it has 32 bits");
+        f64::from(high) / f64::from(u32::MAX) * 2.0 - 1.0
     }
 
     fn vector<const N: usize>(&mut self) -> SVector<f64, N> {

@@ -318,7 +318,7 @@ fn a_chain_in_space() {
             nut,
             ball,
             both,
-        } = state.clone();
+        } = state;
         let found = wet.acceleration(
             0.0,
             &WetState {
@@ -437,7 +437,7 @@ fn a_loop() {
     body.project(0.0, &mut state, &input).unwrap();
     let found = body.acceleration(0.0, &state, &input);
     let heavy = Heavy::default();
-    let LoopState { o, a, b } = state.clone();
+    let LoopState { o, a, b } = state;
     let expected = heavy.acceleration(0.0, &HeavyState { o, a, b }, &HeavyInput { torque: 2.0 });
     assert!(
         (found.o - expected.o).abs() < 1e-11 * expected.o.abs(),

@@ -14,7 +14,7 @@ const KEYWORDS: [&str; 52] = [
 ];
 
 /// Names that mean something in every description.
-pub const BUILT_IN: [&str; 13] = [
+pub const BUILT_IN: [&str; 11] = [
     "t",
     "mass",
     "G",
@@ -22,8 +22,6 @@ pub const BUILT_IN: [&str; 13] = [
     "velocity",
     "attitude",
     "angular_velocity",
-    "acceleration",
-    "angular_acceleration",
     "world",
     "body",
     "PI",

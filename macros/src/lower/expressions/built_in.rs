@@ -7,7 +7,7 @@ use crate::symbolic::{Components, Number, Stage};
 
 use super::along_axis::UNTURNED;
 use super::lowering::Lowering;
-use super::scope::BUILT_IN;
+use super::scope::{BUILT_IN, FOLLOWED};
 use super::value::Value;
 
 impl Lowering<'_> {
@@ -64,8 +64,8 @@ impl Lowering<'_> {
     /// Beside the bodies of a system, what belongs to a body is named with it.
     pub fn check_has_body(&mut self, name: &Ident) -> Option<()> {
         let word = name.to_string();
-        let of_body = BUILT_IN.contains(&word.as_str())
-            && !["t", "world", "PI", "TAU"].contains(&word.as_str());
+        let is_built_in = [&BUILT_IN[..], &FOLLOWED].concat().contains(&word.as_str());
+        let of_body = is_built_in && !["t", "world", "PI", "TAU"].contains(&word.as_str());
         if !self.is_whole || !of_body {
             return Some(());
         }

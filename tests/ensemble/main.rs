@@ -195,33 +195,39 @@ where
 
 #[test]
 fn members_move_as_if_alone() {
-    check::<bodies::Free<f64>>(|factor| bodies::FreeParams {
-        mass_factor: factor,
-        arm: Vector3::new(0.2 * factor, 0.0, 0.1),
+    roomy(|| {
+        check::<bodies::Free<f64>>(|factor| bodies::FreeParams {
+            mass_factor: factor,
+            arm: Vector3::new(0.2 * factor, 0.0, 0.1),
+        });
+        check::<bodies::Turning<f64>>(|moment| bodies::TurningParams { moment });
+        check::<bodies::Thrown<f64>>(|factor| bodies::ThrownParams {
+            gravity: 9.8 * factor,
+        });
+        check::<bodies::Plank<f64>>(|length| bodies::PlankParams { length });
+        check::<bodies::Slider<f64>>(|_| ());
+        check::<bodies::Pendulum<f64>>(|length| bodies::PendulumParams { length });
+        check::<bodies::Top<f64>>(|_| ());
+        check::<bodies::Stick<f64>>(|length| bodies::StickParams { length });
+        check::<bodies::Rotor<f64>>(|_| ());
     });
-    check::<bodies::Turning<f64>>(|moment| bodies::TurningParams { moment });
-    check::<bodies::Thrown<f64>>(|factor| bodies::ThrownParams {
-        gravity: 9.8 * factor,
-    });
-    check::<bodies::Plank<f64>>(|length| bodies::PlankParams { length });
-    check::<bodies::Slider<f64>>(|_| ());
-    check::<bodies::Pendulum<f64>>(|length| bodies::PendulumParams { length });
-    check::<bodies::Top<f64>>(|_| ());
-    check::<bodies::Stick<f64>>(|length| bodies::StickParams { length });
-    check::<bodies::Rotor<f64>>(|_| ());
 }
 
 #[test]
 fn systems_move_as_if_alone() {
-    check::<systems::DoublePendulum<f64>>(|factor| 9.8 * factor);
+    roomy(|| check::<systems::DoublePendulum<f64>>(|factor| 9.8 * factor));
 }
 
-/// Sixty coordinates: not optimised, a step of order nine in eight lanes takes megabytes of stack.
 #[test]
 fn joints_of_every_kind_move_as_if_alone() {
+    roomy(|| check::<systems::Assembly<f64>>(|spin| 0.1 * spin));
+}
+
+/// Not optimised, a step in eight lanes takes megabytes of stack, of sixty coordinates tens of them.
+fn roomy(checked: impl FnOnce() + Send + 'static) {
     let thread = std::thread::Builder::new().stack_size(64 << 20);
-    let checked = thread.spawn(|| check::<systems::Assembly<f64>>(|spin| 0.1 * spin));
-    checked.expect("a thread").join().expect("no other bits");
+    let checked = thread.spawn(checked).expect("a thread");
+    checked.join().expect("no other bits");
 }
 
 #[test]

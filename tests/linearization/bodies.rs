@@ -380,3 +380,57 @@ fn steps_are_those_of_the_exponential() {
         );
     }
 }
+
+rigid_body!(Diver::<T> {
+    motion: spatial,
+    inputs: [thrust[N], turn = body(_, _, _)[N * m]],
+    mass: 2.5[kg],
+    inertia: tensor {
+        xx: 0.3,
+        yy: 0.5,
+        zz: 0.7,
+        xy: 0.02,
+        yz: -0.03,
+        zx: 0.01
+    }[kg * m ^ 2],
+    points: [tail = (-0.7, 0, 0.1)],
+    locals: [a = acceleration.in_body(), v = velocity.in_body()],
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    forces: [
+        propeller = body(thrust, 0, 0),
+        added = -body(
+            0.4[kg] * a.x,
+            2[kg] * a.y + 0.1[kg * s / m] * v.x * a.x,
+            2[kg] * a.z
+        ),
+        towed = (-0.3[kg] * tail.acceleration()).at(tail),
+    ],
+    moments: [
+        steered = turn,
+        turned = -0.2[kg * m ^ 2] * angular_acceleration
+    ],
+    outputs: [linearization],
+});
+
+#[test]
+fn loads_that_follow_the_acceleration() {
+    let state = spatial();
+    let input = |j: usize| DiverInput {
+        thrust: by(3.0, j == 0),
+        turn: Vector3::from_fn(|i, _| by([0.1, -0.2, 0.3][i], 1 + i == j)),
+    };
+    let own = DiverInput {
+        thrust: 3.0,
+        turn: [0.1, -0.2, 0.3].into(),
+    };
+    let found = Diver::<f64>::default().linearize(0.3, &state, &own);
+    let body = Diver::<Derived>::default();
+    let at = unmoved(&state);
+    hold::<_, _, generic::Spatial<Derived>, 12, 4>(
+        &found,
+        &state,
+        1e-13,
+        |state| body.acceleration(derived(0.3), state, &input(9)),
+        |j| body.acceleration(derived(0.3), &at, &input(j)),
+    );
+}

@@ -313,3 +313,70 @@ fn a_loop() {
         |j| body.acceleration(derived(0.0), &at, &input(j)),
     );
 }
+
+rigid_system!(Swimmer::<T> {
+    motion: planar,
+    inputs: [torque[N * m]],
+    bodies: [
+        head {
+            mass: 2[kg],
+            inertia: 0.1[kg * m ^ 2],
+            points: [tail = (-0.3, 0)],
+            forces: [added = -body(
+                0.1[kg] * acceleration.in_body().x,
+                3[kg] * acceleration.in_body().y
+            )],
+        },
+        fin {
+            mass: 0.3[kg],
+            inertia: 0.01[kg * m ^ 2],
+            points: [root = (0.15, 0)],
+            forces: [wake = 0.2[kg] * head.acceleration],
+        },
+    ],
+    joints: [swims = free(head), joint = revolute(head.tail, fin.root)],
+    drives: [motor = torque.on(joint)],
+    outputs: [linearization, taylor],
+});
+
+#[test]
+fn loads_that_follow_accelerations() {
+    let state = SwimmerState {
+        swims: Planar {
+            position: [0.2, 0.1].into(),
+            angle: 0.4,
+            velocity: [1.0, -0.3].into(),
+            angular_velocity: 0.7,
+        },
+        joint: Hinge {
+            angle: 0.5,
+            angular_velocity: -1.1,
+        },
+    };
+    let input = |j: usize| SwimmerInput {
+        torque: by(0.3, j == 0),
+    };
+    let found = Swimmer::<f64>::default().linearize(0.0, &state, &SwimmerInput { torque: 0.3 });
+    let body = Swimmer::<Derived>::default();
+    let at = unmoved(&state);
+    hold::<_, _, SwimmerState<Derived>, 8, 1>(
+        &found,
+        &state,
+        1e-13,
+        |state| body.acceleration(derived(0.0), state, &input(9)),
+        |j| body.acceleration(derived(0.0), &at, &input(j)),
+    );
+    // series and steps of Runge and Kutta go the same way
+    let body = Swimmer::<f64>::default();
+    let held = SwimmerInput { torque: 0.3 };
+    let by_series = body.integrate(&state).input(held).to(0.5).unwrap();
+    let method = newton_euler::integrate::DormandPrince { tolerance: 1e-12 };
+    let by_steps = body
+        .integrate(&state)
+        .input(held)
+        .method(method)
+        .to(0.5)
+        .unwrap();
+    assert!((by_series.joint.angle - by_steps.joint.angle).abs() < 1e-10);
+    assert!((by_series.swims.position - by_steps.swims.position).amax() < 1e-10);
+}

@@ -59,6 +59,7 @@ pub fn lower_description(
         is_differentiated: outline.rank(LINEARIZATION).is_some(),
         has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
         loads: loads?,
+        following: Vec::new(),
         potentials: potentials?,
         reactions: every(reactions)?,
         drives: drives?,

@@ -6,6 +6,7 @@
 mod answers;
 mod balances;
 mod closed_forms;
+mod following;
 mod linearization;
 mod proofs;
 mod report;
@@ -36,6 +37,7 @@ use std::cell::OnceCell;
 
 use answers::{derive_switches, list_partial, parts};
 use balances::{EulerForm, derive_accelerations};
+use following::{REACTION, check_linear, put_settled, settle};
 use report::{classify, list_centers, list_skipped};
 use structure::derive_structure;
 use unknowns::{derive_consistency, derive_constrained, derive_reactions};
@@ -69,25 +71,24 @@ pub struct Report {
     pub skipped: Vec<String>,
 }
 
-/// Derives the equations of motion.
+/// Derives the equations of motion. Loads that follow accelerations become functions of the state.
 pub fn derive_equations(
-    model: &Model,
+    model: &mut Model,
     work: &mut Workspace,
     errors: &mut Errors,
 ) -> Option<Equations> {
+    check_linear(model.loads.iter(), REACTION, work, errors)?;
     let (accelerations, form, reactions, constraints) = if model.constraints.is_empty() {
         let (accelerations, form) = derive_accelerations(model, work, errors)?;
+        let accelerations = settled(model, work, (accelerations, &mut []), errors)?;
         let reactions = derive_reactions(model, work, accelerations, errors)?;
         (accelerations, form, reactions, Vec::new())
     } else {
-        let solved = derive_constrained(model, work, errors)?;
+        let mut solved = derive_constrained(model, work, errors)?;
         let constraints = derive_consistency(model, work, &solved.constraints);
-        (
-            solved.accelerations,
-            solved.form,
-            solved.reactions,
-            constraints,
-        )
+        let found = (solved.accelerations, &mut solved.reactions[..]);
+        let accelerations = settled(model, work, found, errors)?;
+        (accelerations, solved.form, solved.reactions, constraints)
     };
     let mut acting = accelerations.entries();
     acting.extend(constraints.iter().flat_map(Consistency::roots));
@@ -100,6 +101,23 @@ pub fn derive_equations(
         partial: list_partial(model.loads.iter().map(|load| parts(load, work)), work),
         structure: OnceCell::new(),
     })
+}
+
+/// Accelerations with the loads that follow them, which are put into loads and reactions.
+fn settled(
+    model: &mut Model,
+    work: &mut Workspace,
+    (accelerations, reactions): (Pair, &mut [Components]),
+    errors: &mut Errors,
+) -> Option<Pair> {
+    let Some(settled) = settle(model, work, accelerations, errors)? else {
+        return Some(accelerations);
+    };
+    put_settled(model, work, &settled.values);
+    for reaction in reactions {
+        *reaction = work.graph.replaced(*reaction, &settled.values);
+    }
+    Some(settled.accelerations)
 }
 
 impl Equations {

@@ -28,6 +28,7 @@ pub use words::{
 use crate::symbolic::{Components, Graph, Id};
 
 /// A description, understood.
+#[derive(Clone)]
 pub struct Model {
     pub motion: Motion,
     /// How many derivatives of each input are given: the inputs behind it.
@@ -40,6 +41,8 @@ pub struct Model {
     /// An inertia was written for a body that does not turn.
     pub has_idle_inertia: bool,
     pub loads: Vec<Load>,
+    /// The same by the symbols of accelerations, where any of them follow these.
+    pub following: Vec<Load>,
     /// What becomes a load by differentiation.
     pub potentials: Potentials,
     /// Loads with unknown components.

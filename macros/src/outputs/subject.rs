@@ -79,8 +79,8 @@ impl Subject for Model {
     type Equations = Equations;
 
     fn derive(self, work: &mut Workspace, errors: &mut Errors) -> Option<(Self, Equations)> {
-        let model = with_potentials(self, work);
-        let equations = derive_equations(&model, work, errors)?;
+        let mut model = with_potentials(self, work);
+        let equations = derive_equations(&mut model, work, errors)?;
         Some((model, equations))
     }
 
@@ -169,7 +169,7 @@ impl Subject for System {
         check_followers(&self, work, errors)?;
         let system = with_system_potentials(self, work);
         let equations = derive_system(&system, work);
-        equations.check(&system, errors)?;
+        equations.check(&system, work, errors)?;
         Some((system, equations))
     }
 

@@ -2,12 +2,12 @@
 
 use proc_macro2::Ident;
 
-use crate::model::{Attitude, Dimension, Frame};
-use crate::symbolic::Number;
+use crate::model::{Attitude, Dimension, Frame, Meaning, Point, Variable, Vector};
+use crate::symbolic::{Components, Number, Stage};
 
 use super::along_axis::UNTURNED;
 use super::lowering::Lowering;
-use super::scope::BUILT_IN;
+use super::scope::{BUILT_IN, FOLLOWED};
 use super::value::Value;
 
 impl Lowering<'_> {
@@ -26,7 +26,7 @@ impl Lowering<'_> {
                 Dimension::ANY,
             )),
             "G" => Some(Value::Point(self.state.mass_center(self.work))),
-            "position" | "velocity" => self.motion_of_center(name),
+            "position" | "velocity" | "acceleration" => self.motion_of_center(name),
             "axis" | "axis_rate" if self.motion.is_line() => {
                 let axis = self.state.axis?;
                 let (components, dimension) = if word == "axis" {
@@ -46,17 +46,16 @@ impl Lowering<'_> {
                 Attitude::Axis { angle, .. } => Some(Value::Scalar(angle, Dimension::NONE)),
                 _ => Some(Value::Attitude),
             },
-            "angular_velocity" if !self.motion.has_attitude() => {
-                self.absent(name, "angular velocity")
+            "angular_velocity" | "angular_acceleration" if !self.motion.has_attitude() => {
+                self.absent(name, &word.replace('_', " "))
             }
-            "angular_velocity" if self.motion.is_planar => Some(Value::Scalar(
-                self.state.angular_velocity[2],
-                Dimension::FREQUENCY,
-            )),
             "angular_velocity" => {
-                let (axes, w) = (self.state.axes, self.state.angular_velocity);
-                let vector = self.work.vector(axes, w);
-                Some(Value::Vector(vector, Dimension::FREQUENCY))
+                let w = self.state.angular_velocity;
+                Some(self.turning(w, Dimension::FREQUENCY))
+            }
+            "angular_acceleration" => {
+                let rate = self.state.angular_acceleration;
+                Some(self.turning(rate, Dimension::ANGULAR_ACCELERATION))
             }
             _ => self.unknown_name(name),
         }
@@ -65,8 +64,8 @@ impl Lowering<'_> {
     /// Beside the bodies of a system, what belongs to a body is named with it.
     pub fn check_has_body(&mut self, name: &Ident) -> Option<()> {
         let word = name.to_string();
-        let of_body = BUILT_IN.contains(&word.as_str())
-            && !["t", "world", "PI", "TAU"].contains(&word.as_str());
+        let is_built_in = [&BUILT_IN[..], &FOLLOWED].concat().contains(&word.as_str());
+        let of_body = is_built_in && !["t", "world", "PI", "TAU"].contains(&word.as_str());
         if !self.is_whole || !of_body {
             return Some(());
         }
@@ -133,11 +132,62 @@ impl Lowering<'_> {
             );
         }
         self.check_support_is_read(name)?;
-        Some(if name == "position" {
-            Value::Vector(self.state.position, Dimension::LENGTH)
-        } else {
-            Value::Vector(self.state.velocity, Dimension::VELOCITY)
+        Some(match name.to_string().as_str() {
+            "position" => Value::Vector(self.state.position, Dimension::LENGTH),
+            "velocity" => Value::Vector(self.state.velocity, Dimension::VELOCITY),
+            _ => Value::Vector(self.acceleration_of_center(), Dimension::ACCELERATION),
         })
+    }
+
+    /// What turns: a vector, in the plane a scalar.
+    fn turning(&mut self, components: Components, dimension: Dimension) -> Value {
+        if self.motion.is_planar {
+            return Value::Scalar(components[2], dimension);
+        }
+        Value::Vector(self.work.vector(self.state.axes, components), dimension)
+    }
+
+    /// That of G, by symbols. What moves freely and turns is pushed in its own axes: there the loads
+    /// that follow its acceleration are known early.
+    pub fn acceleration_of_center(&mut self) -> Vector {
+        let (motion, body) = (self.motion, self.state.body);
+        let turns = motion.has_attitude() && !motion.is_line();
+        // in systems and under constraints it is solved for with all else, in world axes
+        if !motion.translates() || !turns || self.is_constrained {
+            return self.state.acceleration;
+        }
+        let mut symbols = self.work.graph.zeros();
+        for axis in motion.linear_axes() {
+            let meaning = Meaning::Of(body, Variable::AccelerationInBody, axis);
+            let known = self.work.symbol_of(meaning);
+            symbols[axis] = known.unwrap_or_else(|| self.work.symbol(Stage::State, meaning));
+        }
+        self.work.vector(body, symbols)
+    }
+
+    /// That of the matter of the body at a point.
+    pub fn acceleration_of(&mut self, point: Point) -> Vector {
+        let offset = match point {
+            Point::Fixed(body, offset) => self.work.fixed_in(body, offset),
+            Point::Moving(offset) => offset,
+        };
+        let turning = (self.state.angular_velocity, self.state.angular_acceleration);
+        let thrown = self.thrown(offset, turning, self.state.axes);
+        let of_center = self.acceleration_of_center();
+        self.work.add(of_center, thrown)
+    }
+
+    /// `w' x r + w x (w x r)`, of w and w' in these axes.
+    pub fn thrown(
+        &mut self,
+        offset: Vector,
+        (w, rate): (Components, Components),
+        axes: Frame,
+    ) -> Vector {
+        let driven = self.swept(offset, rate, axes);
+        let swept = self.swept(offset, w, axes);
+        let drawn = self.swept(swept, w, axes);
+        self.work.add(driven, drawn)
     }
 
     /// What a support is made of cannot depend on the motion that it allows.

@@ -19,6 +19,24 @@ pub const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front 
 pub const UNKNOWN: &str = "unknown components (`_`) stand alone in a reaction or a drive, or as `_ * direction`: write a \
      value here";
 
+/// What is asked of the motion of a point.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum OfPoint {
+    Position,
+    Velocity,
+    Acceleration,
+}
+
+impl OfPoint {
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Self::Position => Dimension::LENGTH,
+            Self::Velocity => Dimension::VELOCITY,
+            Self::Acceleration => Dimension::ACCELERATION,
+        }
+    }
+}
+
 /// All that an expression can see.
 pub struct Lowering<'a> {
     pub work: &'a mut Workspace,
@@ -237,16 +255,24 @@ impl Lowering<'_> {
         }
     }
 
-    /// Whether a method of a point is `.position()`; else it is `.velocity()`.
-    pub fn is_position(&mut self, method: &Ident, arguments: &[Expression]) -> Option<bool> {
-        if method != "position" && method != "velocity" {
-            return self.report(
-                method.span(),
-                format!("a point has `.position()` and `.velocity()`, and no `{method}`"),
-            );
-        }
+    /// What a method of a point asks of its motion.
+    pub fn of_point(&mut self, method: &Ident, arguments: &[Expression]) -> Option<OfPoint> {
+        let asked = match method.to_string().as_str() {
+            "position" => OfPoint::Position,
+            "velocity" => OfPoint::Velocity,
+            "acceleration" => OfPoint::Acceleration,
+            _ => {
+                return self.report(
+                    method.span(),
+                    format!(
+                        "a point has `.position()`, `.velocity()` and `.acceleration()`, and no \
+                         `{method}`"
+                    ),
+                );
+            }
+        };
         self.expect_arguments(method, arguments, 0)?;
-        Some(method == "position")
+        Some(asked)
     }
 
     pub fn expect_arguments(

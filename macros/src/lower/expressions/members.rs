@@ -3,10 +3,10 @@
 use proc_macro2::Ident;
 
 use crate::errors::hint;
-use crate::model::{Dimension, Frame, Vector};
+use crate::model::{Frame, Vector};
 use crate::syntax::{Expression, Kind};
 
-use super::lowering::Lowering;
+use super::lowering::{Lowering, OfPoint};
 use super::scope::{JointNames, Offset};
 use super::value::Value;
 
@@ -138,8 +138,10 @@ impl Lowering<'_> {
         let of_state = [
             "position",
             "velocity",
+            "acceleration",
             "attitude",
             "angular_velocity",
+            "angular_acceleration",
             "mass",
         ];
         let name = &known.name;
@@ -158,7 +160,7 @@ impl Lowering<'_> {
         self.report(word.span(), message)
     }
 
-    /// `.position()` and `.velocity()` of a point of a body of the system.
+    /// `.position()`, `.velocity()` and `.acceleration()` of a point of a body of the system.
     pub fn carried_point(
         &mut self,
         body: usize,
@@ -166,7 +168,7 @@ impl Lowering<'_> {
         method: &Ident,
         arguments: &[Expression],
     ) -> Option<Value> {
-        let is_position = self.is_position(method, arguments)?;
+        let asked = self.of_point(method, arguments)?;
         let known = &self.members.bodies[body];
         let Some(motion) = known.motion else {
             return self.report(
@@ -175,13 +177,18 @@ impl Lowering<'_> {
             );
         };
         let frame = known.frame;
-        let (whole, part, dimension) = if is_position {
-            (motion.position, offset, Dimension::LENGTH)
-        } else {
-            let swept = self.swept(offset, motion.angular_velocity, frame);
-            (motion.velocity, swept, Dimension::VELOCITY)
+        let (whole, part) = match asked {
+            OfPoint::Position => (motion.position, offset),
+            OfPoint::Velocity => {
+                let swept = self.swept(offset, motion.angular_velocity, frame);
+                (motion.velocity, swept)
+            }
+            OfPoint::Acceleration => {
+                let turning = (motion.angular_velocity, motion.angular_acceleration);
+                (motion.acceleration, self.thrown(offset, turning, frame))
+            }
         };
-        Some(Value::Vector(self.work.add(whole, part), dimension))
+        Some(Value::Vector(self.work.add(whole, part), asked.dimension()))
     }
 
     /// The body that `.in_body(upper)` names.

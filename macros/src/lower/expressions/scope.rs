@@ -18,13 +18,18 @@ use super::value::Value;
 /// Names that mean something under `motion: rod(..)` alone.
 pub const OF_ROD: [&str; 2] = ["axis", "axis_rate"];
 
+/// Names of what loads may follow, where nothing else has them.
+pub const FOLLOWED: [&str; 2] = ["acceleration", "angular_acceleration"];
+
 /// Built-in names of what changes while the body moves.
-const CHANGING: [&str; 7] = [
+const CHANGING: [&str; 9] = [
     "t",
     "position",
     "velocity",
     "attitude",
     "angular_velocity",
+    "acceleration",
+    "angular_acceleration",
     "axis",
     "axis_rate",
 ];
@@ -117,7 +122,8 @@ impl Scope {
 
     /// The names that mean something.
     pub fn known(&self) -> impl Iterator<Item = &str> {
-        self.values.keys().map(String::as_str).chain(BUILT_IN)
+        let own = self.values.keys().map(String::as_str);
+        own.chain(BUILT_IN).chain(FOLLOWED)
     }
 
     /// Whether anybody looked it up.
@@ -174,8 +180,10 @@ pub enum Offset {
 pub struct BodyMotion {
     pub position: Vector,
     pub velocity: Vector,
+    pub acceleration: Vector,
     /// In its axes.
     pub angular_velocity: Components,
+    pub angular_acceleration: Components,
 }
 
 /// Words, and what they stand for.

@@ -9,7 +9,7 @@ use crate::syntax::Expression;
 
 use super::along_axis::UNTURNED;
 use super::functions::VECTOR_METHODS;
-use super::lowering::{Lowering, dimension};
+use super::lowering::{Lowering, OfPoint, dimension};
 use super::unit::TOO_LARGE;
 use super::value::Value;
 
@@ -144,12 +144,7 @@ impl Lowering<'_> {
         method: &Ident,
         arguments: &[Expression],
     ) -> Option<Value> {
-        let is_position = self.is_position(method, arguments)?;
-        let dimension = if is_position {
-            Dimension::LENGTH
-        } else {
-            Dimension::VELOCITY
-        };
+        let asked = self.of_point(method, arguments)?;
         if !self.motion.knows_position() && !matches!(point, Point::Fixed(Frame::WORLD, _)) {
             return self.report(
                 method.span(),
@@ -161,8 +156,9 @@ impl Lowering<'_> {
         }
         self.check_support_is_read(method)?;
         let vector = match point {
-            _ if is_position => self.state.place(self.work, point),
+            _ if asked == OfPoint::Position => self.state.place(self.work, point),
             Point::Fixed(Frame::WORLD, _) => Vector::ZERO,
+            _ if asked == OfPoint::Acceleration => self.acceleration_of(point),
             Point::Fixed(_, offset) => {
                 let swept = self.state.swept(self.work, offset);
                 self.work.add(self.state.velocity, swept)
@@ -172,7 +168,7 @@ impl Lowering<'_> {
                 self.work.add(self.state.velocity, swept)
             }
         };
-        Some(Value::Vector(vector, dimension))
+        Some(Value::Vector(vector, asked.dimension()))
     }
 
     /// `w x r`, of w in these axes, each part of r in its own: those of w change together, and `w x w`
@@ -235,11 +231,12 @@ impl Lowering<'_> {
                 let word = word.trim_start_matches("r#");
                 let is_method = Function::from_name(word).is_some()
                     || VECTOR_METHODS.contains(&word)
-                    || ["position", "velocity"].contains(&word);
+                    || ["position", "velocity", "acceleration"].contains(&word);
                 self.report(
                     field.span(),
                     if matches!(other, Value::Carried(..)) {
-                        "a point has `.position()` and `.velocity()`, which are vectors".to_owned()
+                        "a point has `.position()`, `.velocity()` and `.acceleration()`, which are vectors"
+                            .to_owned()
                     } else if is_method {
                         format!("parentheses are missing: write `.{word}()`")
                     } else {

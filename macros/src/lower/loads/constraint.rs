@@ -93,7 +93,7 @@ impl Lowering<'_> {
     pub fn kept_at_zero(&mut self, written: &Definition) -> Option<Vec<(String, Id)>> {
         let expression = written.value.as_ref()?;
         let name = &written.name;
-        match self.constrained(expression)? {
+        let scalars = match self.constrained(expression)? {
             Value::Scalar(id, _) => Some(vec![(name.to_string(), id)]),
             Value::Components(_, components, _) => Some(self.named_components(name, components)),
             Value::Vector(vector, _) => {
@@ -107,7 +107,10 @@ impl Lowering<'_> {
                     other.kind()
                 ),
             ),
-        }
+        }?;
+        let values: Vec<Id> = scalars.iter().map(|(_, value)| *value).collect();
+        self.check_no_acceleration(expression, &values, "a constraint")?;
+        Some(scalars)
     }
 
     /// A constraint is differentiated, and so are the inputs in it.

@@ -7,6 +7,14 @@ use crate::lower::expressions::{Lowering, Value};
 use crate::symbolic::{Id, Node};
 use crate::syntax::{Expression, Kind};
 
+/// Words for accelerations, of bodies, points and joints.
+const ACCELERATIONS: [&str; 4] = [
+    "acceleration",
+    "angular_acceleration",
+    "angular_acceleration_1",
+    "angular_acceleration_2",
+];
+
 impl Lowering<'_> {
     /// The symbols in `roots` that are not known early.
     pub fn late_symbols(&self, roots: &[Id]) -> Vec<Id> {
@@ -72,6 +80,32 @@ impl Lowering<'_> {
             }
         });
         found.unwrap_or(expression.extent)
+    }
+
+    /// Nothing but given loads follows an acceleration.
+    pub fn check_no_acceleration(
+        &mut self,
+        written: &Expression,
+        roots: &[Id],
+        what: &str,
+    ) -> Option<()> {
+        let Some(place) = self.mentioned_acceleration(written, roots) else {
+            return Some(());
+        };
+        self.report(
+            place,
+            format!("{what} cannot depend on an acceleration: forces, moments and drives can"),
+        )
+    }
+
+    /// Where an expression with these parts names an acceleration.
+    pub fn mentioned_acceleration(&self, written: &Expression, roots: &[Id]) -> Option<Extent> {
+        let all = self.work.meanings.accelerations();
+        let all: Vec<Id> = all
+            .map(|symbol| self.work.graph.symbol_id(symbol))
+            .collect();
+        let depends = self.depends(roots, &all);
+        depends.then(|| self.dependent_name(written, &all, &ACCELERATIONS))
     }
 
     /// Where an expression names an unknown reaction.

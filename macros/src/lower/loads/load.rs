@@ -18,10 +18,15 @@ impl Lowering<'_> {
             LoadKind::Moment => self.vector(value, Dimension::MOMENT, "a moment"),
         });
         let point = self.point_of_load(written);
-        let name = written.name.clone();
+        let (name, vector) = (written.name.clone(), vector?);
+        let mention = value.and_then(|value| {
+            let parts = self.work.entries(&[vector]);
+            let reaction = self.mentioned_reaction(value);
+            reaction.or_else(|| self.mentioned_acceleration(value, &parts))
+        });
         Some(Load {
-            mention: value.and_then(|value| self.mentioned_reaction(value)),
-            ..Load::new(name, written.family, written.kind, vector?, point?)
+            mention,
+            ..Load::new(name, written.family, written.kind, vector, point?)
         })
     }
 

@@ -139,6 +139,7 @@ impl Lowering<'_> {
     fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
         let written = written?;
         let energy = self.scalar(written, Dimension::MOMENT, "a potential")?;
+        self.check_no_acceleration(written, &[energy], "a potential")?;
         if !self.depends(&[energy], rates) {
             return Some(energy);
         }

@@ -66,6 +66,9 @@ impl Lowering<'_> {
             None => self.known_part(value, written.kind)?,
         };
         check(self, known)?;
+        let direction = self.work.entries(&[along.unwrap_or(Vector::ZERO)]);
+        let parts = [&known[..], &direction].concat();
+        self.check_no_acceleration(value, &parts, "a load with unknown components")?;
         // in the plane the one component of a moment is about the normal
         let first = self.motion.axes_of(written.kind).start;
         let unknown = placeholders(value);

@@ -10,11 +10,13 @@ use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Charge, Expression, Load};
 
 /// Names of what changes with the state.
-const STATE: [&str; 6] = [
+const STATE: [&str; 8] = [
     "position",
     "velocity",
+    "acceleration",
     "attitude",
     "angular_velocity",
+    "angular_acceleration",
     "axis",
     "axis_rate",
 ];
@@ -141,6 +143,9 @@ impl Lowering<'_> {
         let mut roots = self.work.entries(&[state.position, state.velocity]);
         roots.extend(state.angular_velocity);
         roots.extend(self.work.attitude(self.state.body).coordinates());
+        let graph = &self.work.graph;
+        let accelerations = self.work.meanings.accelerations();
+        roots.extend(accelerations.map(|symbol| graph.symbol_id(symbol)));
         let turns = self.work.turns.iter().flat_map(|turns| &turns.list);
         roots.extend(turns.flat_map(|turn| turn.turned));
         self.late_symbols(&roots)

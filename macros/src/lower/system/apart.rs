@@ -218,7 +218,9 @@ impl Reader<'_> {
         body.motion = Some(BodyMotion {
             position: state.position,
             velocity: state.velocity,
+            acceleration: state.acceleration,
             angular_velocity: state.angular_velocity,
+            angular_acceleration: state.angular_acceleration,
         });
         let mut told = self.values_of_motion(state);
         let angle = match draft.scope.peek("attitude") {

@@ -2,6 +2,7 @@
 
 use crate::families::Family;
 use crate::mechanics::balances::{about_pole, arm, moments_about, resultant};
+use crate::mechanics::following::as_given;
 use crate::model::{Frame, Inertia, Load, Model, Point, State, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
@@ -78,6 +79,15 @@ pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]
     let moment = work.sum(moments);
     let applied = in_world(work, force, moment);
 
+    // what follows an acceleration does so as it is given
+    let given = as_given(model, work);
+    let (force, moment) = match &given {
+        Some(given) => {
+            let moments = moments_about(&given.state, work, &given.loads, center);
+            (resultant(work, &given.loads), work.sum(moments))
+        }
+        None => (force, moment),
+    };
     let (force, moment) = with_reactions(model, work, force, moment);
     // (1.3): sum of F - m a = 0
     let inertial_force = inertial_force(model, work);

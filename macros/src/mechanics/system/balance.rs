@@ -6,11 +6,11 @@ use proc_macro2::Ident;
 use crate::mechanics::answers::{Balance, LoadExpressions, Resultant};
 use crate::mechanics::tree::{self, Moving};
 use crate::mechanics::variation::derive_unit_loads;
-use crate::model::{Frame, Load, Meaning, Member, System, Vector, Workspace};
+use crate::model::{Frame, Load, Meaning, Member, System, TreeJoint, Vector, Workspace};
 use crate::symbolic::{Components, Id, Stage};
 
 use super::equations::SystemEquations;
-use super::loads::{by_link, given_accelerations};
+use super::loads::by_link;
 
 /// The balances of all bodies, each after its carrier; `holding` are the joints whose loads are given.
 pub fn derive_system_balances(
@@ -19,12 +19,13 @@ pub fn derive_system_balances(
     equations: &SystemEquations,
     holding: &[Ident],
 ) -> Vec<Balance> {
-    let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
+    let given: Vec<Vec<Id>> = system.joints.iter().map(TreeJoint::accelerations).collect();
     let built = &equations.built;
     let by_link = by_link(equations, &built.tree, &given);
     let motions = tree::motions(&mut work.graph, &built.tree, &by_link);
     let carried = joint_loads(system, work, holding);
     let kept = loads_of_constraints(system, work, 2 * holding.len());
+    let values = equations.values();
     let bodies = system.bodies.iter().enumerate();
     let balances = bodies.map(|(number, body)| {
         let loads = || body.weights.iter().chain(&body.loads);
@@ -51,7 +52,7 @@ pub fn derive_system_balances(
             residual: in_world(work, residual, &body.name),
             loads,
         };
-        balance.put_solved(work, equations.values());
+        balance.put_solved(work, &values);
         balance
     });
     balances.collect()

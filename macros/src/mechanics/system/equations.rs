@@ -5,6 +5,7 @@ use std::mem::take;
 use crate::errors::Errors;
 use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
+use crate::mechanics::following::takes_inertia;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Built, Solved};
 use crate::model::{System, Tie, Workspace};
@@ -31,7 +32,7 @@ pub struct SystemEquations {
 /// Derives the equations of motion of a system.
 pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let built = tree::build(system, work);
-    let (found, closed) = if system.is_tree() {
+    let (found, closed) = if system.is_tree() && !follows(system, work) {
         let found = tree::derive_tree(&mut work.graph, &mut work.labels, &built.tree);
         (found, None)
     } else {
@@ -67,8 +68,9 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let switches = time.map(|time| derive_switches(time, &system.derivatives, work, &roots));
     let mut loads = loads(system, work);
     if let Some(closed) = &closed {
+        let values = closed.settled();
         for (_, parts) in &mut loads {
-            *parts = replace(&mut work.graph, parts, &closed.values);
+            *parts = replace(&mut work.graph, parts, &values);
         }
     }
     SystemEquations {
@@ -89,10 +91,10 @@ impl SystemEquations {
         closed.map_or(&self.built.tree, |closed| &closed.loaded)
     }
 
-    /// What is found for the symbols of the loads of constraints.
-    pub fn values(&self) -> &[(Id, Id)] {
+    /// What is found for the symbols that loads follow.
+    pub fn values(&self) -> Vec<(Id, Id)> {
         let closed = self.closed.as_ref();
-        closed.map_or(&[], |closed| &closed.values)
+        closed.map_or(Vec::new(), Closed::settled)
     }
 
     /// The load of each written constraint.
@@ -101,13 +103,30 @@ impl SystemEquations {
         closed.map_or(&[], |closed| &closed.loads)
     }
 
-    /// Reports written constraints that say nothing, or nothing new.
-    pub fn check(&self, system: &System, errors: &mut Errors) -> Option<()> {
-        let closed = self.closed.as_ref();
-        closed.map_or(Some(()), |closed| {
-            check_kept(system, &closed.unsettled, errors)
-        })
+    /// Reports written constraints that say nothing, or nothing new, and loads that leave no inertia.
+    pub fn check(&self, system: &System, work: &Workspace, errors: &mut Errors) -> Option<()> {
+        let Some(closed) = &self.closed else {
+            return Some(());
+        };
+        check_kept(system, &closed.unsettled, errors)?;
+        if closed.unsettled.light.is_empty() {
+            return Some(());
+        }
+        let loads = system.bodies.iter().flat_map(|body| &body.loads);
+        let loads = loads.map(|load| (&load.name, parts(load, work).1));
+        let drives = system.joints.iter().flat_map(|joint| &joint.driven_by);
+        let drives = drives.map(|(name, parts)| (name, parts.clone()));
+        let mut all = loads.chain(drives);
+        let (name, _) = all.find(|(_, parts)| !work.accelerations_in(parts).is_empty())?;
+        errors.report(name.span(), takes_inertia(&name.to_string()))
     }
+}
+
+/// Whether any load or drive follows an acceleration.
+fn follows(system: &System, work: &Workspace) -> bool {
+    let loads = loads(system, work).into_iter();
+    let parts: Vec<Id> = loads.flat_map(|(_, parts)| parts).collect();
+    !work.accelerations_in(&parts).is_empty()
 }
 
 /// All loads and drives by name, with their components.

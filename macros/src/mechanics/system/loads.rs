@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::errors::Errors;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Pair};
-use crate::model::{Rates, System, TreeJoint, Variable, Workspace};
+use crate::model::{System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::closed::{moved_in_world, solve_drives};
@@ -61,7 +61,7 @@ pub fn derive_system_inverse(
 /// given, less what is known to act there.
 fn needed(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Vec<Id> {
     let tree = moved_in_world(work, &equations.reduced);
-    let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
+    let given: Vec<Vec<Id>> = system.joints.iter().map(TreeJoint::accelerations).collect();
     lacking_with(work, equations, &tree, &given)
 }
 
@@ -74,17 +74,6 @@ pub fn lacking_with(
 ) -> Vec<Id> {
     let by_link = by_link(equations, tree, given);
     tree::lacking(&mut work.graph, tree, &by_link)
-}
-
-/// The symbols of the accelerations of a joint, by its freedoms.
-pub fn given_accelerations(joint: &TreeJoint) -> Vec<Id> {
-    let second = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
-    let parts = second
-        .flat_map(|field| (0..field.names.len()).map(|part| (field.variable, field.first + part)));
-    let rates: &Rates = &joint.coordinates;
-    parts
-        .filter_map(|(variable, part): (Variable, usize)| rates.get(variable, part))
-        .collect()
 }
 
 /// The load of every link, with these accelerations joint by joint.

@@ -10,12 +10,12 @@
 use std::collections::HashMap;
 
 use crate::mechanics::tree::MassMatrix;
-use crate::model::{System, Workspace};
+use crate::model::{System, TreeJoint, Workspace};
 use crate::symbolic::Id;
 
 use super::closed::moved_in_world;
 use super::equations::SystemEquations;
-use super::loads::{given_accelerations, lacking_with};
+use super::loads::lacking_with;
 use super::rates::order;
 
 /// The balances along the freedoms of a tree, with accelerations that are given.
@@ -32,11 +32,11 @@ pub struct Response {
 }
 
 impl Response {
-    /// Of a tree that moves freely.
+    /// Of a tree that moves freely, whose loads follow no accelerations.
     pub fn of(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Option<Self> {
-        system.is_tree().then_some(())?;
+        equations.closed.is_none().then_some(())?;
         let tree = moved_in_world(work, &equations.reduced);
-        let given: Vec<Vec<Id>> = system.joints.iter().map(given_accelerations).collect();
+        let given: Vec<Vec<Id>> = system.joints.iter().map(TreeJoint::accelerations).collect();
         let lacking = lacking_with(work, equations, &tree, &given);
         let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
         let found = matrix.solve(&mut work.graph, &mut work.labels);

@@ -41,7 +41,7 @@ pub fn derive_constrained(
 ) -> Option<Solved> {
     let constraints = differentiate(model, work);
     check_independent(work, &constraints, errors)?;
-    let pushes = pushes(model, work, errors)?;
+    let pushes = pushes(model, work);
     if let Some(axis) = model.state.axis {
         let units = pushes.iter().map(|push| &push.unit);
         check_across(model, work, axis, units, errors)?;

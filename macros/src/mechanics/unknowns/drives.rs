@@ -39,7 +39,7 @@ pub fn solve_drives(
     let pushes = if model.constraints.is_empty() {
         Vec::new()
     } else {
-        pushes(model, work, errors)?
+        pushes(model, work)
     };
     // else what a support carries follows from the motion, and drives nothing
     let meets_supports = pushes.iter().any(|push| push.supports && push.is_followed);

@@ -7,6 +7,7 @@
 
 use crate::errors::Errors;
 use crate::families::LoadKind;
+use crate::mechanics::following::as_given;
 use crate::model::{Model, Pair, Reaction, Variable, Vector, Workspace};
 use crate::symbolic::Components;
 
@@ -24,6 +25,8 @@ pub fn derive_inverse(
     work: &mut Workspace,
     errors: &mut Errors,
 ) -> Option<Vec<Components>> {
+    let given = as_given(model, work);
+    let model = given.as_ref().unwrap_or(model);
     let free = free_balances(model, work);
     let motion = accelerations(model, work);
     let solved = if model.constraints.is_empty() && model.state.axis.is_none() {

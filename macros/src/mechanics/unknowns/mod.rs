@@ -18,5 +18,4 @@ pub use consistency::{Consistency, Reach, derive_consistency, derive_reach, summ
 pub use constrained::active;
 pub use constraints::derive_constrained;
 pub use inverse::derive_inverse;
-pub use pushes::{is_linear, reactions_in};
 pub use reactions::derive_reactions;

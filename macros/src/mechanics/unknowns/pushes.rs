@@ -1,13 +1,13 @@
 //! What one unit of each unknown does: its load, the loads that follow it, and the acceleration.
 //!
-//! A load may name an unknown reaction R, as friction does with `-mu R`. It is linear in R, or an
-//! error: `F(R) = F(known) + sum of u_j dF/dR . e_j`.
+//! A load may name an unknown reaction R, as friction does with `-mu R`. It is linear in R:
+//! `F(R) = F(known) + sum of u_j dF/dR . e_j`.
 
-use crate::errors::{Errors, Extent};
+use crate::errors::Extent;
 use crate::families::Family;
 use crate::mechanics::balances::{free_moment, response};
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Frame, Load, Meaning, Model, Pair, Point, Reaction, Workspace};
+use crate::model::{Frame, Load, Model, Pair, Reaction, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
 use super::unit::Unit;
@@ -54,20 +54,15 @@ fn symbols(work: &Workspace, reaction: &Reaction) -> Components {
     work.part(reaction.symbols, Frame::WORLD)
 }
 
-/// What each unknown does; a load that depends on one in another way than linearly is an error.
-pub fn pushes<'m>(
-    model: &'m Model,
-    work: &mut Workspace,
-    errors: &mut Errors,
-) -> Option<Vec<Push<'m>>> {
-    check_linear(model, work, errors)?;
+/// What each unknown does.
+pub fn pushes<'m>(model: &'m Model, work: &mut Workspace) -> Vec<Push<'m>> {
     let mut pushes = Vec::new();
     for reaction in &model.reactions {
         for unknown in &reaction.unknown {
             pushes.push(push(model, work, reaction, *unknown));
         }
     }
-    Some(pushes)
+    pushes
 }
 
 fn push<'m>(
@@ -141,70 +136,4 @@ fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
         }
     }
     followers
-}
-
-/// Loads are linear in the reactions they name: each is what it is without them and what its slopes
-/// make of them, proved in all states.
-fn check_linear(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
-    let mut linear = true;
-    for load in &model.loads {
-        let place = load.mention.unwrap_or(load.extent);
-        let name = load.name.to_string();
-        let roots = work.entries(&[load.force, load.moment]);
-        let place_of_load = match load.point {
-            Point::Fixed(_, offset) => offset.to_vec(),
-            Point::Moving(offset) => work.entries(&[offset]),
-        };
-        if !reactions_in(work, &place_of_load).is_empty() {
-            errors.push(
-                place,
-                format!("where `{name}` acts cannot depend on an unknown reaction"),
-            );
-            linear = false;
-        } else if load.mention.is_some() && !is_linear(work, &roots) {
-            errors.push(
-                place,
-                format!(
-                    "`{name}` is not linear in this unknown reaction: write a multiple of its \
-                     components, such as `-mu * N.in_world().y`"
-                ),
-            );
-            linear = false;
-        }
-    }
-    linear.then_some(())
-}
-
-/// The symbols of unknown reactions that expressions contain.
-pub fn reactions_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
-    let is_reaction = |id: &Id| matches!(work.meaning(*id), Some(Meaning::Reaction(..)));
-    let mut symbols = work.graph.reachable(roots, |_| true);
-    symbols.retain(is_reaction);
-    symbols
-}
-
-/// Whether they are linear in the unknown reactions that they contain.
-pub fn is_linear(work: &mut Workspace, roots: &[Id]) -> bool {
-    let symbols = reactions_in(work, roots);
-    let zero = work.graph.zero();
-    let graph = &mut work.graph;
-    let is_known = |id: Id| symbols.contains(&id).then_some(zero);
-    let without = graph.substitute(roots, is_known);
-    let mut rest: Vec<Id> = roots
-        .iter()
-        .zip(without)
-        .map(|(root, without)| graph.subtract(*root, without))
-        .collect();
-    for symbol in &symbols {
-        let slopes = work.graph.derivative(roots, *symbol);
-        if !reactions_in(work, &slopes).is_empty() {
-            return false;
-        }
-        let graph = &mut work.graph;
-        for (rest, slope) in rest.iter_mut().zip(slopes) {
-            let part = graph.multiply(slope, *symbol);
-            *rest = graph.subtract(*rest, part);
-        }
-    }
-    all_vanish(work, &rest)
 }

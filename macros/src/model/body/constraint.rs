@@ -5,6 +5,7 @@ use proc_macro2::Ident;
 use crate::symbolic::Id;
 
 /// A scalar that the motion keeps at zero.
+#[derive(Clone)]
 pub struct Constraint {
     /// Its name; of a component of a vector, `pin.x`.
     pub name: String,

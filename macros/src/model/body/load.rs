@@ -8,6 +8,7 @@ use crate::model::kinematics::{Point, Vector};
 use crate::symbolic::{Components, Id};
 
 /// A given load: a force at a point, a moment, or both.
+#[derive(Clone)]
 pub struct Load {
     pub name: Ident,
     pub family: Family,

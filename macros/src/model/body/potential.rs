@@ -7,6 +7,7 @@ use crate::model::words::Frame;
 use crate::symbolic::{Components, Id};
 
 /// What becomes a load by differentiation.
+#[derive(Clone)]
 pub struct Potentials {
     pub list: Vec<Potential>,
     /// The same energies, in one form or more.
@@ -14,6 +15,7 @@ pub struct Potentials {
 }
 
 /// A scalar potential, or a uniform field on charges.
+#[derive(Clone)]
 pub struct Potential {
     pub name: Ident,
     /// Its place among the given loads.
@@ -24,6 +26,7 @@ pub struct Potential {
 
 /// Scalars as functions of where bodies are and how they move, of turned vectors, and of coordinates
 /// of joints.
+#[derive(Clone)]
 pub struct Form {
     /// The energies of potentials, or what constraints keep at zero.
     pub values: Vec<Id>,
@@ -38,6 +41,7 @@ pub struct Form {
 }
 
 /// A body, moved by itself.
+#[derive(Clone)]
 pub struct Displaced {
     pub body: Frame,
     /// The symbols of a displacement: the position of G, or what is added to it where it is no
@@ -61,6 +65,7 @@ impl Displaced {
 }
 
 /// A freedom of a joint, by the symbols of its coordinate and of its rate.
+#[derive(Clone)]
 pub struct Along {
     /// The number of the joint, and of the freedom in it.
     pub joint: usize,

@@ -10,6 +10,7 @@ use crate::model::words::{AXES, Frame};
 use crate::symbolic::Components;
 
 /// A load of which some components are not known.
+#[derive(Clone)]
 pub struct Reaction {
     pub name: Ident,
     pub kind: LoadKind,

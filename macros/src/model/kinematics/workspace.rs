@@ -149,6 +149,17 @@ impl Workspace {
         })
     }
 
+    /// The symbols of accelerations that expressions contain.
+    pub fn accelerations_in(&self, roots: &[Id]) -> Vec<Id> {
+        let is_one = |id: &Id| {
+            let meaning = self.meaning(*id);
+            matches!(meaning, Some(Meaning::Of(_, variable, _)) if variable.is_acceleration())
+        };
+        let mut symbols = self.graph.reachable(roots, |_| true);
+        symbols.retain(is_one);
+        symbols
+    }
+
     /// The rotation of a frame against the world.
     pub fn attitude(&self, frame: Frame) -> Attitude {
         self.attitudes[frame.index()]

@@ -141,6 +141,17 @@ impl TreeJoint {
         self.carrier.is_none() && (is_alone || is_ball)
     }
 
+    /// Its accelerations, by its freedoms.
+    pub fn accelerations(&self) -> Vec<Id> {
+        let second = self.kind.shape.into_iter().flat_map(|shape| shape.second);
+        let parts = second.flat_map(|field| {
+            (0..field.names.len()).map(|part| (field.variable, field.first + part))
+        });
+        parts
+            .filter_map(|(variable, part)| self.coordinates.get(variable, part))
+            .collect()
+    }
+
     /// Its motion is prescribed.
     pub fn is_driven(&self) -> bool {
         self.given.iter().any(Option::is_some)

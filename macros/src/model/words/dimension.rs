@@ -35,6 +35,8 @@ impl Dimension {
     pub const LENGTH: Self = Self::base([0, 1, 0, 0, 0, 0, 0]);
     pub const TIME: Self = Self::base([0, 0, 1, 0, 0, 0, 0]);
     pub const VELOCITY: Self = Self::base([0, 1, -1, 0, 0, 0, 0]);
+    pub const ACCELERATION: Self = Self::base([0, 1, -2, 0, 0, 0, 0]);
+    pub const ANGULAR_ACCELERATION: Self = Self::base([0, 0, -2, 0, 0, 0, 0]);
     pub const FREQUENCY: Self = Self::base([0, 0, -1, 0, 0, 0, 0]);
     pub const FORCE: Self = Self::base([1, 1, -2, 0, 0, 0, 0]);
     /// Of a spring, N/m.

@@ -13,6 +13,8 @@ pub enum Variable {
     Position,
     Velocity,
     LinearAcceleration,
+    /// The same in body axes, of what loads follow it.
+    AccelerationInBody,
     /// By which the body is turned in the plane, or about the axis of a hinge.
     Angle,
     /// The attitude quaternion: its component 0 is the scalar.
@@ -32,6 +34,17 @@ impl Variable {
         matches!(
             self,
             Self::Velocity | Self::AngularVelocity | Self::AxisRate
+        )
+    }
+
+    /// Whether it is an acceleration of any kind.
+    pub fn is_acceleration(self) -> bool {
+        matches!(
+            self,
+            Self::LinearAcceleration
+                | Self::AccelerationInBody
+                | Self::AngularAcceleration
+                | Self::AxisAcceleration
         )
     }
 
@@ -77,6 +90,15 @@ impl Meanings {
 
     pub fn of(&self, symbol: Symbol) -> Meaning {
         self.0.get(&symbol).copied().unwrap_or(Meaning::Virtual)
+    }
+
+    /// The symbols of all accelerations.
+    pub fn accelerations(&self) -> impl Iterator<Item = Symbol> {
+        let all = self.0.iter();
+        all.filter_map(|(symbol, meaning)| match meaning {
+            Meaning::Of(_, variable, _) if variable.is_acceleration() => Some(*symbol),
+            _ => None,
+        })
     }
 
     /// The symbol that stands for a part of the state, if the motion has it.

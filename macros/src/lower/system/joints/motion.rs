@@ -17,7 +17,17 @@ struct Moving {
     velocity: Vector,
     /// In the axes of the frame.
     angular_velocity: Components,
+    /// Where loads follow accelerations: that of the position, and in the axes of the frame.
+    accelerations: Option<(Vector, Components)>,
 }
+
+/// The rate of what turns and its derivative; what slides, with both of its derivatives.
+const TURNING: [Variable; 2] = [Variable::AngularVelocity, Variable::AngularAcceleration];
+const SLIDING: [Variable; 3] = [
+    Variable::Position,
+    Variable::Velocity,
+    Variable::LinearAcceleration,
+];
 
 impl Reader<'_> {
     /// Gives each body of the tree its state, by its joint.
@@ -54,13 +64,21 @@ impl Reader<'_> {
             .carrier
             .and_then(|carrier| drafts[carrier].state.as_ref());
         let mut moving = Moving::at_joint(work, carrier, written.place);
+        if self.follows_accelerations {
+            moving.accelerations = Some(accelerations_at(work, carrier, written.place));
+        }
         let frames = moving.through(work, body, &written, &coordinates);
-        let [position, velocity] = moving.center(work, body, written.pin);
+        let [position, velocity, acceleration] = moving.center(work, body, written.pin);
+        let still = still(body, self.time);
         let state = State {
             position,
             velocity,
+            acceleration,
             angular_velocity: moving.angular_velocity,
-            ..still(body, self.time)
+            angular_acceleration: moving
+                .accelerations
+                .map_or(still.angular_acceleration, |(_, angular)| angular),
+            ..still
         };
         self.tell_of(written.carried, &state);
         drafts[written.carried].state = Some(state);
@@ -115,6 +133,32 @@ fn symbols(
     Rates(all.collect())
 }
 
+/// How a point of a body at this offset accelerates, and the body.
+fn accelerations_at(
+    work: &mut Workspace,
+    carrier: Option<&State>,
+    place: Components,
+) -> (Vector, Components) {
+    let Some(state) = carrier else {
+        return (Vector::ZERO, work.graph.zeros());
+    };
+    let (w, rate) = (state.angular_velocity, state.angular_acceleration);
+    let thrown = thrown(&mut work.graph, (w, rate), place);
+    let thrown = work.vector(state.body, thrown);
+    (work.add(state.acceleration, thrown), rate)
+}
+
+/// `w' x r + w x (w x r)`
+fn thrown(
+    graph: &mut Graph,
+    (w, rate): (Components, Components),
+    offset: Components,
+) -> Components {
+    let (driven, swept) = (graph.cross(rate, offset), graph.cross(w, offset));
+    let drawn = graph.cross(w, swept);
+    graph.add_vectors(driven, drawn)
+}
+
 impl Moving {
     /// Where a joint is on the ground, or on a body that moves so.
     fn at_joint(work: &mut Workspace, carrier: Option<&State>, place: Components) -> Self {
@@ -124,6 +168,7 @@ impl Moving {
                 position: work.vector(Frame::WORLD, place),
                 velocity: Vector::ZERO,
                 angular_velocity: work.graph.zeros(),
+                accelerations: None,
             };
         };
         let offset = work.vector(state.body, place);
@@ -134,6 +179,7 @@ impl Moving {
             position: work.add(state.position, offset),
             velocity: work.add(state.velocity, swept),
             angular_velocity: state.angular_velocity,
+            accelerations: None,
         }
     }
 
@@ -150,7 +196,7 @@ impl Moving {
         for &(direction, angle) in &joint.turned {
             let frame = work.new_frame(self.frame);
             work.set_attitude(frame, Attitude::Axis { angle, direction });
-            self.enter(work, frame, zeros);
+            self.enter(work, frame, [zeros; 2]);
             frames.push(frame);
         }
         let parts = joint.kind.parts;
@@ -167,26 +213,41 @@ impl Moving {
         }
         if parts.is_empty() {
             work.set_carrier(body, self.frame);
-            self.enter(work, body, zeros);
+            self.enter(work, body, [zeros; 2]);
             frames.push(body);
         }
         frames
     }
 
-    /// Position and velocity of G, from the point at which the joint holds the body.
-    fn center(&self, work: &mut Workspace, body: Frame, pin: Components) -> [Vector; 2] {
+    /// Position, velocity and acceleration of G, from the point at which the joint holds the body.
+    fn center(&self, work: &mut Workspace, body: Frame, pin: Components) -> [Vector; 3] {
         let back = work.graph.negate_vector(pin);
         let swept = work.graph.cross(self.angular_velocity, back);
+        let acceleration = self.accelerations.map(|(linear, rate)| {
+            let thrown = thrown(&mut work.graph, (self.angular_velocity, rate), back);
+            let thrown = work.vector(body, thrown);
+            work.add(linear, thrown)
+        });
         let (back, swept) = (work.vector(body, back), work.vector(body, swept));
         [
             work.add(self.position, back),
             work.add(self.velocity, swept),
+            acceleration.unwrap_or(Vector::ZERO),
         ]
     }
 
-    /// Goes on in a frame that turns against the last one at a rate, in its axes.
-    fn enter(&mut self, work: &mut Workspace, frame: Frame, rate: Components) {
+    /// Goes on in a frame that turns against the last one at a rate, with its derivative, both in its
+    /// axes.
+    fn enter(&mut self, work: &mut Workspace, frame: Frame, [rate, second]: [Components; 2]) {
         let carried = work.turn(self.angular_velocity, self.frame, frame);
+        if let Some((_, angular)) = &mut self.accelerations {
+            let turned = work.turn(*angular, self.frame, frame);
+            let graph = &mut work.graph;
+            let swung = graph.cross(carried, rate);
+            let own = graph.add_vectors(swung, second);
+            let whole = graph.add_vectors(turned, own);
+            *angular = graph.quantities(whole);
+        }
         let whole = work.graph.add_vectors(carried, rate);
         self.angular_velocity = work.graph.quantities(whole);
         self.frame = frame;
@@ -206,38 +267,34 @@ impl Moving {
         match part {
             Part::Turn(number) => {
                 let angle = get(Variable::Angle, coordinate);
-                let rate = get(Variable::AngularVelocity, coordinate);
                 let direction = joint.directions[number];
                 set_angle(work, frame, angle, direction, &joint.name);
-                let rate = work.graph.scale_vector(rate, direction);
-                self.enter(work, frame, rate);
+                let rates = TURNING.map(|variable| {
+                    let rate = get(variable, coordinate);
+                    work.graph.scale_vector(rate, direction)
+                });
+                self.enter(work, frame, rates);
             }
             Part::Slide(number) => {
-                self.slide(
-                    work,
-                    joint.directions[number],
-                    get(Variable::Position, coordinate),
-                    get(Variable::Velocity, coordinate),
-                );
+                let moved = SLIDING.map(|variable| get(variable, coordinate));
+                self.slide(work, joint.directions[number], moved);
                 let zeros = work.graph.zeros();
-                self.enter(work, frame, zeros);
+                self.enter(work, frame, [zeros; 2]);
             }
             Part::Screw => {
                 let (direction, pitch) = (joint.directions[0], joint.pitch.unwrap_or(zero));
-                let [angle, rate] = [get(Variable::Angle, 0), get(Variable::AngularVelocity, 0)];
-                let (distance, speed) = (
-                    work.graph.multiply(pitch, angle),
-                    work.graph.multiply(pitch, rate),
-                );
-                self.slide(work, direction, distance, speed);
+                let (angle, rates) = (get(Variable::Angle, 0), TURNING.map(|rate| get(rate, 0)));
+                let moved = [angle, rates[0], rates[1]];
+                let moved = moved.map(|part| work.graph.multiply(pitch, part));
+                self.slide(work, direction, moved);
                 set_angle(work, frame, angle, direction, &joint.name);
-                let rate = work.graph.scale_vector(rate, direction);
-                self.enter(work, frame, rate);
+                let rates = rates.map(|rate| work.graph.scale_vector(rate, direction));
+                self.enter(work, frame, rates);
             }
             Part::Ball => {
                 set_quaternion(work, frame, get);
-                let rate = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
-                self.enter(work, frame, rate);
+                let rates = TURNING.map(|variable| [0, 1, 2].map(|axis| get(variable, axis)));
+                self.enter(work, frame, rates);
             }
             Part::Free => self.float(work, frame, of),
         }
@@ -251,25 +308,44 @@ impl Moving {
         let (position, velocity) = (vector(Variable::Position), vector(Variable::Velocity));
         self.position = work.vector(Frame::WORLD, position);
         self.velocity = work.vector(Frame::WORLD, velocity);
-        let rate = if of.get(Variable::Quaternion, 0).is_some() {
+        if let Some((linear, _)) = &mut self.accelerations {
+            *linear = work.vector(Frame::WORLD, vector(Variable::LinearAcceleration));
+        }
+        let rates = if of.get(Variable::Quaternion, 0).is_some() {
             set_quaternion(work, frame, get);
-            vector(Variable::AngularVelocity)
+            TURNING.map(vector)
         } else {
             let direction = work.graph.unit_vectors()[2];
             let angle = get(Variable::Angle, 0);
             work.set_attitude(frame, Attitude::Axis { angle, direction });
-            [zero, zero, get(Variable::AngularVelocity, 0)]
+            TURNING.map(|variable| [zero, zero, get(variable, 0)])
         };
-        self.enter(work, frame, rate);
+        self.enter(work, frame, rates);
     }
 
-    /// Moves along a direction that turns with the frame.
-    fn slide(&mut self, work: &mut Workspace, direction: Components, distance: Id, speed: Id) {
+    /// Moves along a direction that turns with the frame: by a distance, with its derivatives.
+    fn slide(
+        &mut self,
+        work: &mut Workspace,
+        direction: Components,
+        [distance, speed, second]: [Id; 3],
+    ) {
         let graph: &mut Graph = &mut work.graph;
         let step = graph.scale_vector(distance, direction);
         let swept = graph.cross(self.angular_velocity, step);
         let slid = graph.scale_vector(speed, direction);
         let change = graph.add_vectors(swept, slid);
+        if let Some((linear, rate)) = &mut self.accelerations {
+            // w' x r + w x (w x r) + 2 w x v + r''
+            let thrown = thrown(graph, (self.angular_velocity, *rate), step);
+            let twice = graph.add_vectors(slid, slid);
+            let coriolis = graph.cross(self.angular_velocity, twice);
+            let own = graph.scale_vector(second, direction);
+            let sum = graph.add_vectors(thrown, coriolis);
+            let sum = graph.add_vectors(sum, own);
+            let sum = work.vector(self.frame, sum);
+            *linear = work.add(*linear, sum);
+        }
         let (step, change) = (
             work.vector(self.frame, step),
             work.vector(self.frame, change),

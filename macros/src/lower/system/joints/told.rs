@@ -1,7 +1,9 @@
 //! What others see of a body that moves, and of its joint.
 
 use crate::lower::expressions::{BodyMotion, Value};
-use crate::model::{Attitude, Dimension, Frame, Part, Rates, State, TreeJoint, Variable, Vector};
+use crate::model::{
+    Attitude, Dimension, Field, Frame, Part, Rates, State, TreeJoint, Variable, Vector,
+};
 use crate::symbolic::{Components, Id};
 
 use crate::lower::system::reading::body::Draft;
@@ -15,26 +17,35 @@ impl Reader<'_> {
         known.motion = Some(BodyMotion {
             position: state.position,
             velocity: state.velocity,
+            acceleration: state.acceleration,
             angular_velocity: state.angular_velocity,
+            angular_acceleration: state.angular_acceleration,
         });
         known.values.extend(values);
     }
 
     /// What of a motion has a name behind that of the body.
     pub fn values_of_motion(&mut self, state: &State) -> Vec<(&'static str, Value)> {
-        let turning = if self.system.is_planar {
-            Value::Scalar(state.angular_velocity[2], Dimension::FREQUENCY)
-        } else {
-            let vector = self.work.vector(state.body, state.angular_velocity);
-            Value::Vector(vector, Dimension::FREQUENCY)
+        let mut turning = |components: Components, dimension: Dimension| {
+            if self.system.is_planar {
+                return Value::Scalar(components[2], dimension);
+            }
+            Value::Vector(self.work.vector(state.body, components), dimension)
         };
+        let (w, rate) = (state.angular_velocity, state.angular_acceleration);
+        let rate = turning(rate, Dimension::ANGULAR_ACCELERATION);
         vec![
             ("position", Value::Vector(state.position, Dimension::LENGTH)),
             (
                 "velocity",
                 Value::Vector(state.velocity, Dimension::VELOCITY),
             ),
-            ("angular_velocity", turning),
+            (
+                "acceleration",
+                Value::Vector(state.acceleration, Dimension::ACCELERATION),
+            ),
+            ("angular_velocity", turning(w, Dimension::FREQUENCY)),
+            ("angular_acceleration", rate),
         ]
     }
 
@@ -64,7 +75,8 @@ impl Reader<'_> {
         }
     }
 
-    /// The coordinates of a joint and their rates, by the names that its state has for them.
+    /// The coordinates of a joint with their rates, by the names that its state has for them, and their
+    /// accelerations.
     pub fn joint_values(&mut self, joint: &TreeJoint) -> Vec<(&'static str, Value)> {
         self.values_of_joint(joint, &joint.coordinates)
     }
@@ -89,22 +101,39 @@ impl Reader<'_> {
             if field.variable == Variable::Quaternion {
                 continue;
             }
-            let parts = (0..field.names.len())
-                .map(|part| coordinates.get(field.variable, field.first + part));
-            let parts: Vec<Id> = parts.flatten().collect();
-            let value = match *parts.as_slice() {
-                [scalar] => Value::Scalar(scalar, dimension),
-                _ => Value::Vector(self.vector_of(joint, field.variable, &parts), dimension),
-            };
+            let value = self.value_of_field(joint, coordinates, (field, field.variable, dimension));
             values.push((field.path, value));
+            if let Some((word, variable, dimension)) = second(field) {
+                let value = self.value_of_field(joint, coordinates, (field, variable, dimension));
+                values.push((word, value));
+            }
         }
         values
+    }
+
+    /// A scalar or a vector of a joint: this variable, where a field has its components.
+    fn value_of_field(
+        &mut self,
+        joint: &TreeJoint,
+        coordinates: &Rates,
+        (field, variable, dimension): (&Field, Variable, Dimension),
+    ) -> Value {
+        let parts =
+            (0..field.names.len()).map(|part| coordinates.get(variable, field.first + part));
+        let parts: Vec<Id> = parts.flatten().collect();
+        match *parts.as_slice() {
+            [scalar] => Value::Scalar(scalar, dimension),
+            _ => Value::Vector(self.vector_of(joint, variable, &parts), dimension),
+        }
     }
 
     /// The vector that several components of a state are.
     fn vector_of(&mut self, joint: &TreeJoint, variable: Variable, parts: &[Id]) -> Vector {
         let body = joint.frames.last().copied().unwrap_or(Frame::WORLD);
-        if variable == Variable::AngularVelocity {
+        if matches!(
+            variable,
+            Variable::AngularVelocity | Variable::AngularAcceleration
+        ) {
             let mut components = self.work.graph.zeros();
             components[..parts.len()].copy_from_slice(parts);
             return self.work.vector(body, components);
@@ -132,5 +161,18 @@ impl Reader<'_> {
         let first = joint.frames.len() - parts.len();
         let frame = self.work.carrier(joint.frames[first]);
         (frame, slides.collect())
+    }
+}
+
+/// The derivative of a rate: its word, its variable and its dimension.
+fn second(rate: &Field) -> Option<(&'static str, Variable, Dimension)> {
+    let (linear, angular) = (Variable::LinearAcceleration, Variable::AngularAcceleration);
+    let turned = |word| Some((word, angular, Dimension::ANGULAR_ACCELERATION));
+    match rate.path {
+        "velocity" => Some(("acceleration", linear, Dimension::ACCELERATION)),
+        "angular_velocity" => turned("angular_acceleration"),
+        "angular_velocity_1" => turned("angular_acceleration_1"),
+        "angular_velocity_2" => turned("angular_acceleration_2"),
+        _ => None,
     }
 }

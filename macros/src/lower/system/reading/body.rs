@@ -1,6 +1,7 @@
 //! The bodies of a system: their points first, and when their motion is known, all the rest.
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 use crate::errors::{Errors, Extent, every, silently};
 use crate::lower::definitions::{Definition, check_names, definition_order, split_at_points};
@@ -126,14 +127,24 @@ impl<'a> Reader<'a> {
     fn unknown_state(&mut self, frame: Frame) -> State {
         let axes = if self.system.is_planar { 0..2 } else { 0..3 };
         let turning = if self.system.is_planar { 2..3 } else { 0..3 };
+        let still = still(frame, self.time);
         let work = &mut self.work;
-        let [position, velocity, angular_velocity] = [axes.clone(), axes, turning]
-            .map(|axes| work.symbols(Stage::State, axes, |_| Meaning::Virtual));
+        let mut unknown =
+            |axes: &Range<usize>| work.symbols(Stage::State, axes.clone(), |_| Meaning::Virtual);
+        let [position, velocity, angular_velocity] = [&axes, &axes, &turning].map(&mut unknown);
+        let mut state = State {
+            angular_velocity,
+            ..still
+        };
+        if self.follows_accelerations {
+            let acceleration = unknown(&axes);
+            state.angular_acceleration = unknown(&turning);
+            state.acceleration = work.vector(Frame::WORLD, acceleration);
+        }
         State {
             position: work.vector(Frame::WORLD, position),
             velocity: work.vector(Frame::WORLD, velocity),
-            angular_velocity,
-            ..still(frame, self.time)
+            ..state
         }
     }
 

@@ -19,18 +19,29 @@ pub struct Found {
     /// Rows whose loads are not determined, with those that can do all that each does, and the loads
     /// of all rows that balance one unit of it.
     pub spare: Vec<(usize, Vec<usize>, Vec<Id>)>,
+    /// Freedoms whose inertia is taken away by the loads that follow accelerations.
+    pub light: Vec<usize>,
 }
 
-/// Solves for accelerations and loads; loads that follow those of rows do so by these symbols.
+/// The symbols that loads may follow.
+#[derive(Clone, Copy)]
+pub struct Following<'a> {
+    /// Of the loads of rows.
+    pub loads: &'a [Option<Id>],
+    /// Of the accelerations of the open freedoms.
+    pub accelerations: &'a [Id],
+}
+
+/// Solves for accelerations and loads; loads that follow these do so by these symbols.
 pub fn eliminated(
     work: &mut Workspace,
     matrix: &MassMatrix,
     kept: &[(Keeper, Row)],
-    followed: &[Option<Id>],
+    following: Following<'_>,
 ) -> Found {
     let count = matrix.driving.len();
     let rows: Vec<&Row> = kept.iter().map(|(_, row)| row).collect();
-    let equations = equations(work, matrix, &rows, followed);
+    let equations = equations(work, matrix, &rows, following);
     let solved = work.graph.solve(equations.clone(), count + kept.len());
     // what balances by itself: a unit of each load that is not determined, with what it takes of others
     let mut spare = Vec::new();
@@ -41,6 +52,8 @@ pub fn eliminated(
         loads.insert(row, work.graph.one());
         spare.push((row, others, loads));
     }
+    let columns = solved.undetermined.iter().map(|one| one.column);
+    let light = columns.filter(|column| *column < count).collect();
     let mut accelerations = solved.values;
     let loads = accelerations.split_off(count);
     Found {
@@ -48,6 +61,7 @@ pub fn eliminated(
         loads,
         is_resolved: false,
         spare,
+        light,
     }
 }
 
@@ -57,11 +71,25 @@ fn equations(
     work: &mut Workspace,
     matrix: &MassMatrix,
     constraints: &[&Row],
-    followed: &[Option<Id>],
+    Following {
+        loads: followed,
+        accelerations,
+    }: Following<'_>,
 ) -> Vec<Equation> {
-    let (zero, one) = (work.graph.zero(), work.graph.one());
+    let (zero, one, count) = (work.graph.zero(), work.graph.one(), matrix.driving.len());
+    let (driving, fed_back) = split(&mut work.graph, &matrix.driving, accelerations);
+    let is_fed_back = fed_back
+        .iter()
+        .flatten()
+        .any(|slope| !work.graph.is_zero(*slope));
+    let mut masses = matrix.rows.clone();
+    for (column, slopes) in fed_back.iter().enumerate() {
+        for (row, slope) in masses.iter_mut().zip(slopes) {
+            row[column] = work.graph.subtract(row[column], *slope);
+        }
+    }
     let symbols: Vec<Id> = followed.iter().flatten().copied().collect();
-    let (driving, following) = split(&mut work.graph, &matrix.driving, &symbols);
+    let (driving, following) = split(&mut work.graph, &driving, &symbols);
     let mut slopes = following.iter().flatten();
     let is_followed = slopes.any(|slope| !work.graph.is_zero(*slope));
     let rows = constraints.iter().zip(followed).map(|(row, symbol)| {
@@ -82,10 +110,17 @@ fn equations(
     });
     let rows: Vec<Kept> = rows.collect();
     // without loads that follow others, `-A M^-1 A^T` is left of their rows
-    let of_load = if is_followed {
+    let of_load = if is_followed || is_fed_back {
         Size::Beside
     } else {
         Size::Reduced
     };
-    together(work, (&matrix.rows, &driving), &rows, of_load)
+    let mut equations = together(work, (&masses, &driving), &rows, of_load);
+    if is_fed_back {
+        // what loads add to masses need not be positive
+        for (row, equation) in equations.iter_mut().enumerate().take(count) {
+            equation.sizes[row] = Size::Terms;
+        }
+    }
+    equations
 }

@@ -1,8 +1,8 @@
 //! Loops in the plane: the motion in absolute angles, and after it the loads.
 
+use crate::mechanics::following::unknowns_in;
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{self, Built};
-use crate::mechanics::unknowns::reactions_in;
 use crate::model::{Part, Workspace};
 use crate::symbolic::{Graph, Id};
 
@@ -33,7 +33,7 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     });
     let given: Vec<Id> = given.collect();
     let is_partial = known.kept.iter().any(|(_, row)| row.active.is_some());
-    if is_partial || !reactions_in(work, &given).is_empty() {
+    if is_partial || !unknowns_in(work, &given).is_empty() {
         return None;
     }
     let absolute = Absolute::of(&mut work.graph, tree, known.placed);
@@ -56,6 +56,7 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
         loads: loads(&mut work.graph, &reduced, &lacking, count),
         is_resolved: reduced.eliminated.is_empty(),
         spare: Vec::new(),
+        light: Vec::new(),
     })
 }
 

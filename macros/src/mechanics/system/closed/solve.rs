@@ -6,13 +6,13 @@ use std::collections::BTreeSet;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, MassMatrix};
 use crate::mechanics::variation::Direction;
-use crate::model::{Closing, Frame, System, Workspace};
+use crate::model::{Closing, Frame, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::{
     Ends, Placed, Row, place_links, push_written, replace_in_tree, rows_of_joint, rows_of_written,
 };
-use super::eliminated::{Found, eliminated};
+use super::eliminated::{Following, Found, eliminated};
 use super::in_plane::{Known, in_plane};
 use super::unsettled::{Keeper, Spare, Unsettled, bare};
 
@@ -32,9 +32,18 @@ pub struct Closed {
     pub loads: Vec<Id>,
     /// The symbols of these loads, each with what is found.
     pub values: Vec<(Id, Id)>,
+    /// The same of the accelerations that loads may follow.
+    pub moved: Vec<(Id, Id)>,
     /// The tree with these loads on its links.
     pub loaded: Tree,
     pub unsettled: Unsettled,
+}
+
+impl Closed {
+    /// What is found for all symbols that loads follow.
+    pub fn settled(&self) -> Vec<(Id, Id)> {
+        [&self.values[..], &self.moved].concat()
+    }
 }
 
 /// Finds all that keeps; what the tree is written like does not matter, but the origins of its links
@@ -70,7 +79,14 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         kept: &kept,
     };
     let is_idle = !idle.is_empty();
-    let found = found(system, work, &known, (&matrix, &followed), is_idle);
+    let open = system.joints.iter().filter(|joint| !joint.is_driven());
+    let accelerations: Vec<Id> = open.flat_map(TreeJoint::accelerations).collect();
+    let following = Following {
+        loads: &followed,
+        accelerations: &accelerations,
+    };
+    let found = found(system, work, &known, (&matrix, following), is_idle);
+    unsettled.light = found.light;
     let mut spare = Vec::new();
     for (row, others, loads) in found.spare {
         let others = others.into_iter().map(|other| kept[other].1.name.clone());
@@ -86,6 +102,9 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
             [one].into_iter(),
         ));
     }
+    let symbols_of_motion = accelerations.into_iter();
+    let moved = symbols_of_motion.zip(found.accelerations.iter().copied());
+    let moved: Vec<(Id, Id)> = moved.collect();
     let mut accelerations = found.accelerations.into_iter();
     let links = built.tree.links.iter();
     let accelerations =
@@ -105,7 +124,8 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
     }
     push_written(system, work, built, &mut loaded, &loads);
     let values: Vec<(Id, Id)> = symbols.iter().copied().zip(loads.iter().copied()).collect();
-    replace_in_tree(&mut work.graph, &mut loaded, &values);
+    let settled = [&values[..], &moved].concat();
+    replace_in_tree(&mut work.graph, &mut loaded, &settled);
     Closed {
         accelerations,
         constraints: kept.into_iter().map(|(_, row)| row).collect(),
@@ -116,6 +136,7 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         wrenches,
         loads,
         values,
+        moved,
         loaded,
         unsettled,
     }
@@ -146,7 +167,7 @@ fn found(
     system: &System,
     work: &mut Workspace,
     known: &Known<'_>,
-    (matrix, followed): (&MassMatrix, &[Option<Id>]),
+    (matrix, following): (&MassMatrix, Following<'_>),
     is_idle: bool,
 ) -> Found {
     let by_blocks = if system.is_planar && !is_idle {
@@ -157,7 +178,7 @@ fn found(
     match by_blocks {
         Some(by_blocks) if by_blocks.is_resolved => by_blocks,
         by_blocks => {
-            let eliminated = eliminated(work, matrix, known.kept, followed);
+            let eliminated = eliminated(work, matrix, known.kept, following);
             let cost = |found: &Found| work.graph.late_cost(&found.accelerations).total();
             let by_blocks = by_blocks.filter(|one| cost(one) < cost(&eliminated));
             by_blocks.unwrap_or(eliminated)

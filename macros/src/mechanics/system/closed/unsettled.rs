@@ -26,6 +26,8 @@ pub struct Unsettled {
     /// Written constraints that say nothing, or nothing new, each with the names of those it follows
     /// from.
     pub written: Vec<(usize, BTreeSet<String>)>,
+    /// Freedoms without inertia.
+    pub light: Vec<usize>,
 }
 
 /// Loads that balance each other in all bodies: force and moment of each joint on what it carries, at

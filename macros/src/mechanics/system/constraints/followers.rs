@@ -1,30 +1,19 @@
 //! Given loads that follow the load of a constraint, as friction does: they are linear in it.
 
-use crate::errors::{Errors, Extent};
+use crate::errors::Errors;
+use crate::mechanics::following::{LOAD, check_linear, check_parts, unknowns_in};
 use crate::mechanics::tree::link::Tree;
-use crate::mechanics::unknowns::{is_linear, reactions_in};
-use crate::model::{Point, System, Workspace};
+use crate::model::{System, Workspace};
 use crate::symbolic::{Graph, Id};
 
-/// Reports what follows the load of a constraint otherwise than linearly.
+/// Reports what follows the load of a constraint, or an acceleration, otherwise than linearly.
 pub fn check_followers(system: &System, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let before = errors.count();
-    for load in system.bodies.iter().flat_map(|body| &body.loads) {
-        let place = load.mention.unwrap_or(load.extent);
-        let at = match load.point {
-            Point::Fixed(_, offset) => offset.to_vec(),
-            Point::Moving(offset) => work.entries(&[offset]),
-        };
-        let name = load.name.to_string();
-        if !reactions_in(work, &at).is_empty() {
-            let message = format!("where `{name}` acts cannot depend on the load of a constraint");
-            errors.push(place, message);
-        }
-        let roots = work.entries(&[load.force, load.moment]);
-        check_linear(work, (&name, place), &roots, errors);
-    }
+    let loads = system.bodies.iter().flat_map(|body| &body.loads);
+    let _ = check_linear(loads, LOAD, work, errors);
     for (name, parts) in system.joints.iter().flat_map(|joint| &joint.driven_by) {
-        check_linear(work, (&name.to_string(), name.span().into()), parts, errors);
+        let named = (&*name.to_string(), name.span().into());
+        check_parts(work, named, parts, (LOAD, errors));
     }
     let forms = system.potentials.forms.iter();
     let energies = system
@@ -39,7 +28,7 @@ pub fn check_followers(system: &System, work: &mut Workspace, errors: &mut Error
         .iter()
         .map(|one| (&one.place, one.value));
     for (name, value) in energies.chain(constraints) {
-        if !reactions_in(work, &[value]).is_empty() {
+        if !unknowns_in(work, &[value]).is_empty() {
             let message = format!(
                 "`{name}` cannot depend on the load of a constraint: forces, moments and drives can"
             );
@@ -47,20 +36,6 @@ pub fn check_followers(system: &System, work: &mut Workspace, errors: &mut Error
         }
     }
     (errors.count() == before).then_some(())
-}
-
-fn check_linear(
-    work: &mut Workspace,
-    (name, place): (&str, Extent),
-    roots: &[Id],
-    errors: &mut Errors,
-) {
-    if !is_linear(work, roots) {
-        let message = format!(
-            "`{name}` is not linear in the load of this constraint: write a multiple of it, such as `-mu * floor`"
-        );
-        errors.push(place, message);
-    }
 }
 
 /// What is there without these symbols, and the slopes by each.

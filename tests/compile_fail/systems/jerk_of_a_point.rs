@@ -14,7 +14,7 @@ rigid_system!(Pendulum {
         shoulder = revolute(world(0, 0), upper.hinge),
         elbow = revolute(upper.tip, lower.hinge),
     ],
-    locals: [a = upper.tip.acceleration().x],
+    locals: [a = upper.tip.jerk().x],
     moments: [m = moment(a * 1[N * m]).on(lower)],
 });
 

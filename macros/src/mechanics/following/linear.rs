@@ -1,0 +1,131 @@
+//! Loads that follow what is solved for: they are linear in unknown reactions and in accelerations
+//! together, or an error.
+
+use crate::errors::{Errors, Extent};
+use crate::mechanics::proofs::all_vanish;
+use crate::model::{Load, Meaning, Point, Workspace};
+use crate::symbolic::Id;
+
+/// What messages call an unknown reaction, this one, and how to write what follows it.
+#[derive(Clone, Copy)]
+pub struct Followed {
+    any: &'static str,
+    this: &'static str,
+    form: &'static str,
+}
+
+/// Of a body under constraints.
+pub const REACTION: Followed = Followed {
+    any: "an unknown reaction",
+    this: "this unknown reaction",
+    form: "a multiple of its components, such as `-mu * N.in_world().y`",
+};
+
+/// Of a system.
+pub const LOAD: Followed = Followed {
+    any: "the load of a constraint",
+    this: "the load of this constraint",
+    form: "a multiple of it, such as `-mu * floor`",
+};
+
+const ACCELERATION: Followed = Followed {
+    any: "an acceleration",
+    this: "the acceleration",
+    form: "a sum of its components, each with a factor that does not depend on it, such as \
+           `-added * acceleration`",
+};
+
+impl Followed {
+    /// What these follow of the two.
+    fn in_parts(self, work: &Workspace, roots: &[Id]) -> Self {
+        if work.accelerations_in(roots).is_empty() {
+            self
+        } else {
+            ACCELERATION
+        }
+    }
+}
+
+/// Each load is what it is without the unknowns and what its slopes make of them, proved in all
+/// states; and where it acts does not follow them.
+pub fn check_linear<'l>(
+    loads: impl Iterator<Item = &'l Load>,
+    followed: Followed,
+    work: &mut Workspace,
+    errors: &mut Errors,
+) -> Option<()> {
+    let before = errors.count();
+    for load in loads {
+        let place = load.mention.unwrap_or(load.extent);
+        let name = load.name.to_string();
+        let point = match load.point {
+            Point::Fixed(_, offset) => offset.to_vec(),
+            Point::Moving(offset) => work.entries(&[offset]),
+        };
+        if !unknowns_in(work, &point).is_empty() {
+            let Followed { any, .. } = followed.in_parts(work, &point);
+            let message = format!("where `{name}` acts cannot depend on {any}");
+            errors.push(place, message);
+            continue;
+        }
+        let roots = work.entries(&[load.force, load.moment]);
+        check_parts(work, (&name, place), &roots, (followed, errors));
+    }
+    (errors.count() == before).then_some(())
+}
+
+/// The same of a load by its components.
+pub fn check_parts(
+    work: &mut Workspace,
+    (name, place): (&str, Extent),
+    roots: &[Id],
+    (followed, errors): (Followed, &mut Errors),
+) {
+    if is_linear(work, roots) {
+        return;
+    }
+    let Followed { this, form, .. } = followed.in_parts(work, roots);
+    let message = format!("`{name}` is not linear in {this}: write {form}");
+    errors.push(place, message);
+}
+
+/// The symbols of unknown reactions and of accelerations that expressions contain.
+pub fn unknowns_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
+    let is_unknown = |id: &Id| match work.meaning(*id) {
+        Some(Meaning::Reaction(..)) => true,
+        Some(Meaning::Of(_, variable, _)) => variable.is_acceleration(),
+        _ => false,
+    };
+    let mut symbols = work.graph.reachable(roots, |_| true);
+    symbols.retain(is_unknown);
+    symbols
+}
+
+/// Whether they are linear in the unknowns that they contain.
+fn is_linear(work: &mut Workspace, roots: &[Id]) -> bool {
+    let symbols = unknowns_in(work, roots);
+    if symbols.is_empty() {
+        return true;
+    }
+    let zero = work.graph.zero();
+    let graph = &mut work.graph;
+    let is_known = |id: Id| symbols.contains(&id).then_some(zero);
+    let without = graph.substitute(roots, is_known);
+    let mut rest: Vec<Id> = roots
+        .iter()
+        .zip(without)
+        .map(|(root, without)| graph.subtract(*root, without))
+        .collect();
+    for symbol in &symbols {
+        let slopes = work.graph.derivative(roots, *symbol);
+        if !unknowns_in(work, &slopes).is_empty() {
+            return false;
+        }
+        let graph = &mut work.graph;
+        for (rest, slope) in rest.iter_mut().zip(slopes) {
+            let part = graph.multiply(slope, *symbol);
+            *rest = graph.subtract(*rest, part);
+        }
+    }
+    all_vanish(work, &rest)
+}

@@ -1,0 +1,7 @@
+//! Loads that follow what is solved for: accelerations, and the loads of constraints.
+
+mod linear;
+mod settled;
+
+pub use linear::{LOAD, REACTION, check_linear, check_parts, unknowns_in};
+pub use settled::{as_given, put_settled, settle, takes_inertia};

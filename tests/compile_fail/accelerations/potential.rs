@@ -1,0 +1,10 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Hull {
+    motion: spatial,
+    mass: 12[kg],
+    inertia: principal(0.8, 1.1, 1.7)[kg * m ^ 2],
+    potentials: [energy = mass * acceleration.dot(position)],
+});
+
+fn main() {}

@@ -2,4 +2,5 @@
 
 mod bodies;
 mod oracle;
+mod own;
 mod systems;

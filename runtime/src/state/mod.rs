@@ -21,6 +21,7 @@ mod finite;
 mod hinge;
 mod list;
 mod planar;
+mod real;
 mod rod;
 mod rotation;
 mod slide;

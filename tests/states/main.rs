@@ -4,6 +4,7 @@
 mod bodies;
 mod controller;
 mod motors;
+mod potentials;
 mod structure;
 mod together;
 mod written;

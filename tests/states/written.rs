@@ -3,7 +3,7 @@
 use newton_euler::columns::Columns;
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
-use serde_json::{from_str, json, to_string, to_value};
+use serde_json::{from_str, from_value, json, to_string, to_value};
 
 use crate::bodies::{
     ArmsState, DroneState, FilterState, RocketAcceleration, RocketState, ServoState,
@@ -32,6 +32,13 @@ fn there_and_back() {
     let lacks = r#"{ "motion": { "angle": 0.0, "angular_velocity": 0.0 }, "integral": 0.0 }"#;
     let error = from_str::<ServoState<f64>>(lacks).unwrap_err().to_string();
     assert!(error.contains("missing field `torque`"), "{error}");
+    // as the states of motions are
+    let mut endless = to_value(state).unwrap();
+    endless["torque"] = json!(1e39);
+    let error = from_value::<ServoState<f32>>(endless)
+        .unwrap_err()
+        .to_string();
+    assert!(error.starts_with("a state is finite"), "{error}");
     let text = to_string(&ArmsState::<f64>::default()).unwrap();
     assert_eq!(
         from_str::<ArmsState<f64>>(&text).unwrap(),

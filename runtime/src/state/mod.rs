@@ -33,6 +33,8 @@ mod universal;
 
 pub use coordinates::Coordinates;
 pub(crate) use coordinates::group;
+#[cfg(feature = "serde")]
+pub(crate) use finite::check;
 pub use list::List;
 pub use space::State;
 

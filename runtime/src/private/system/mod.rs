@@ -9,7 +9,7 @@ pub use parts::{
     Parts, PartsMut, any, axes, coordinates, count, freedoms, groups, positions, shifts,
 };
 #[cfg(feature = "serde")]
-pub use written::{Name, bare, fill, found, ignore, next};
+pub use written::{Name, bare, fill, finite, found, ignore, next};
 
 /// Makes the state of a system and its acceleration: two structs with a field for each joint, in
 /// the order written.
@@ -256,7 +256,9 @@ macro_rules! __system_state {
         $crate::private::system_state! {
             @columns [$($generic)?] $scalar $acceleration $($field $second,)+
         }
-        $crate::private::written! { [$($generic)?] $state $($field $first,)+ }
+        $crate::private::written! {
+            [$($generic)?] $state ($crate::private::system::finite) $($field $first,)+
+        }
         $crate::private::written! { [$($generic)?] $acceleration $($field $second,)+ }
     };
     (@columns [$($generic:ident)?] $scalar:ident $name:ident $($field:ident $part:ty,)+) => {

@@ -3,6 +3,7 @@
 
 mod bodies;
 mod controller;
+mod kinds;
 mod motors;
 mod potentials;
 mod structure;

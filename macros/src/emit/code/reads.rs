@@ -100,8 +100,11 @@ fn places_of_body(
     let is_struct = motion.translates() && motion.has_attitude();
     let of_acceleration = |name: &str, names: Vec<String>, variable: Variable| {
         let name = format_ident!("{name}");
-        let part = is_struct.then(|| quote!(#acceleration.#name));
-        let path = part.unwrap_or_else(|| quote!((*#acceleration)));
+        let path = match (is_struct, part) {
+            (true, _) => quote!(#acceleration.#name),
+            (false, Some(_)) => acceleration.clone(),
+            (false, None) => quote!((*#acceleration)),
+        };
         (Source::Acceleration, path, names, variable)
     };
     let quaternion = ["qx", "qy", "qz", "qw"].map(str::to_owned).to_vec();

@@ -78,6 +78,40 @@ pub mod names {
         forces: [driven = world(kinetic, potential, kinetic)],
         outputs: [energy, momentum, balance],
     });
+
+    newton_euler::rigid_body!(Acceleration::<State> {
+        motion: planar,
+        inputs: [command, parts],
+        states: [
+            state,
+            acceleration,
+            x,
+            J,
+            time,
+            rate,
+            any,
+            field,
+            angle,
+            self_
+        ],
+        rates: [
+            state = acceleration,
+            acceleration = x * rate,
+            x = command - parts,
+            J = time,
+            time = 1,
+            rate = J.sin(),
+            any = field,
+            field = any,
+            angle = self_ + angle,
+            self_ = velocity.in_world().x,
+        ],
+        mass: 2,
+        inertia: 3,
+        forces: [push = world(state, J)],
+        moments: [turn = angle],
+        outputs: [energy, taylor],
+    });
 }
 
 /// Standard names, modules and constants of the user's own beside a description.
@@ -158,6 +192,24 @@ mod tests {
         let w = at.angular_velocity;
         let expected = (k - w.cross(&j.component_mul(&w))).component_div(&j);
         assert!((computed.angular - expected).amax() < 1e-13); // terms to 11 N m over 1.5 kg m²
+
+        let rate = names::Acceleration::default().acceleration(
+            0.0,
+            &names::AccelerationState {
+                motion: Planar::default(),
+                state: 2.0,
+                acceleration: 4.0,
+                J: 6.0,
+                angle: 9.0,
+                ..names::AccelerationState::default()
+            },
+            &names::AccelerationInput {
+                command: 5.0,
+                parts: 1.0,
+            },
+        );
+        assert_eq!(rate.motion.linear, nalgebra::Vector2::new(1.0, 3.0));
+        assert_eq!([rate.state, rate.x, rate.angle], [4.0, 4.0, 9.0]);
 
         let plate = names::Load::default();
         assert!(

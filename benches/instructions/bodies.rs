@@ -26,6 +26,7 @@ examples! {
     double_pendulum "../../examples/double_pendulum.rs";
     engine "../../examples/engine.rs";
     furuta "../../examples/furuta.rs";
+    hover "../../examples/hover.rs";
     lagrange_top "../../examples/lagrange_top.rs";
     level_turn "../../examples/level_turn.rs";
     planetary_gear "../../examples/planetary_gear.rs";
@@ -70,6 +71,7 @@ pub const BODIES: &[Body] = bodies![
     double_pendulum::DoublePendulum,
     engine::Engine,
     furuta::Furuta,
+    hover::Hover,
     lagrange_top::Top,
     level_turn::Navion,
     planetary_gear::Planetary,
@@ -123,6 +125,21 @@ impl Somewhere for Spatial {
             attitude,
             velocity: Vector3::new(0.7, 1.1, -0.4),
             angular_velocity,
+        }
+    }
+}
+
+impl Somewhere for hover::HoverState {
+    fn somewhere() -> Self {
+        Self {
+            motion: Spatial::somewhere(),
+            thrust_1: 2.5,
+            thrust_2: 3.1,
+            thrust_3: 2.9,
+            thrust_4: 3.3,
+            roll_sum: 0.02,
+            pitch_sum: -0.03,
+            height_sum: 0.4,
         }
     }
 }

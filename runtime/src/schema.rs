@@ -31,6 +31,10 @@ pub struct Body {
     pub params: (),
     /// Quantities given at each evaluation: `[thrust[N], wind = world(_, _, _)[m / s]]`.
     pub inputs: (),
+    /// States of its own, scalars that are integrated beside the motion: `[speed[rad / s], fuel[kg]]`.
+    pub states: (),
+    /// What each of these changes by in a second: `[speed = (command - speed) / lag]`.
+    pub rates: (),
     /// Points of the body, from G in body axes, or of space:
     /// `[tip = (0.3, 0, 0), hook = world(0, 0, 2)]`. `G` is there.
     pub points: (),
@@ -82,6 +86,10 @@ pub struct System {
     pub params: (),
     /// Quantities given at each evaluation: `[torque[N * m]]`.
     pub inputs: (),
+    /// States of its own, scalars that are integrated beside the motion: `[speed[rad / s], fuel[kg]]`.
+    pub states: (),
+    /// What each of these changes by in a second: `[speed = (command - speed) / lag]`.
+    pub rates: (),
     /// Names for expressions of the whole system: `[stretch = elbow.angle - rest]`.
     pub locals: (),
     /// A file in the Unified Robot Description Format, whose links are bodies and whose joints are

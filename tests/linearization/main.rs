@@ -1,12 +1,14 @@
 //! `outputs: [linearization]`: A and B of bodies and systems of every kind beside dual numbers; steady
 //! motions and modes.
 #![allow(missing_docs, reason = "tests")]
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod bodies;
 #[path = "../../examples/level_turn.rs"]
 mod level_turn;
 mod modes;
 mod oracle;
+mod own;
 mod systems;
 mod trim;
 

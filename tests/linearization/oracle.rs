@@ -23,17 +23,17 @@ where
 {
     let mut coordinates = state.coordinates();
     let count = coordinates.as_ref().len();
-    let half = rates(S::GROUPS);
+    let (places, rates) = (places(S::GROUPS), rates(S::GROUPS));
     let mut changes = vec![0.0; count];
-    if column < half {
+    if column < places {
         // what comes before the rates moves as it does at this rate
         let mut moving = coordinates;
-        moving.as_mut()[count - half..].fill(0.0);
-        moving.as_mut()[count - half + column] = 1.0;
+        moving.as_mut()[count - rates..].fill(0.0);
+        moving.as_mut()[count - rates + column] = 1.0;
         let at = S::from_coordinates(&moving).rates(&S::Acceleration::default());
-        changes[..count - half].copy_from_slice(&at.as_ref()[..count - half]);
+        changes[..count - rates].copy_from_slice(&at.as_ref()[..count - rates]);
     } else {
-        changes[count - half + column - half] = 1.0;
+        changes[count - rates + column - places] = 1.0;
     }
     let mut list = D::Array::default();
     for ((to, value), change) in list
@@ -47,7 +47,15 @@ where
     D::from_coordinates(&list)
 }
 
-/// How many rates a state has.
+/// How many coordinates of the tangent space come before the rates: of an attitude three.
+fn places(groups: &[usize]) -> usize {
+    let groups = groups[..groups.len() / 2].iter();
+    groups
+        .map(|group| if *group == 4 { 3 } else { *group })
+        .sum()
+}
+
+/// How many rates a state has, those of one's own with them.
 fn rates(groups: &[usize]) -> usize {
     groups[groups.len() / 2..].iter().sum()
 }

@@ -211,6 +211,7 @@ fn moments_and_inputs() {
         angular: Dependence {
             velocity: false,
             world: of_post,
+            states: false,
             ..Dependence::ALL
         },
         ..Structure::GENERAL

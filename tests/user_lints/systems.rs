@@ -134,4 +134,40 @@ pub mod still {
         fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
         outputs: [reactions, energy],
     });
+
+    newton_euler::rigid_system!(Crank::<R> {
+        doc: "A crank with a motor that lags.",
+        motion: planar,
+        params: [lag = 0.1[s]],
+        inputs: [command[N * m]],
+        states: [torque_1[N * m], Heat[J], torque_2],
+        rates: [
+            torque_1 = (command - torque_1) / lag,
+            Heat = 0.1[W] * torque_2,
+            torque_2 = 0.5[1 / s] * torque_2
+        ],
+        bodies: [arm {
+            mass: 1[kg],
+            inertia: 1[kg * m ^ 2],
+            points: [end = (-1, 0)[m]],
+        },],
+        joints: [wall = revolute(world(0, 0), arm.end)],
+        drives: [motor = torque_1.on(wall)],
+        outputs: [energy, reactions, taylor, linearization],
+    });
+
+    newton_euler::rigid_body!(Bicycle {
+        doc: "A body with states of its own.",
+        motion: planar,
+        inputs: [steer[rad]],
+        states: [steer_1[rad], steer_2[rad]],
+        rates: [
+            steer_1 = (steer - steer_1) / 0.1[s],
+            steer_2 = -steer_2 / 1[s]
+        ],
+        mass: 1[kg],
+        inertia: 1[kg * m ^ 2],
+        forces: [side = body(0, steer_1 * 2[N] - steer_2 * 1[N])],
+        outputs: [energy, momentum, balance, taylor, linearization],
+    });
 }

@@ -41,6 +41,7 @@ pub fn lower_description(
     let drives = driving.into_iter();
     let drives = every(drives.map(|load| lowering.drive(load, is_inverse)));
     let constraints = lowering.constraints(description, &outline.inputs);
+    let states = lowering.states(description, &outline.states);
     let reactions = unknown.into_iter().enumerate();
     let reactions = reactions.map(|(index, load)| lowering.reaction(index, load));
     let reactions: Vec<_> = reactions.collect();
@@ -54,6 +55,7 @@ pub fn lower_description(
         motion,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         state,
+        states: states?,
         mass: mass.known(),
         inertia: inertia?,
         is_differentiated: outline.rank(LINEARIZATION).is_some(),

@@ -35,7 +35,7 @@ pub use variation::{with_potentials, with_system_potentials};
 
 use std::cell::OnceCell;
 
-use answers::{derive_switches, list_partial, parts};
+use answers::{derive_switches, list_partial, loads};
 use balances::{EulerForm, derive_accelerations};
 use following::{REACTION, check_linear, put_settled, settle};
 use report::{classify, list_centers, list_skipped};
@@ -92,13 +92,15 @@ pub fn derive_equations(
     };
     let mut acting = accelerations.entries();
     acting.extend(constraints.iter().flat_map(Consistency::roots));
+    acting.extend(model.states.iter().map(|state| state.rate));
+
     Some(Equations {
         accelerations,
         form,
         reactions,
         switches: derive_switches(model.state.time, &model.derivatives, work, &acting),
         constraints,
-        partial: list_partial(model.loads.iter().map(|load| parts(load, work)), work),
+        partial: list_partial(loads(model, work), work),
         structure: OnceCell::new(),
     })
 }

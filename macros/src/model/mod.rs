@@ -18,7 +18,7 @@ pub use joints::{
     Coordinate, Field, Group, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
 };
 pub use kinematics::{
-    Attitude, Axis, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
+    Attitude, Axis, Own, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
 pub use system::{Axes, Closing, Holds, JointKind, Kept, Member, Part, System, Tie, TreeJoint};
 pub use words::{
@@ -34,6 +34,8 @@ pub struct Model {
     /// How many derivatives of each input are given: the inputs behind it.
     pub derivatives: Vec<usize>,
     pub state: State,
+    /// States of its own.
+    pub states: Vec<Own>,
     pub mass: Option<Id>,
     pub inertia: Inertia,
     /// Its equations are differentiated.

@@ -135,6 +135,8 @@ fn write_project(writer: &Writer<'_>, kept: &Kept) -> Method {
         [
             measured,
             constraint.direction.clone(),
+            // states of one's own stay as they are
+            vec![writer.work.graph.zero(); writer.outline.states.len()],
             constraint.coupling.clone(),
         ]
         .concat()

@@ -12,7 +12,8 @@ use crate::mechanics::{
     derive_taylor, describe_equations, describe_system, linearize_body, linearize_system,
     uniform_field, with_potentials, with_system_potentials,
 };
-use crate::model::{Defaults, Frame, Load, Model, Outline, Substance, System, Workspace};
+use crate::model::{Defaults, Frame, Load, Model, Outline, Own, Substance, System, Workspace};
+use crate::symbolic::Id;
 
 /// A body alone, or a system.
 pub trait Subject: Sized + 'static {
@@ -90,7 +91,11 @@ impl Subject for Model {
 
     fn equated(&self, outline: &Outline, equations: Equations) -> Equated {
         Equated {
-            accelerations: Shapes::of(outline).pair_part(&equations.accelerations),
+            accelerations: [
+                Shapes::of(outline).pair_part(&equations.accelerations),
+                rates(&self.states),
+            ]
+            .concat(),
             switches: equations.switches,
             partial: equations.partial,
         }
@@ -182,7 +187,7 @@ impl Subject for System {
         let written = self.written.iter();
         let accelerations = written.flat_map(|joint| equations.accelerations[*joint].clone());
         Equated {
-            accelerations: accelerations.collect(),
+            accelerations: accelerations.chain(rates(&self.states)).collect(),
             switches: equations.switches,
             partial: equations.partial,
         }
@@ -257,6 +262,10 @@ impl Subject for System {
     fn is_in_world(&self, joint: usize) -> bool {
         self.joints[self.written[joint]].is_in_world()
     }
+}
+
+fn rates(states: &[Own]) -> Vec<Id> {
+    states.iter().map(|state| state.rate).collect()
 }
 
 /// The fields that neither are potentials nor have one.

@@ -41,6 +41,17 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.inputs.push(input);
             into.inputs.extend(derivatives);
         }
+        "states" => {
+            let state = parse_declaration(name, rest, errors);
+            if let Some(word) = &state.moving {
+                errors.push(
+                    word.span(),
+                    "a state changes by its rate, which stands in `rates`: leave `.moving` out",
+                );
+            }
+            into.states.push(state);
+        }
+        "rates" => into.rates.push(parse_definition(name, rest, errors)),
         "points" => into.points.push(parse_definition(name, rest, errors)),
         "locals" => into.locals.push(parse_definition(name, rest, errors)),
         "constraints" => into.constraints.push(parse_definition(name, rest, errors)),

@@ -60,6 +60,9 @@ pub struct Description {
     pub composition: Option<Composition>,
     pub params: Vec<Declaration>,
     pub inputs: Vec<Declaration>,
+    /// States of its own, and the rate of each.
+    pub states: Vec<Declaration>,
+    pub rates: Vec<Definition>,
     pub points: Vec<Definition>,
     pub locals: Vec<Definition>,
     pub loads: Vec<Load>,
@@ -87,6 +90,8 @@ impl Description {
             composition: None,
             params: Vec::new(),
             inputs: Vec::new(),
+            states: Vec::new(),
+            rates: Vec::new(),
             points: Vec::new(),
             locals: Vec::new(),
             loads: Vec::new(),
@@ -123,7 +128,7 @@ pub struct Support {
     pub extent: Extent,
 }
 
-/// `name`, `name[unit]` or `name = value`: a parameter or an input.
+/// `name`, `name[unit]` or `name = value`: a parameter, an input or a state of its own.
 #[derive(Clone)]
 pub struct Declaration {
     pub name: Ident,
@@ -152,7 +157,7 @@ impl Declaration {
     }
 }
 
-/// `name = value`: a point, a local, a potential or a constraint.
+/// `name = value`: a point, a local, a potential, a constraint, or the rate of a state.
 #[derive(Clone)]
 pub struct Definition {
     pub name: Ident,

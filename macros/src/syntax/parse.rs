@@ -16,9 +16,11 @@ use super::words::is_keyword;
 use super::{Description, Written};
 
 /// Keys whose value is a list, each with an entry to show.
-const LISTS: [(&str, &str); 13] = [
+const LISTS: [(&str, &str); 15] = [
     ("params", "arm = 0.2[m]"),
     ("inputs", "thrust[N]"),
+    ("states", "speed[rad / s]"),
+    ("rates", "speed = (command - speed) / lag"),
     ("points", "tip = (0.1, 0, 0)"),
     ("locals", "total = thrust_1 + thrust_2"),
     ("forces", "push = body(1, 0, 0).at(tip)"),
@@ -227,7 +229,7 @@ fn parse_list(
         );
     }
     let form = match list {
-        "params" | "inputs" | "outputs" => Entry::Declared,
+        "params" | "inputs" | "states" | "outputs" => Entry::Declared,
         _ => Entry::Defined,
     };
     for entry in split(group.stream(), form, errors) {

@@ -93,7 +93,7 @@ pub trait Structured: RigidBody {
 /// The structure of the accelerations of a body.
 ///
 /// All that it says holds in every state, for all inputs and for all parameters; what it does not
-/// say may hold too. A motion's missing acceleration is zero: that of G under `rotation` and where
+/// say may hold too. Of the rates of states of one's own it says nothing. A motion's missing acceleration is zero: that of G under `rotation` and where
 /// a point is held, the angular one under `translation`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Structure {
@@ -154,9 +154,11 @@ pub struct Dependence {
     pub angular_velocity: bool,
     /// The inputs.
     pub input: bool,
+    /// States of one's own.
+    pub states: bool,
     /// Directions e, world axes, about which the world may be turned: positions, velocities and
-    /// attitude are turned about the line along e through the origin, at the same inputs, and the
-    /// acceleration turns with them. Components in body axes do not change at all.
+    /// attitude are turned about the line along e through the origin, at the same inputs and
+    /// the same states of one's own, and the acceleration turns with them. Components in body axes do not change at all.
     ///
     /// With weight along -e alone the angular acceleration reads of the attitude just `γ = Rᵀ e`,
     /// with `γ' = γ × ω`: three numbers in the place of four, and the yaw follows by quadrature
@@ -181,6 +183,7 @@ impl Dependence {
         attitude: false,
         angular_velocity: false,
         input: false,
+        states: false,
         world: Symmetry::Every,
         body: Symmetry::Every,
     };
@@ -193,6 +196,7 @@ impl Dependence {
         attitude: true,
         angular_velocity: true,
         input: true,
+        states: true,
         world: Symmetry::None,
         body: Symmetry::None,
     };
@@ -212,7 +216,8 @@ impl Dependence {
             || self.velocity
             || self.attitude
             || self.angular_velocity
-            || self.input)
+            || self.input
+            || self.states)
     }
 }
 

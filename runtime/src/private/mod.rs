@@ -31,8 +31,14 @@ pub use crate::state::{
 };
 pub use crate::taylor::{Arithmetic, Axes, Products, Series, Taylor};
 
+/// A state of one's own.
+pub type Real = f64;
+
 /// The types that hold numbers, over any scalar.
 pub mod generic {
+    /// A state of one's own.
+    pub type Real<T> = T;
+
     pub use crate::mechanics::load::generic::*;
     pub use crate::mechanics::wrench::generic::*;
     pub use crate::state::generic::*;

@@ -12,13 +12,15 @@ use crate::numbers::scalar::Scalar;
 
 /// A state as a list of coordinates: position, attitude or angle or axis, velocity, and their
 /// rates, those that there are, in this order; components x, y, z, of an attitude with the scalar
-/// last. Of a system: what comes before the rates, joint by joint, and then all rates.
+/// last. Of a system: what comes before the rates, joint by joint, and then all rates; states of
+/// one's own are last.
 pub trait Coordinates: State<Scalar: Scalar> {
     /// `[Scalar; COUNT]`, of a system a [`List`](super::List).
     type Array: Copy + Debug + Default + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
 
     /// How many coordinates belong together: each group is of one unit. The second half of the
-    /// groups are the rates of the first.
+    /// groups are the rates of the first; of a state of one's own, which has its rate from the
+    /// equations, the first is empty.
     const GROUPS: &'static [usize];
 
     /// Where the coordinates of an attitude quaternion begin, and those of the angular velocity in

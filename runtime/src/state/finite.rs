@@ -25,7 +25,7 @@ where
 }
 
 /// Why it is refused.
-pub(super) struct NotFinite(f64);
+pub(crate) struct NotFinite(f64);
 
 impl core::fmt::Display for NotFinite {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
@@ -33,7 +33,7 @@ impl core::fmt::Display for NotFinite {
     }
 }
 
-pub(super) fn check<T: Scalar>(components: &[T]) -> Result<(), NotFinite> {
+pub(crate) fn check<T: Scalar>(components: &[T]) -> Result<(), NotFinite> {
     for component in components {
         for lane in 0..T::LANES {
             let value = component.lane(lane);

@@ -21,6 +21,7 @@ mod finite;
 mod hinge;
 mod list;
 mod planar;
+mod real;
 mod rod;
 mod rotation;
 mod slide;
@@ -32,6 +33,8 @@ mod universal;
 
 pub use coordinates::Coordinates;
 pub(crate) use coordinates::group;
+#[cfg(feature = "serde")]
+pub(crate) use finite::check;
 pub use list::List;
 pub use space::State;
 

@@ -22,10 +22,13 @@ type Place = (Source, TokenStream, Vec<String>, Component);
 
 /// Where the parts of a state and of an acceleration are.
 fn places(outline: &Outline) -> Vec<Place> {
+    let own = outline.states.iter().enumerate().map(place_of_own);
     if outline.is_system {
-        return outline.joints.iter().flat_map(places_of_joint).collect();
+        let joints = outline.joints.iter().flat_map(places_of_joint);
+        return joints.chain(own).collect();
     }
-    let places = places_of_body(outline.motion).into_iter();
+    let part = outline.has_parts().then(|| quote!(.motion));
+    let places = places_of_body(outline.motion, part.as_ref()).into_iter();
     let places = places.map(|(source, path, names, variable)| {
         let component: Component = Box::new(move |meaning| match meaning {
             Meaning::Of(_, Variable::Quaternion, part) if variable == Variable::Quaternion => {
@@ -36,7 +39,16 @@ fn places(outline: &Outline) -> Vec<Place> {
         });
         (source, path, names, component)
     });
-    places.collect()
+    places.chain(own).collect()
+}
+
+/// A state of one's own, in the field of its name.
+fn place_of_own((number, own): (usize, &Declared)) -> Place {
+    let (state, name) = (local("state"), &own.name);
+    let component: Component =
+        Box::new(move |meaning| (meaning == Meaning::Own(number)).then_some(0));
+    let names = vec![name.to_string()];
+    (Source::State, quote!(#state.#name), names, component)
 }
 
 /// The parts of the state of a joint, in a field of its name, and of its acceleration.
@@ -65,9 +77,16 @@ fn places_of_joint(joint: &Jointed) -> Vec<Place> {
     state.chain(second).collect()
 }
 
-/// Where the parts of the state and of the acceleration of a body alone are.
-fn places_of_body(motion: Motion) -> Vec<(Source, TokenStream, Vec<String>, Variable)> {
-    let (state, acceleration) = (local("state"), local("acceleration"));
+/// Where the parts of the state and of the acceleration of a body alone are; `part` is the field that
+/// has its motion, if it is not the whole.
+fn places_of_body(
+    motion: Motion,
+    part: Option<&TokenStream>,
+) -> Vec<(Source, TokenStream, Vec<String>, Variable)> {
+    let [state, acceleration] = ["state", "acceleration"].map(|name| {
+        let name = local(name);
+        quote!(#name #part)
+    });
     let axes = &AXES[..motion.axes()];
     let vector = |prefix: &str| axes.iter().map(|axis| format!("{prefix}{axis}")).collect();
     let angular = |name: &str, prefix: &str| {
@@ -81,8 +100,11 @@ fn places_of_body(motion: Motion) -> Vec<(Source, TokenStream, Vec<String>, Vari
     let is_struct = motion.translates() && motion.has_attitude();
     let of_acceleration = |name: &str, names: Vec<String>, variable: Variable| {
         let name = format_ident!("{name}");
-        let part = is_struct.then(|| quote!(#acceleration.#name));
-        let path = part.unwrap_or_else(|| quote!((*#acceleration)));
+        let path = match (is_struct, part) {
+            (true, _) => quote!(#acceleration.#name),
+            (false, Some(_)) => acceleration.clone(),
+            (false, None) => quote!((*#acceleration)),
+        };
         (Source::Acceleration, path, names, variable)
     };
     let quaternion = ["qx", "qy", "qz", "qw"].map(str::to_owned).to_vec();
@@ -173,8 +195,8 @@ impl Block<'_> {
 
     /// A value that every function of this stage is given.
     fn value_at_hand(&mut self) -> TokenStream {
-        let (motion, state) = (self.writer.outline.motion, local("state"));
         let outline = self.writer.outline;
+        let (motion, state) = (outline.motion, local("state"));
         if self.writer.stage == Stage::Parameter {
             let params = Ident::new("params", Span::call_site());
             return component_at_hand(&params, outline.params.first());
@@ -195,6 +217,10 @@ impl Block<'_> {
             let (name, path) = (&joint.name, format_ident!("{path}"));
             let x = (count > 1).then(|| quote!(.x));
             return quote!(#state.#name.#path #x);
+        }
+        if let Some(own) = outline.states.first() {
+            let name = &own.name;
+            return quote!(#state.#name);
         }
         if motion.translates() {
             quote!(#state.velocity.x)

@@ -16,8 +16,9 @@ use super::scalar::{Scalar, private};
 #[derive(Clone)]
 pub struct Shapes {
     pub motion: Motion,
-    /// Of a system: its name, and its joints with their shapes.
-    system: Option<(Ident, Vec<(Ident, &'static Shape)>)>,
+    /// Of a state that has parts: the name of what it is of, and these with their shapes.
+    parts: Option<(Ident, Vec<(Ident, &'static Shape)>)>,
+    is_system: bool,
     pub scalar: Scalar,
     pub private: TokenStream,
 }
@@ -29,11 +30,10 @@ impl Shapes {
     pub fn of(outline: &Outline) -> Self {
         Self {
             motion: outline.motion,
-            system: outline.is_system.then(|| {
-                let joints = outline.joints.iter();
-                let joints = joints.map(|joint| (joint.name.clone(), joint.shape));
-                (outline.name.clone(), joints.collect())
-            }),
+            parts: outline
+                .has_parts()
+                .then(|| (outline.name.clone(), outline.parts())),
+            is_system: outline.is_system,
             scalar: Scalar::of(outline),
             private: private(outline),
         }
@@ -48,7 +48,7 @@ impl Shapes {
     }
 
     pub fn state_type(&self) -> TokenStream {
-        if let Some((name, _)) = &self.system {
+        if let Some((name, _)) = &self.parts {
             let (name, applied) = (format_ident!("{name}State"), self.scalar.applied());
             return quote!(#name #applied);
         }
@@ -74,10 +74,10 @@ impl Shapes {
     }
 
     pub fn acceleration_type(&self) -> TokenStream {
-        if let Some((name, joints)) = &self.system {
+        if let Some((name, parts)) = &self.parts {
             let name = format_ident!("{name}Acceleration");
             // that of a state without coordinates has no numbers
-            let applied = (!joints.is_empty()).then(|| self.scalar.applied());
+            let applied = (!parts.is_empty()).then(|| self.scalar.applied());
             return quote!(#name #applied);
         }
         match self.motion.shape.acceleration {
@@ -207,14 +207,16 @@ impl Shapes {
 
     /// The names of the components of an acceleration.
     pub fn acceleration_names(&self) -> Vec<String> {
-        let Some((_, joints)) = &self.system else {
+        let Some((_, parts)) = &self.parts else {
             return self.pair_names();
         };
+        let alone = (!self.is_system).then(|| self.pair_names());
+        let joints = parts.get(alone.iter().len()..).unwrap_or_default();
         let names = joints.iter().flat_map(|(joint, shape)| {
             let names = shape.second.iter().flat_map(|field| field.names);
             names.map(move |name| format!("{joint}_{name}"))
         });
-        names.collect()
+        alone.into_iter().flatten().chain(names).collect()
     }
 
     pub fn vector(&self, values: &mut Values<'_>) -> TokenStream {
@@ -240,12 +242,12 @@ impl Shapes {
     }
 
     pub fn acceleration(&self, values: &mut Values<'_>) -> TokenStream {
-        if let Some((name, joints)) = &self.system {
-            if joints.is_empty() {
+        if let Some((name, parts)) = &self.parts {
+            if parts.is_empty() {
                 return TokenStream::new();
             }
             let name = format_ident!("{name}Acceleration");
-            let fields = joints.iter().map(|(joint, shape)| {
+            let fields = parts.iter().map(|(joint, shape)| {
                 let value = self.joint_acceleration(shape, values);
                 quote!(#joint: #value)
             });
@@ -270,19 +272,40 @@ impl Shapes {
     /// `State { velocity: .., angular_velocity: .., ..*state }`, of a rod `axis_rate`, with these
     /// velocities or at rest.
     pub fn moving_state(&self, values: &mut Values<'_>, moves: bool) -> TokenStream {
-        let (kind, state) = (self.state_type(), local("state"));
-        if let Some((system, joints)) = &self.system {
-            let joints = joints.iter().map(|(joint, shape)| {
-                let rates = self.moving_joint(joint, shape, values, moves);
-                quote!(#joint: #rates)
-            });
-            let joints: Vec<TokenStream> = joints.collect();
-            if joints.is_empty() {
-                return quote!(*#state);
-            }
-            let name = format_ident!("{system}State");
-            return quote!(#name { #(#joints),* });
+        let state = local("state");
+        let Some((name, parts)) = &self.parts else {
+            return self.moving_body(&quote!(*#state), values, moves);
+        };
+        if parts.is_empty() {
+            return quote!(*#state);
         }
+        let fields = parts.iter().map(|(part, shape)| {
+            let value = if shape
+                .fields
+                .iter()
+                .all(|field| field.variable == Variable::Own)
+            {
+                quote!(#state.#part)
+            } else if self.is_system {
+                self.moving_joint(part, shape, values, moves)
+            } else {
+                self.moving_body(&quote!(#state.#part), values, moves)
+            };
+            quote!(#part: #value)
+        });
+        let fields: Vec<TokenStream> = fields.collect();
+        let name = format_ident!("{name}State");
+        quote!(#name { #(#fields),* })
+    }
+
+    /// The motion of a body alone, at this place.
+    fn moving_body(
+        &self,
+        place: &TokenStream,
+        values: &mut Values<'_>,
+        moves: bool,
+    ) -> TokenStream {
+        let kind = self.scalar.holder(self.motion.shape.state);
         let field = |name: &str, value: TokenStream| {
             let name = format_ident!("{name}");
             let value = if moves {
@@ -307,7 +330,7 @@ impl Shapes {
             }
             Orientation::Line => fields.extend(field("axis_rate", self.vector(values))),
         }
-        quote!(#kind { #fields ..*#state })
+        quote!(#kind { #fields ..#place })
     }
 
     /// `Hinge { angular_velocity: .., ..state.elbow }`

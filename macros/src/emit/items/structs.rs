@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::code::{Scalar, Shapes, allow_constants, local_name, private};
-use crate::model::{Declared, Outline};
+use crate::model::{Declared, Dimension, Outline};
 
 use super::constructor::Constructor;
 use super::docs::{Documentation, declared_doc};
@@ -78,20 +78,32 @@ pub fn emit_items(
     }
 }
 
-/// The state of a system and its acceleration, joint by joint.
+/// The state of a system and its acceleration, joint by joint; and of a body with states of its own.
 fn emit_state(outline: &Outline) -> Option<TokenStream> {
-    if !outline.is_system {
+    if !outline.has_parts() {
         return None;
     }
     let (name, shapes) = (&outline.name, Shapes::of(outline));
     let private = &shapes.private;
     let [state, acceleration] =
         ["State", "Acceleration"].map(|suffix| format_ident!("{name}{suffix}"));
-    let docs = [
-        format!(" The state of [`{name}`]: that of each joint."),
-        format!(" The acceleration of [`{name}`]: that of each joint."),
+    let parts = if outline.is_system {
+        "of each joint"
+    } else {
+        "of its motion"
+    };
+    let own = if outline.states.is_empty() {
+        ["", ""]
+    } else {
+        [
+            ", and states of its own",
+            ", and the rates of its own states",
+        ]
+    };
+    let [of_state, of_acceleration] = [
+        format!(" The state of [`{name}`]: that {parts}{}.", own[0]),
+        format!(" The acceleration of [`{name}`]: that {parts}{}.", own[1]),
     ];
-    let [of_state, of_acceleration] = docs;
     let scalar = outline.scalar.iter();
     if outline.is_still() {
         let (applied, still) = (shapes.scalar.applied(), shapes.scalar.holder("Still"));
@@ -102,19 +114,39 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
             pub type #acceleration = ();
         });
     }
-    let joints = outline.joints.iter().map(|joint| {
-        let (name, kind) = (&joint.name, format_ident!("{}", joint.shape.state));
-        let second = shapes.joint_acceleration_type(joint.shape);
-        let doc = format!(" The joint `{name}`.");
-        quote!(#[doc = #doc] #name: #kind #[doc = #doc] => #second)
+    let all = outline.parts();
+    let fields = all.iter().map(|(name, shape)| {
+        let kind = format_ident!("{}", shape.state);
+        let second = shapes.joint_acceleration_type(shape);
+        let [first_doc, second_doc] = docs_of_part(outline, name);
+        quote!(#[doc = #first_doc] #name: #kind #[doc = #second_doc] => #second)
     });
-    let lints = lints(outline.joints.iter().map(|joint| &joint.name));
+    let lints = lints(all.iter().map(|(name, _)| name));
     Some(quote! {
         #private::system_state! {
             #[doc = #of_state] #lints #state
-            #[doc = #of_acceleration] #lints #acceleration #(<#scalar>)* { #(#joints),* }
+            #[doc = #of_acceleration] #lints #acceleration #(<#scalar>)* { #(#fields),* }
         }
     })
+}
+
+/// What a part of a state is, and of its acceleration.
+fn docs_of_part(outline: &Outline, name: &Ident) -> [String; 2] {
+    let mut states = outline.states.iter();
+    let Some(state) = states.find(|state| state.name == *name) else {
+        let doc = if outline.is_system {
+            format!(" The joint `{name}`.")
+        } else {
+            " The motion of the body.".to_owned()
+        };
+        return [doc.clone(), doc];
+    };
+    let rate = state.dimension.over(Dimension::TIME);
+    let rate = rate.unwrap_or(Dimension::ANY);
+    [
+        declared_doc(state),
+        format!(" The rate of `{name}` in {rate}."),
+    ]
 }
 
 /// A body that is built from parameters; `beside` are the structs beside them.
@@ -172,8 +204,8 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident
     let name = &outline.name;
     let module = format_ident!("equations_of_{name}");
     let others = [
-        ("State", outline.is_system),
-        ("Acceleration", outline.is_system),
+        ("State", outline.has_parts()),
+        ("Acceleration", outline.has_parts()),
         ("Params", true),
     ];
     let others = others.iter().filter(|(_, is_there)| *is_there);

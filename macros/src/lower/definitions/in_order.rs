@@ -30,6 +30,10 @@ impl Lowering<'_> {
             is_lost = value.is_none();
             self.scope.define(&input.name.to_string(), value);
         }
+        for (index, state) in outline::distinct(&description.states).enumerate() {
+            let value = self.state(index, state, &mut outline.states[index]);
+            self.scope.define(&state.name.to_string(), value);
+        }
         defaults
     }
 

@@ -5,6 +5,7 @@ mod names;
 mod order;
 mod outline;
 mod parameters;
+mod states;
 mod support;
 
 pub use names::{check_distinct, check_names, unused};

@@ -32,8 +32,8 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
             }
             Some(first) if *first == what => format!("there is a {what} `{word}` already"),
             Some(first) => format!(
-                "`{word}` is the name of a {first} already: params, inputs, points and locals \
-                 need different names"
+                "`{word}` is the name of a {first} already: params, inputs, states, points and \
+                 locals need different names"
             ),
         };
         errors.push(name.span(), message.replace("a input", "an input"));
@@ -49,6 +49,9 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
             errors,
         );
     }
+    for state in &description.states {
+        check(&state.name, "state", errors);
+    }
     for point in &description.points {
         check(&point.name, "point", errors);
     }
@@ -60,6 +63,8 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
     let loads = named.chain(potentials.map(|potential| &potential.name));
     check_distinct("load", loads, errors);
     let constraints = description.constraints.iter();
+    let rates = description.rates.iter().map(|rate| &rate.name);
+    check_distinct("rate", rates, errors);
     check_distinct("constraint", constraints.map(|one| &one.name), errors);
     repeated
 }

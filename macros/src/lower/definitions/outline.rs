@@ -93,6 +93,7 @@ pub fn outline(
         kept: Vec::new(),
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
+        states: distinct(&description.states).map(declared).collect(),
         outputs: check_outputs(description, offers, errors),
         reactions: by_name(description, is_unknown),
         drives: by_name(description, is_drive),

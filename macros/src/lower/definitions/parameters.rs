@@ -152,7 +152,7 @@ impl Lowering<'_> {
         Some(())
     }
 
-    fn declared_unit(&mut self, written: &Declaration) -> Option<Dimension> {
+    pub fn declared_unit(&mut self, written: &Declaration) -> Option<Dimension> {
         let Some(unit) = &written.unit else {
             return Some(Dimension::ANY);
         };

@@ -22,6 +22,10 @@ impl Lowering<'_> {
         let is_own = |name: &Ident| !self.is_whole && self.scope.knows(&name.to_string());
         let (receiver, word, arguments) = match &expression.kind {
             Kind::Name(name) if members.has(&name.to_string()) && !is_own(name) => {
+                // a name of two things was reported
+                if self.scope.is_lost(&name.to_string()) {
+                    return Some(None);
+                }
                 let (word, form) = if members.body(&name.to_string()).is_some() {
                     ("body", "position")
                 } else {

@@ -49,7 +49,8 @@ pub struct Scope {
 impl Scope {
     /// `repeated` are names that mean two things.
     pub fn new(description: &Description, repeated: HashSet<String>) -> Self {
-        let declarations = description.params.iter().chain(&description.inputs);
+        let given = description.params.iter().chain(&description.inputs);
+        let declarations = given.chain(&description.states);
         let definitions = description.points.iter().chain(&description.locals);
         let declared = declarations.map(|declaration| declaration.name.to_string());
         let defined = definitions.map(|definition| definition.name.to_string());

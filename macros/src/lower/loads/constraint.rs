@@ -93,7 +93,9 @@ impl Lowering<'_> {
     pub fn kept_at_zero(&mut self, written: &Definition) -> Option<Vec<(String, Id)>> {
         let expression = written.value.as_ref()?;
         let name = &written.name;
-        let scalars = match self.constrained(expression)? {
+        let value = self.constrained(expression)?;
+        self.check_no_state(expression, value)?;
+        let scalars = match value {
             Value::Scalar(id, _) => Some(vec![(name.to_string(), id)]),
             Value::Components(_, components, _) => Some(self.named_components(name, components)),
             Value::Vector(vector, _) => {
@@ -111,6 +113,28 @@ impl Lowering<'_> {
         let values: Vec<Id> = scalars.iter().map(|(_, value)| *value).collect();
         self.check_no_acceleration(expression, &values, "a constraint")?;
         Some(scalars)
+    }
+
+    /// A constraint is differentiated twice, and states of one's own have one rate.
+    fn check_no_state(&mut self, expression: &Expression, value: Value) -> Option<()> {
+        let components = match value {
+            Value::Scalar(id, _) => vec![id],
+            Value::Components(_, components, _) => components.to_vec(),
+            Value::Vector(vector, _) => self.work.entries(&[vector]),
+            _ => return Some(()),
+        };
+        let symbols = self.late_symbols(&components).into_iter();
+        let is_own = |id: &Id| matches!(self.work.meaning(*id), Some(Meaning::Own(_)));
+        let own: Vec<Id> = symbols.filter(is_own).collect();
+        if own.is_empty() {
+            return Some(());
+        }
+        let place = self.dependent_name(expression, &own, &[]);
+        self.report(
+            place,
+            "a constraint speaks of where bodies are and how they move, of inputs and of time, and this follows \
+             from a state of one's own: let it drive a load instead",
+        )
     }
 
     /// A constraint is differentiated, and so are the inputs in it.

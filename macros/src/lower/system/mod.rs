@@ -54,6 +54,9 @@ pub fn lower_system(
     let joints = reader.drives(joints, errors);
     let between = reader.loads_between(errors);
     let points = reader.asked_points(errors);
+    let states = reader.at_top(errors, |lowering| {
+        lowering.states(&system.top, &outline.states)
+    });
     outline.unused = reader.unused(&drafts);
     let (mut bodies, mut joints, mut points, between) = (bodies?, joints?, points?, between?);
     for (body, load) in between.loads {
@@ -85,6 +88,7 @@ pub fn lower_system(
         written,
         points,
         gravity,
+        states: states?,
         constraints: constraints?,
         potentials: potentials?,
         energies: between.energies,

@@ -12,6 +12,6 @@ pub use axes::Axes;
 pub use balance::{Balance, LoadExpressions, Resultant, derive_balance};
 pub use energy::{Energy, derive_energy, done_by_field};
 pub use momentum::{Momentum, derive_momentum};
-pub use partial::{Partial, list_partial, parts};
+pub use partial::{Partial, list_partial, loads, parts};
 pub use switches::{Switch, derive_switches};
 pub use taylor::{Moving, Taylor, derive_taylor, quaternion_rate};

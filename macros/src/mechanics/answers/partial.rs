@@ -2,7 +2,7 @@
 //! divide by what moves, or have a function that is not there for all numbers, or soon out of
 //! range.
 
-use crate::model::{Load, Meaning, Workspace};
+use crate::model::{Load, Meaning, Model, Own, Workspace};
 use crate::symbolic::{Function, Graph, Id, Node};
 
 /// A load, and all of its components that are not zero.
@@ -16,6 +16,13 @@ pub fn parts(load: &Load, work: &Workspace) -> (String, Vec<Id>) {
     let mut parts = work.entries(&[load.force, load.moment]);
     parts.extend(load.pull.into_iter().flatten());
     (load.name.to_string(), parts)
+}
+
+/// All loads of a body and rates of its own states by name, with their components.
+pub fn loads(model: &Model, work: &Workspace) -> Vec<(String, Vec<Id>)> {
+    let loads = model.loads.iter().map(|load| parts(load, work));
+    let rates = model.states.iter().map(Own::named_rate);
+    loads.chain(rates).collect()
 }
 
 pub fn list_partial(

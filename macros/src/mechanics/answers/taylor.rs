@@ -13,11 +13,11 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
-use crate::model::{Attitude, Frame, Meaning, Model, Pair, Workspace};
+use crate::model::{Attitude, Frame, Meaning, Model, Own, Pair, Workspace};
 use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
 
 use super::axes::{self, Axes};
-use super::partial::parts;
+use super::partial::loads;
 
 /// The recurrences of a motion, with its coordinates in the order in which the runtime lists them.
 #[derive(Debug)]
@@ -47,7 +47,10 @@ pub fn derive_taylor(
     structure: &Structure,
     errors: &mut Errors,
 ) -> Option<Taylor> {
-    let axes = axes::derive_axes(model, work, structure);
+    // in axes that do not spin, rates of one's own may be others
+    let may_turn = model.states.is_empty();
+    let axes = may_turn.then(|| axes::derive_axes(model, work, structure));
+    let axes = axes.flatten();
     let (axes_rate, angular) = match &axes {
         Some(axes) => (
             axes.rate,
@@ -60,10 +63,9 @@ pub fn derive_taylor(
         ..accelerations
     };
     let coordinates = coordinates(model, work, accelerations, axes_rate);
-    let loads = model.loads.iter();
     let moving = Moving {
         coordinates,
-        loads: loads.map(|load| parts(load, work)).collect(),
+        loads: loads(model, work),
         derivatives: &model.derivatives,
     };
     moving.expand(work, axes, asked, errors)
@@ -150,7 +152,7 @@ impl Moving<'_> {
     }
 }
 
-/// The coordinates of the state, and time; those of a kind of motion are together. `axes_rate` is the
+/// The coordinates of the state, those of one's own, and time; those of a kind of motion are together. `axes_rate` is the
 /// angular velocity of the axes.
 fn coordinates(
     model: &Model,
@@ -188,8 +190,11 @@ fn coordinates(
         Attitude::Axis { .. } => push(&rate, &angular[2..]),
         Attitude::Quaternion { .. } | Attitude::Line { .. } => push(&state.turn_rate(), &angular),
     }
-    let unit = work.graph.one();
-    push(&[model.state.time], &[unit]);
+    list.extend(model.states.iter().map(Own::coordinate));
+    list.push(Coordinate {
+        symbol: state.time,
+        rate: work.graph.one(),
+    });
     list
 }
 

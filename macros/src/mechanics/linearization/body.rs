@@ -22,6 +22,8 @@ pub fn linearize_body(
         &angular[motion.angular_axes()],
     ]
     .concat();
+    let rates = model.states.iter().map(|state| state.rate);
+    let accelerations: Vec<Id> = accelerations.into_iter().chain(rates).collect();
     let mut directions = Directions::new();
     for (number, group) in outline.tangent().iter().enumerate() {
         let components = 0..group.size;
@@ -55,6 +57,10 @@ fn direction(model: &Model, work: &mut Workspace, group: &Group, component: usiz
             turns: BTreeMap::from([(state.body, work.vector(state.body, direction))]),
         },
         (Variable::AngularVelocity, Some((_, rate)), _) => Direction::of_symbol(work, Some(rate)),
+        (Variable::Own, ..) => {
+            let own = work.symbol_of(Meaning::Own(group.first));
+            Direction::of_symbol(work, own)
+        }
         (variable, ..) => {
             let meaning = Meaning::Of(state.body, variable, component);
             Direction::of_symbol(work, work.symbol_of(meaning))

@@ -3,7 +3,7 @@
 
 use crate::mechanics::system::{Response, SystemEquations, unit_motion};
 use crate::mechanics::variation::Direction;
-use crate::model::{Group, Outline, System, TreeJoint, Variable, Workspace};
+use crate::model::{Group, Meaning, Outline, System, Variable, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::blocks::{Linearization, assemble};
@@ -17,7 +17,7 @@ pub fn linearize_system(
     equations: &SystemEquations,
 ) -> Linearization {
     let mut response = Response::of(system, work, equations);
-    let (accelerations, changing) = if let Some(response) = &response {
+    let (mut accelerations, mut changing) = if let Some(response) = &response {
         (response.accelerations.clone(), response.lacking.clone())
     } else {
         let written = system.written.iter();
@@ -25,12 +25,14 @@ pub fn linearize_system(
         let accelerations: Vec<Id> = accelerations.collect();
         (accelerations.clone(), accelerations)
     };
+    let own = changing.len();
+    let rates = || system.states.iter().map(|state| state.rate);
+    accelerations.extend(rates());
+    changing.extend(rates());
     let mut directions = Directions::new();
     for (number, group) in outline.tangent().iter().enumerate() {
-        let joint = &system.joints[system.written[group.joint]];
         let components = 0..group.size;
-        let components =
-            components.map(|component| direction(system, work, joint, (group, component)));
+        let components = components.map(|component| direction(system, work, (group, component)));
         directions.push((Column::State(number), components.collect()));
     }
     directions.extend(of_inputs(outline, work));
@@ -40,7 +42,10 @@ pub fn linearize_system(
         &accelerations,
         &directions,
         |work, change| match &mut response {
-            Some(response) => response.to(work, &change),
+            Some(response) => {
+                let (change, rates) = change.split_at(own);
+                [response.to(work, change).as_slice(), rates].concat()
+            }
             None => change,
         },
     );
@@ -58,9 +63,13 @@ pub fn linearize_system(
 fn direction(
     system: &System,
     work: &mut Workspace,
-    joint: &TreeJoint,
     (group, component): (&Group, usize),
 ) -> Direction {
+    if group.variable == Variable::Own {
+        let own = work.symbol_of(Meaning::Own(group.first));
+        return Direction::of_symbol(work, own);
+    }
+    let joint = &system.joints[system.written[group.joint]];
     let part = group.first + component;
     match group.variable {
         Variable::Position => unit_motion(system, work, joint, (Variable::Velocity, part)),

@@ -32,7 +32,7 @@ pub struct Structure {
 #[derive(Clone)]
 pub struct Dependence {
     /// In the order of [`QUANTITIES`].
-    pub reads: [bool; 6],
+    pub reads: [bool; 7],
     /// Directions about which the world may be turned.
     pub world: Symmetry,
     /// Directions about which the axes of the body may be turned.
@@ -40,13 +40,14 @@ pub struct Dependence {
 }
 
 /// The names of what can be read.
-pub const QUANTITIES: [&str; 6] = [
+pub const QUANTITIES: [&str; 7] = [
     "time",
     "position",
     "velocity",
     "attitude",
     "angular_velocity",
     "input",
+    "states",
 ];
 
 pub fn derive_structure(model: &Model, work: &mut Workspace, accelerations: Pair) -> Structure {
@@ -84,12 +85,13 @@ fn quantity(meaning: Meaning) -> Option<usize> {
         Meaning::Of(_, Variable::Angle | Variable::Quaternion | Variable::Axis, _) => Some(3),
         Meaning::Of(_, Variable::AngularVelocity | Variable::AxisRate, _) => Some(4),
         Meaning::Input(..) => Some(5),
+        Meaning::Own(_) => Some(6),
         _ => None,
     }
 }
 
-fn reads(work: &Workspace, roots: &[Id]) -> [bool; 6] {
-    let mut reads = [false; 6];
+fn reads(work: &Workspace, roots: &[Id]) -> [bool; 7] {
+    let mut reads = [false; 7];
     for id in work.graph.reachable(roots, |_| true) {
         if let Some(meaning) = work.meaning(id)
             && let Some(index) = quantity(meaning)

@@ -8,7 +8,7 @@ use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, 
 use crate::mechanics::following::takes_inertia;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Built, Solved};
-use crate::model::{System, Tie, Workspace};
+use crate::model::{Own, System, Tie, Workspace};
 use crate::symbolic::Id;
 
 use super::closed::{Closed, check_kept, close};
@@ -63,7 +63,8 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
             work.labels.name(*id, format!("{}_{name}", joint.name));
         }
     }
-    let roots = accelerations.concat();
+    let mut roots = accelerations.concat();
+    roots.extend(system.states.iter().map(|state| state.rate));
     let time = system.bodies.first().map(|body| body.state.time);
     let switches = time.map(|time| derive_switches(time, &system.derivatives, work, &roots));
     let mut loads = loads(system, work);
@@ -129,13 +130,14 @@ fn follows(system: &System, work: &Workspace) -> bool {
     !work.accelerations_in(&parts).is_empty()
 }
 
-/// All loads and drives by name, with their components.
+/// All loads, drives and rates of one's own by name, with their components.
 pub fn loads(system: &System, work: &Workspace) -> Vec<(String, Vec<Id>)> {
     let loads = system.bodies.iter().flat_map(|body| &body.loads);
     let loads = loads.map(|load| parts(load, work));
     let drives = system.joints.iter().flat_map(|joint| &joint.driven_by);
     let drives = drives.map(|(name, parts)| (name.to_string(), parts.clone()));
-    loads.chain(drives).collect()
+    let rates = system.states.iter().map(Own::named_rate);
+    loads.chain(drives).chain(rates).collect()
 }
 
 /// `rope`: between `mast` and the ground

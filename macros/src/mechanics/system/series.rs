@@ -2,7 +2,7 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::answers::{Moving, Taylor};
-use crate::model::{System, Workspace};
+use crate::model::{Own, System, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
 use super::equations::loads;
@@ -35,6 +35,7 @@ pub fn derive_system_taylor(
             rate: *rate,
         }));
     }
+    coordinates.extend(system.states.iter().map(Own::coordinate));
     let unit = work.graph.one();
     coordinates.extend(system.bodies.first().map(|body| Coordinate {
         symbol: body.state.time,

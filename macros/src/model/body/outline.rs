@@ -1,12 +1,13 @@
 //! What is known of a description whatever is wrong with it: its names, types and signatures.
 
+use std::collections::HashSet;
+
 use proc_macro2::{Ident, TokenStream};
 
 use crate::errors::Extent;
 use crate::families::LoadKind;
-use crate::model::joints::{Group, Motion, Shape};
-use crate::model::words::Dimension;
-use crate::model::words::{Frame, FrameWord};
+use crate::model::joints::{Group, Motion, OWN, Shape};
+use crate::model::words::{Dimension, Frame, FrameWord, Variable};
 use crate::symbolic::Number;
 
 /// An output that is asked for, and where.
@@ -46,6 +47,8 @@ pub struct Outline {
     pub driving: Vec<(Ident, Ident)>,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
+    /// States of its own, each a field of its state.
+    pub states: Vec<Declared>,
     pub outputs: Vec<Asked>,
     /// Loads with unknown components, by name.
     pub reactions: Vec<(Ident, LoadKind)>,
@@ -94,15 +97,45 @@ impl Outline {
     }
 
     /// The coordinates of the tangent space of its states: what comes before the rates, joint by
-    /// joint, and then the rates.
+    /// joint, and then the rates, and states of one's own behind them.
     pub fn tangent(&self) -> Vec<Group> {
         let [places, rates] = [Shape::places, Shape::rates].map(|of| self.by_shape(of));
-        [places, rates].concat()
+        [places, rates, self.own("")].concat()
     }
 
-    /// Its accelerations, in the order of the rates.
+    /// Its accelerations, in the order of the rates; of a state of one's own its rate.
     pub fn accelerations(&self) -> Vec<Group> {
-        self.by_shape(Shape::accelerations)
+        [self.by_shape(Shape::accelerations), self.own("_rate")].concat()
+    }
+
+    fn own(&self, suffix: &str) -> Vec<Group> {
+        let states = self.states.iter().enumerate();
+        let groups = states.map(|(number, state)| Group {
+            joint: 0,
+            name: format!("{}{suffix}", state.name),
+            variable: Variable::Own,
+            first: number,
+            size: 1,
+        });
+        groups.collect()
+    }
+
+    /// Its state is a struct of its own, with a field for each part.
+    pub fn has_parts(&self) -> bool {
+        self.is_system || !self.states.is_empty()
+    }
+
+    /// The parts of such a state.
+    pub fn parts(&self) -> Vec<(Ident, &'static Shape)> {
+        let joints = self.joints.iter();
+        let joints = joints.map(|joint| (joint.name.clone(), joint.shape));
+        let alone =
+            (!self.is_system).then(|| (Ident::new("motion", self.name.span()), self.motion.shape));
+        let states = self.states.iter().map(|state| (state.name.clone(), &OWN));
+        // what is there twice was reported
+        let mut seen = HashSet::new();
+        let all = alone.into_iter().chain(joints).chain(states);
+        all.filter(|(name, _)| seen.insert(name.clone())).collect()
     }
 
     fn by_shape(&self, of: fn(&Shape, usize, &str) -> Vec<Group>) -> Vec<Group> {
@@ -117,7 +150,7 @@ impl Outline {
 
     /// It is a system in which nothing moves by itself: its state has no coordinates.
     pub fn is_still(&self) -> bool {
-        self.is_system && self.joints.is_empty()
+        self.is_system && self.joints.is_empty() && self.states.is_empty()
     }
 
     /// The place of an output among those that are asked for.

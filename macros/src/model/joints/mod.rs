@@ -22,8 +22,8 @@ pub use planar_translation::PLANAR_TRANSLATION;
 pub use rod::ROD;
 pub use rotation::ROTATION;
 pub use shape::{
-    BALL, CYLINDER, Coordinate, FREE, Field, HINGE, PLANE, Rates, SHIFT, SHIFT_IN_THE_PLANE, SLIDE,
-    Shape, UNIVERSAL,
+    BALL, CYLINDER, Coordinate, FREE, Field, HINGE, OWN, PLANE, Rates, SHIFT, SHIFT_IN_THE_PLANE,
+    SLIDE, Shape, UNIVERSAL,
 };
 pub use spatial::SPATIAL;
 pub use tangent::Group;

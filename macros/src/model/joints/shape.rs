@@ -187,6 +187,14 @@ pub const LINE: Shape = Shape {
     ],
 };
 
+/// A state of one's own, which has a rate, and no place before it.
+pub const OWN: Shape = Shape {
+    state: "Real",
+    acceleration: None,
+    fields: &[scalar("", &[""], Variable::Own)],
+    second: &[scalar("", &["rate"], Variable::Own)],
+};
+
 /// A component of the state of a joint.
 #[derive(Clone, Copy, Debug)]
 pub struct Coordinate {

@@ -4,6 +4,7 @@
 mod algebra;
 mod attitude;
 mod line;
+mod own;
 mod pair;
 mod point;
 mod state;
@@ -13,6 +14,7 @@ mod vector;
 mod workspace;
 
 pub use attitude::Attitude;
+pub use own::Own;
 pub use pair::Pair;
 pub use point::Point;
 pub use state::{Axis, State, Support, state_symbols};

@@ -10,7 +10,7 @@ use crate::symbolic::{Components, Id};
 
 use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials};
 use super::joints::Rates;
-use super::kinematics::State;
+use super::kinematics::{Own, State};
 use super::words::{Frame, Variable};
 
 /// A description of a system, understood.
@@ -30,6 +30,8 @@ pub struct System {
     pub cables: Vec<Tie>,
     /// Links without mass, which written constraints keep.
     pub links: Vec<Tie>,
+    /// States of its own.
+    pub states: Vec<Own>,
     pub constraints: Kept,
     pub potentials: Potentials,
     /// Energies besides those of uniform fields: of cables, and of potentials once these are loads.

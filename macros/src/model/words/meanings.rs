@@ -26,14 +26,16 @@ pub enum Variable {
     Axis,
     AxisRate,
     AxisAcceleration,
+    /// A state of one's own, and its rate.
+    Own,
 }
 
 impl Variable {
-    /// Whether it is a velocity of any kind.
+    /// Whether it is a velocity of any kind, or stands among them.
     pub fn is_rate(self) -> bool {
         matches!(
             self,
-            Self::Velocity | Self::AngularVelocity | Self::AxisRate
+            Self::Velocity | Self::AngularVelocity | Self::AxisRate | Self::Own
         )
     }
 
@@ -68,6 +70,8 @@ pub enum Meaning {
     /// A parameter, and its component if it is a vector.
     Param(usize, Option<usize>),
     Input(usize, Option<usize>),
+    /// A state of one's own.
+    Own(usize),
     /// A reaction, given from outside, and its component in world axes.
     Reaction(usize, usize),
     /// A displacement or a turned vector, as long as it is differentiated by.

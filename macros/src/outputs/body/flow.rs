@@ -13,7 +13,15 @@ use crate::symbolic::Id;
 
 use crate::outputs::output::{Basis, Output};
 
-const OFFER: Offer = Offer::new("flow");
+const OFFER: Offer = Offer {
+    obstacle: |description| {
+        let has_states = !description.states.is_empty();
+        has_states.then_some(
+            "there is no closed form of `states` of one's own: leave out `flow`, and the motion is integrated",
+        )
+    },
+    ..Offer::new("flow")
+};
 
 #[derive(Default)]
 pub struct Flow(Option<mechanics::Flow>);

@@ -38,10 +38,17 @@ impl Space {
         }
     }
 
+    /// How many coordinates come before the rates.
+    fn places(&self) -> usize {
+        self.size()[0] - components(&self.accelerations)
+    }
+
     /// How many coordinates there are, and how many components of inputs.
     fn size(&self) -> [usize; 2] {
-        let state = self.state.iter().map(|group| group.size).sum();
-        [state, self.inputs.iter().map(|(_, size)| size).sum()]
+        [
+            components(&self.state),
+            self.inputs.iter().map(|(_, size)| size).sum(),
+        ]
     }
 
     pub fn placed(&self, block: &Block) -> Placed {
@@ -49,18 +56,17 @@ impl Space {
     }
 
     fn place(&self, row: Row, column: Column) -> Placed {
-        let before = |groups: &[Group]| groups.iter().map(|group| group.size).sum::<usize>();
         let (changing, first) = match row {
-            Row::Attitude(number) => (&self.state[number], before(&self.state[..number])),
+            Row::Attitude(number) => (&self.state[number], components(&self.state[..number])),
             Row::Acceleration(number) => {
-                let first = before(&self.accelerations[..number]);
-                (&self.accelerations[number], self.size()[0] / 2 + first)
+                let first = components(&self.accelerations[..number]);
+                (&self.accelerations[number], self.places() + first)
             }
         };
         let (name, columns, at) = match column {
             Column::State(number) => {
                 let group = &self.state[number];
-                (&group.name, group.size, before(&self.state[..number]))
+                (&group.name, group.size, components(&self.state[..number]))
             }
             Column::Input(number) => {
                 let (name, size) = &self.inputs[number];
@@ -123,8 +129,8 @@ impl Space {
             vec![vec![false; states]; states],
             vec![vec![false; inputs]; states],
         ];
-        for row in 0..states / 2 {
-            patterns[0][row][row + states / 2] = true;
+        for row in 0..self.places() {
+            patterns[0][row][row + self.places()] = true;
         }
         for block in blocks {
             let placed = self.placed(block);
@@ -162,7 +168,7 @@ impl Space {
             let rows = pattern.iter().map(|row| quote!([#(#row),*]));
             quote!([#(#rows),*])
         });
-        let matrix = local("matrix");
+        let (matrix, places) = (local("matrix"), Literal::usize_unsuffixed(self.places()));
         let filled = |is_of_input: bool| {
             let blocks = blocks.iter().filter(|one| one.is_of_input == is_of_input);
             let placed = blocks.map(|one| {
@@ -186,7 +192,7 @@ impl Space {
                 const B_PATTERN: [[bool; #inputs]; #states] = #of_input;
 
                 fn a(&self) -> #private::SMatrix<f64, #states, #states> {
-                    let mut #matrix = #private::rates_of_places();
+                    let mut #matrix = #private::rates_of_places(#places);
                     #a
                     #matrix
                 }
@@ -199,6 +205,11 @@ impl Space {
             }
         }
     }
+}
+
+/// How many components groups have together.
+fn components(groups: &[Group]) -> usize {
+    groups.iter().map(|group| group.size).sum()
 }
 
 impl Placed {

@@ -35,6 +35,17 @@ impl<S: Subject> Output<S> for Linearization {
     fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {
         let groups = basis.outline.tangent();
         let is_taken = |input: &Ident| groups.iter().any(|group| input == &group.name);
+        for state in &basis.outline.states {
+            let same = groups.iter().filter(|group| state.name == group.name);
+            if same.count() > 1 {
+                let name = &state.name;
+                let message = format!(
+                    "the motion has `{name}`, too, and the blocks of `linearization` go by these names: \
+                     rename the state"
+                );
+                basis.errors.push(name.span(), message);
+            }
+        }
         for input in &basis.outline.inputs {
             if is_taken(&input.name) {
                 let name = &input.name;

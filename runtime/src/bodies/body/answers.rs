@@ -38,7 +38,8 @@ pub trait Balance: RigidBody {
 ///
 /// Their sum is conserved if the potential contains neither time nor input and no other load does
 /// work; in general dE/dt is the derivative of the potential in time at fixed state, plus the power
-/// of the other loads.
+/// of the other loads, and where the potential depends on states of one's own its slopes along these
+/// times their rates.
 pub trait Energy: RigidBody {
     /// `½ m v² + ½ ω·Jω`, of the degrees of freedom that the motion has.
     fn kinetic_energy(&self, state: &Self::State) -> Self::Scalar;

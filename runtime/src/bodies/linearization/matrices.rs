@@ -154,12 +154,13 @@ fn one_norm<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
 }
 
 #[doc(hidden)]
-/// A matrix with what is common to all motions: the rates of what comes before the rates are these.
+/// A matrix with what is common to all motions: the rates of what comes before the rates, so many,
+/// are these.
 #[must_use]
-pub fn rates_of_places<const STATES: usize>() -> SMatrix<f64, STATES, STATES> {
+pub fn rates_of_places<const STATES: usize>(places: usize) -> SMatrix<f64, STATES, STATES> {
     let mut matrix = SMatrix::zeros();
-    for place in 0..STATES / 2 {
-        matrix[(place, place + STATES / 2)] = 1.0;
+    for place in 0..places {
+        matrix[(place, place + places)] = 1.0;
     }
     matrix
 }

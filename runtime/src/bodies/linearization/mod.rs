@@ -3,7 +3,7 @@
 //!
 //! The space of states is a product of straight lines and rotations; to first order a state changes
 //! by an element x of its tangent space, what comes before the rates first and the rates behind it,
-//! of a system joint by joint:
+//! of a system joint by joint, and states of one's own last:
 //!
 //! ```text
 //! position + dr,  attitude exp(e),  angle + da,  velocity + dv,  angular_velocity + dw

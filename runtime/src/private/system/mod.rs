@@ -1,12 +1,15 @@
-//! The state of a system: a struct with the state of each joint.
+//! The state of a system: a struct with the state of each joint; and of a body with states of its
+//! own.
 
 mod parts;
 #[cfg(feature = "serde")]
 mod written;
 
-pub use parts::{Parts, PartsMut, any, axes, coordinates, count, freedoms, groups, positions};
+pub use parts::{
+    Parts, PartsMut, any, axes, coordinates, count, freedoms, groups, positions, shifts,
+};
 #[cfg(feature = "serde")]
-pub use written::{Name, bare, fill, found, ignore, next};
+pub use written::{Name, bare, fill, finite, found, ignore, next};
 
 /// Makes the state of a system and its acceleration: two structs with a field for each joint, in
 /// the order written.
@@ -36,6 +39,8 @@ pub use written::{Name, bare, fill, found, ignore, next};
 /// assert_eq!(later.shoulder.angular_velocity, -1.0);
 /// assert_eq!(later.elbow.angular_velocity, 0.5);
 /// ```
+///
+/// A state of one's own is `name: Real => f64`, a scalar with its rate.
 ///
 /// A joint is `name: Kind => Acceleration`: the kind is the name of a state of
 /// [`state::generic`](crate::state::generic), and the type after the arrow is the acceleration of
@@ -130,37 +135,41 @@ macro_rules! __system_state {
             type Rate = $crate::private::List<
                 $scalar,
                 {
-                    2 * (0 $(
+                    0 $(
+                        + $crate::private::system::shifts::<$crate::private::$kind>()
                         + $crate::private::system::freedoms::<$crate::private::$kind>()
-                    )+)
+                    )+
                 },
             >;
 
             #[inline(always)]
             fn rate(&self, acceleration: &Self::Acceleration) -> Self::Rate {
-                const FREEDOMS: usize =
-                    0 $(+ $crate::private::system::freedoms::<$crate::private::$kind>())+;
+                const SHIFTS: usize =
+                    0 $(+ $crate::private::system::shifts::<$crate::private::$kind>())+;
                 let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
-                let mut rate = $crate::private::List([any; 2 * FREEDOMS]);
-                let mut parts = $crate::private::system::PartsMut::of(&mut rate, FREEDOMS);
+                let mut rate = $crate::private::List::repeat(any);
+                let mut parts = $crate::private::system::PartsMut::of(&mut rate, SHIFTS);
                 $(parts.put(
                     $crate::private::State::rate(&self.$field, &acceleration.$field).as_slice(),
-                    $crate::private::system::freedoms::<$crate::private::$kind>(),
+                    $crate::private::system::shifts::<$crate::private::$kind>(),
                 );)+
                 rate
             }
 
             #[inline(always)]
             fn moved(&self, displacement: &Self::Rate) -> Self {
-                const FREEDOMS: usize =
-                    0 $(+ $crate::private::system::freedoms::<$crate::private::$kind>())+;
+                const SHIFTS: usize =
+                    0 $(+ $crate::private::system::shifts::<$crate::private::$kind>())+;
                 let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
-                let mut parts = $crate::private::system::Parts::of(displacement, FREEDOMS, any);
+                let mut parts = $crate::private::system::Parts::of(displacement, SHIFTS, any);
                 Self {
                     $($field: {
                         let part = parts.take::<
-                            { 2 * $crate::private::system::freedoms::<$crate::private::$kind>() },
-                        >($crate::private::system::freedoms::<$crate::private::$kind>());
+                            {
+                                $crate::private::system::shifts::<$crate::private::$kind>()
+                                    + $crate::private::system::freedoms::<$crate::private::$kind>()
+                            },
+                        >($crate::private::system::shifts::<$crate::private::$kind>());
                         $crate::private::State::moved(&self.$field, &part.into())
                     },)+
                 }
@@ -247,7 +256,9 @@ macro_rules! __system_state {
         $crate::private::system_state! {
             @columns [$($generic)?] $scalar $acceleration $($field $second,)+
         }
-        $crate::private::written! { [$($generic)?] $state $($field $first,)+ }
+        $crate::private::written! {
+            [$($generic)?] $state ($crate::private::system::finite) $($field $first,)+
+        }
         $crate::private::written! { [$($generic)?] $acceleration $($field $second,)+ }
     };
     (@columns [$($generic:ident)?] $scalar:ident $name:ident $($field:ident $part:ty,)+) => {

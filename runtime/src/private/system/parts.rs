@@ -12,10 +12,20 @@ pub const fn positions<S: Coordinates>() -> usize {
     sum(S::GROUPS.split_at(S::GROUPS.len() / 2).0)
 }
 
-/// How many of them are rates; a displacement has as many numbers of each half.
+/// How many of them are rates.
 #[must_use]
 pub const fn freedoms<S: Coordinates>() -> usize {
     sum(S::GROUPS.split_at(S::GROUPS.len() / 2).1)
+}
+
+/// How many numbers of a displacement come before those of the rates.
+#[must_use]
+pub const fn shifts<S: Coordinates>() -> usize {
+    if positions::<S>() == 0 {
+        0
+    } else {
+        freedoms::<S>()
+    }
 }
 
 /// How many coordinates a state has.

@@ -7,6 +7,8 @@ use serde::de::{
     DeserializeSeed, Deserializer, Error, Expected, IgnoredAny, MapAccess, SeqAccess, Visitor,
 };
 
+use crate::state::{Coordinates, check};
+
 /// A name without what makes a keyword a name.
 #[must_use]
 pub const fn bare(name: &'static str) -> &'static str {
@@ -63,6 +65,14 @@ pub fn found<T, E: Error>(field: Option<T>, name: &'static str) -> Result<T, E> 
     field.ok_or_else(|| Error::missing_field(name))
 }
 
+/// Refuses a state that is not finite.
+///
+/// # Errors
+/// It is not.
+pub fn finite<S: Coordinates, E: Error>(state: &S) -> Result<(), E> {
+    check(state.coordinates().as_ref()).map_err(E::custom)
+}
+
 /// The name of a field as it is read, if it is one of these.
 #[derive(Clone, Copy, Debug)]
 pub struct Name(pub &'static [&'static str]);
@@ -98,11 +108,11 @@ impl Visitor<'_> for Name {
 }
 
 /// Serialises a struct that has these fields, and reads it; what a field cannot be is refused by
-/// the field.
+/// the field, and what all of it cannot be by a check behind its name, if there is one.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __written {
-    ([$($generic:ident)?] $name:ident $($field:ident $part:ty,)+) => {
+    ([$($generic:ident)?] $name:ident $(($check:path))? $($field:ident $part:ty,)+) => {
         impl<$($generic: $crate::private::Scalar + $crate::private::serde::Serialize)?>
             $crate::private::serde::Serialize for $name<$($generic)?>
         {
@@ -161,13 +171,15 @@ macro_rules! __written {
                         mut fields: SystemFields,
                     ) -> ::core::result::Result<Self::Value, SystemFields::Error> {
                         let mut place = 0;
-                        ::core::result::Result::Ok($name {
+                        let read = $name {
                             $($field: $crate::private::system::next(
                                 &mut fields,
                                 &mut place,
                                 &self,
                             )?,)+
-                        })
+                        };
+                        $($check(&read)?;)?
+                        ::core::result::Result::Ok(read)
                     }
 
                     fn visit_map<SystemFields: $crate::private::serde::de::MapAccess<'de>>(
@@ -195,14 +207,16 @@ macro_rules! __written {
                             )+
                             $crate::private::system::ignore(&mut fields)?;
                         }
-                        ::core::result::Result::Ok($name {
+                        let read = $name {
                             $($field: $crate::private::system::found(
                                 self.$field,
                                 const {
                                     $crate::private::system::bare(::core::stringify!($field))
                                 },
                             )?,)+
-                        })
+                        };
+                        $($check(&read)?;)?
+                        ::core::result::Result::Ok(read)
                     }
                 }
 

@@ -43,6 +43,8 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     let top = &system.top;
     let declared = top.params.iter().chain(&top.inputs);
     let declared = declared.map(|declaration| (&declaration.name, "param or input"));
+    let states = top.states.iter().map(|state| (&state.name, "state"));
+    let declared = declared.chain(states);
     let locals = top.locals.iter().map(|local| (&local.name, "local"));
     seen.extend(declared.chain(locals));
     let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
@@ -56,7 +58,7 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
             errors.push(name.span(), message);
         } else if let Some((_, first)) = seen.iter().find(|(other, _)| *other == name) {
             let message = format!(
-                "`{name}` is the name of a {first} already: params, inputs, locals, bodies and joints need different names"
+                "`{name}` is the name of a {first} already: params, inputs, states, locals, bodies and joints need different names"
             );
             errors.push(name.span(), message);
             repeated.insert(name.to_string());
@@ -99,6 +101,8 @@ pub fn check_own_names(
         .iter()
         .chain(&top.inputs)
         .map(|one| (&one.name, "param or input"));
+    let states = top.states.iter().map(|state| (&state.name, "state"));
+    let declared = declared.chain(states);
     let all: Vec<(&Ident, &str)> = declared
         .chain(top.locals.iter().map(|local| (&local.name, "local")))
         .collect();

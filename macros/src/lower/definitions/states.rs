@@ -1,0 +1,124 @@
+//! States of one's own, and their rates: what is integrated beside the motion.
+
+use proc_macro2::Ident;
+
+use crate::errors::{hint, similar};
+use crate::lower::expressions::{Lowering, Value};
+use crate::model::{Declared, Dimension, Meaning, Own};
+use crate::symbolic::{Id, Stage};
+use crate::syntax::{Declaration, Definition, Description};
+
+use super::outline::distinct;
+
+/// The field that has the motion of a body, beside its own states.
+const MOTION: &str = "motion";
+
+impl Lowering<'_> {
+    /// A state: `fuel`, `speed[rad / s]`.
+    pub fn state(
+        &mut self,
+        index: usize,
+        written: &Declaration,
+        declared: &mut Declared,
+    ) -> Option<Value> {
+        let name = &written.name;
+        if name == MOTION && !self.is_whole {
+            return self.report(
+                name.span(),
+                "the state has its motion in a field of this name: choose another name",
+            );
+        }
+        if let Some(value) = &written.value {
+            let place = value.as_ref()?.extent;
+            return self.report(
+                place,
+                format!(
+                    "a state is a scalar, which begins where the integration does: write `{name}[unit]`"
+                ),
+            );
+        }
+        declared.dimension = self.declared_unit(written)?;
+        let symbol = self.work.symbol(Stage::State, Meaning::Own(index));
+        Some(Value::Scalar(symbol, declared.dimension))
+    }
+
+    /// The states, each with its rate.
+    pub fn states(&mut self, description: &Description, declared: &[Declared]) -> Option<Vec<Own>> {
+        self.check_rates(description);
+        let mut states = Some(Vec::new());
+        for (state, declared) in distinct(&description.states).zip(declared) {
+            let mut rates = description.rates.iter();
+            let rate = rates.find(|rate| rate.name == state.name);
+            let rate = rate.and_then(|rate| self.rate(rate, declared.dimension));
+            let own = rate.and_then(|rate| self.own(state, rate));
+            match (&mut states, own) {
+                (Some(states), Some(own)) => states.push(own),
+                _ => states = None,
+            }
+        }
+        states
+    }
+
+    fn own(&self, state: &Declaration, rate: Id) -> Option<Own> {
+        let name = state.name.to_string();
+        match self.scope.peek(&name) {
+            Some(Value::Scalar(symbol, _)) => Some(Own { name, symbol, rate }),
+            _ => None,
+        }
+    }
+
+    /// Each state has a rate, and each rate is of a state.
+    fn check_rates(&mut self, description: &Description) {
+        let states: Vec<&Ident> = distinct(&description.states)
+            .map(|state| &state.name)
+            .collect();
+        let words: Vec<String> = states.iter().map(ToString::to_string).collect();
+        // those that a rate is perhaps meant for
+        let mut meant = Vec::new();
+        for rate in &description.rates {
+            let (name, word) = (&rate.name, rate.name.to_string());
+            if words.contains(&word) || self.scope.is_lost(&word) {
+                continue;
+            }
+            let known = || words.iter().map(String::as_str);
+            meant.extend(similar(&word, known()));
+            let hint = hint(&word, known());
+            self.errors.push(
+                name.span(),
+                format!("there is no state `{name}`: a rate is that of one of the `states`{hint}"),
+            );
+        }
+        for (name, word) in states.into_iter().zip(&words) {
+            let has_rate = description.rates.iter().any(|rate| rate.name == *name);
+            if !has_rate && !self.scope.is_lost(word) && !meant.contains(&word.as_str()) {
+                self.errors.push(
+                    name.span(),
+                    format!("`{name}` has no rate: write `rates: [{name} = ..]`"),
+                );
+            }
+        }
+    }
+
+    /// What a state of this dimension changes by in a second.
+    fn rate(&mut self, written: &Definition, dimension: Dimension) -> Option<Id> {
+        let (name, value) = (&written.name, written.value.as_ref()?);
+        if let Some(place) = self.mentioned_reaction(value) {
+            return self.report(
+                place,
+                "a rate follows from the state, inputs and time, and this is a load that is solved for: \
+                 write what makes it",
+            );
+        }
+        let Some(rate) = dimension.over(Dimension::TIME) else {
+            return self.report(
+                name.span(),
+                format!("the unit of the rate of `{name}` has powers beyond measure"),
+            );
+        };
+        let id = self.scalar(value, rate, &format!("the rate of `{name}`"))?;
+        match self.named(Value::Scalar(id, rate), &format!("{name}_rate")) {
+            Value::Scalar(id, _) => Some(id),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! A state of one's own, beside a motion: a scalar.
+
+use nalgebra::Vector1;
+
+use super::coordinates::Coordinates;
+use super::space::State;
+use crate::numbers::scalar::Scalar;
+
+/// A scalar is a state that has a rate of its own, as the speed of a motor has: what is its
+/// acceleration to a motion.
+///
+/// ```
+/// use newton_euler::prelude::*;
+///
+/// let fuel = 2.0;
+/// assert_eq!(fuel.moved(&(fuel.rate(&-0.5) * 3.0)), 0.5);
+/// ```
+impl<T: Scalar> State for T {
+    type Scalar = T;
+    type Acceleration = T;
+    type Rate = Vector1<T>;
+
+    #[inline(always)]
+    fn rate(&self, rate: &T) -> Vector1<T> {
+        Vector1::new(*rate)
+    }
+
+    #[inline(always)]
+    fn moved(&self, displacement: &Vector1<T>) -> T {
+        *self + displacement.x
+    }
+}
+
+/// It is a rate, of nothing that is a coordinate.
+impl<T: Scalar> Coordinates for T {
+    type Array = [T; 1];
+    const GROUPS: &'static [usize] = &[0, 1];
+
+    #[inline(always)]
+    fn coordinates(&self) -> [T; 1] {
+        [*self]
+    }
+
+    #[inline(always)]
+    fn from_coordinates(&[scalar]: &[T; 1]) -> T {
+        scalar
+    }
+
+    #[inline(always)]
+    fn rates(&self, rate: &T) -> [T; 1] {
+        [*rate]
+    }
+}

@@ -1,0 +1,16 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Wheel {
+    motion: planar,
+    inputs: [command[rad / s]],
+    states: [speed[rad / s]],
+    rates: [speed = (command - speed) / 0.1[s]],
+    mass: 2[kg],
+    inertia: 1[kg * m ^ 2],
+    points: [pin = (0, 0.5)],
+    moments: [motor = 0.1[N * m * s] * speed],
+    constraints: [rail = position.in_world().x - 0.1[m * s] * speed],
+    reactions: [guide = world(_, 0)],
+});
+
+fn main() {}

@@ -92,7 +92,7 @@ impl Unit for Hinge {}
 /// Compares an ensemble with its members alone, in all widths.
 fn check<B>(params: impl Fn(f64) -> B::Params)
 where
-    B: Generic<State: Unit + PartialEq, Input: Clone> + Integrate<Best: Together>,
+    B: Generic<State: Unit + PartialEq, Input: Clone> + Integrate<Best: Together<B>>,
     <B::State as State>::Acceleration: PartialEq + Debug + Columns<f64>,
 {
     let mut numbers = Numbers(7);
@@ -130,11 +130,11 @@ where
             );
         }
         let fixed = |step| Steps(&start, width, step);
-        fixed(0.06).as_if_alone(Classical4);
-        fixed(0.06).as_if_alone(Tsitouras5);
-        fixed(0.1).as_if_alone(DormandPrince8);
-        fixed(0.1).as_if_alone(Verner9);
-        fixed(0.02).as_if_alone(Midpoint);
+        fixed(0.06).move_as_alone(Classical4);
+        fixed(0.06).move_as_alone(Tsitouras5);
+        fixed(0.1).move_as_alone(DormandPrince8);
+        fixed(0.1).move_as_alone(Verner9);
+        fixed(0.02).move_as_alone(Midpoint);
         for tolerance in [1e-3, 1e-8, 1e-13] {
             moves_as_if_alone(&start, width, DormandPrince { tolerance });
         }
@@ -148,10 +148,10 @@ struct Steps<'e, B: Generic>(&'e Ensemble<B>, Width, f64);
 
 impl<B> Steps<'_, B>
 where
-    B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together>,
+    B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together<B>>,
 {
-    fn as_if_alone<M: RungeKutta>(self, method: M) {
-        let Self(start, width, step) = self;
+    fn move_as_alone<M: RungeKutta>(&self, method: M) {
+        let Self(start, width, step) = *self;
         moves_as_if_alone(start, width, Fixed { method, step });
     }
 }
@@ -159,7 +159,7 @@ where
 /// All members together, and each of them alone: on a plain way, backwards, and with steps that end where they are told to.
 fn moves_as_if_alone<B, M>(start: &Ensemble<B>, width: Width, method: M)
 where
-    B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together>,
+    B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together<B>>,
     M: Moves<B> + Copy,
 {
     let plain = (f64::INFINITY, &[][..]);

@@ -59,13 +59,13 @@ pub struct EnsembleIntegration<'e, B: Generic, M, C> {
     shows_progress: bool,
 }
 
-impl<B: Generic + Integrate<Best: Together>> Ensemble<B> {
+impl<B: Generic + Integrate<Best: Together<B>>> Ensemble<B> {
     /// Integrates the motion of all members: from time zero, under the inputs that they have, each
     /// with steps of its own; in closed form where there is one ([`Integrate::Best`]), else by
     /// DOP853, several in a register. [`EnsembleIntegration`] can change all of that.
     pub fn integrate(
         &mut self,
-    ) -> EnsembleIntegration<'_, B, <B::Best as Together>::Moves, AsGiven> {
+    ) -> EnsembleIntegration<'_, B, <B::Best as Together<B>>::Moves, AsGiven> {
         EnsembleIntegration {
             ensemble: self,
             start: 0.0,

@@ -66,26 +66,32 @@ pub trait Moves<B: Generic> {
 }
 
 /// A method of one body, and how an ensemble moves by default where that is the best one.
-pub trait Together {
+pub trait Together<B: Generic> {
     /// In lanes, or one by one.
-    type Moves: Tolerant;
+    type Moves: Moves<B> + Tolerant;
 }
 
 /// Nothing is to be gained by lanes.
-impl Together for ClosedForm {
+impl<B: Generic> Together<B> for ClosedForm
+where
+    Self: Method<B>,
+{
     type Moves = OneByOne<Self>;
 }
 
 /// Steps of DOP853 in lanes are faster than series one by one.
-impl Together for TaylorSeries {
+impl<B: Generic> Together<B> for TaylorSeries {
     type Moves = DormandPrince;
 }
 
-impl Together for DormandPrince {
+impl<B: Generic> Together<B> for DormandPrince {
     type Moves = Self;
 }
 
-impl<M: Tolerant> Together for Projected<M> {
+impl<B: Generic, M: Tolerant> Together<B> for Projected<M>
+where
+    Self: Method<B>,
+{
     type Moves = OneByOne<Self>;
 }
 

@@ -10,7 +10,7 @@ use crate::kinds::*;
 use crate::motions::Kept;
 use crate::systems::DoublePendulum;
 
-fn of<B: Generic<State: Kept> + Integrate<Best: Together>>(
+fn of<B: Generic<State: Kept> + Integrate<Best: Together<B>>>(
     bits: &mut Bits,
     body: &B,
     width: Width,

@@ -10,6 +10,7 @@ mod lowering;
 mod members;
 mod points;
 mod scope;
+mod tables;
 mod unit;
 mod value;
 mod vectors;

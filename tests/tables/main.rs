@@ -1,6 +1,8 @@
 //! Tables in descriptions: between their values, at them and beyond, of one scalar and of two.
 
 use nalgebra::Vector3;
+use newton_euler::ensemble::Ensemble;
+use newton_euler::integrate::{Classical4, Fixed};
 use newton_euler::prelude::*;
 use newton_euler::structure::Structured;
 
@@ -64,6 +66,7 @@ fn between_them_it_is_a_line() {
 
 /// Beyond the ends the values stay, or the polynomials go on.
 #[test]
+#[allow(clippy::float_cmp, reason = "a value that is held is the value")]
 fn beyond_them() {
     let [first, .., last] = knots();
     assert_eq!([read(-3.0).x, read(-3.0).y], [first.1; 2]);
@@ -173,5 +176,36 @@ fn in_single_precision_and_in_lanes() {
         let expected = read(f64::from(x));
         assert!((f64::from(found.x) - expected.x).abs() < 1e-6);
         assert!((f64::from(found.y) - expected.y).abs() < 1e-6);
+    }
+}
+
+rigid_body!(Cable::<T> {
+    motion: translation,
+    mass: 1[kg],
+    locals: [x = position.in_world().x],
+    forces: [pull = world(-table(x, [-1, 0, 0.5, 2][m], [-3, 0, 1, 8][N], cubic), 0, 0)],
+});
+
+/// Each member of an ensemble reads its table as it would alone, to the bit.
+#[test]
+fn in_lanes() {
+    let body = Cable::<f64>::default();
+    let start = |n: i32| Translation {
+        position: Vector3::x() * (f64::from(n) * 0.37 - 2.0),
+        ..Translation::default()
+    };
+    let mut ensemble = Ensemble::new(&body, (0..13).map(start));
+    let method = Fixed {
+        method: Classical4,
+        step: 0.05,
+    };
+    ensemble
+        .integrate()
+        .method(method)
+        .to(1.0)
+        .expect("it is smooth enough");
+    for (n, state) in (0..13).zip(ensemble.states().iter()) {
+        let alone = body.integrate(&start(n)).method(method).to(1.0).unwrap();
+        assert_eq!(state.position, alone.position);
     }
 }

@@ -7,6 +7,10 @@ use crate::numbers::scalar::Scalar;
 /// looked at, so that many numbers at once go the same way as each alone.
 #[inline(always)]
 #[must_use]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounded to the precision of the scalar"
+)]
 pub fn table<T: Scalar, const N: usize>(x: T, pieces: &[(f64, [f64; N])]) -> T {
     let number = |value: f64| x.constant(value, value as f32);
     let mut start = x.constant(f64::NAN, f32::NAN);

@@ -9,8 +9,8 @@ use crate::symbolic::{Function, Id, Number};
 use crate::syntax::{Expression, Kind, Prefix};
 
 use super::lowering::Lowering;
+use super::scope::Value;
 use super::unit::TOO_LARGE;
-use super::value::Value;
 
 pub const VECTOR_METHODS: [&str; 7] = [
     "cross",

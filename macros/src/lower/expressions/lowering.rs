@@ -11,8 +11,8 @@ use crate::model::{
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind};
 
+use super::scope::Value;
 use super::scope::{Members, Scope};
-use super::value::Value;
 
 /// Messages that are given in more than one place.
 pub const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";

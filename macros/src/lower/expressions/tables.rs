@@ -9,8 +9,8 @@ use crate::symbolic::{Function, Id, Number, Table};
 use crate::syntax::{Expression, Kind};
 
 use super::lowering::Lowering;
+use super::scope::Value;
 use super::unit::lower_unit;
-use super::value::Value;
 
 const FORM: &str = "write `table(x, [0, 1, 2], [0, 1, 4])`: a scalar, where the values are, and these; of two scalars \
      `table(x, y, [0, 1], [0, 1, 2], [[0, 1, 4], [1, 2, 5]])`, a list of values for each x";

@@ -156,6 +156,11 @@ impl Screen<'_> {
                 let inner = self.stream(group.stream(), depth + 1, None);
                 Group::new(Delimiter::Bracket, inner)
             }
+            // a table of two scalars has lists of lists
+            Delimiter::Bracket if function.is_some_and(|word| word == "table") => {
+                let inner = self.stream(group.stream(), depth + 1, function);
+                Group::new(Delimiter::Bracket, inner)
+            }
             Delimiter::Bracket => {
                 let (place, message) = match function {
                     Some(word) if word == "compose" => (

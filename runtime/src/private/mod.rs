@@ -50,6 +50,7 @@ mod path;
 mod pivots;
 mod projection;
 pub mod system;
+mod tables;
 
 pub use crate::__system_state as system_state;
 #[cfg(feature = "serde")]
@@ -73,3 +74,4 @@ pub use path::{
 };
 pub use pivots::{determined, reciprocal};
 pub use projection::{Row, Size, check, project};
+pub use tables::table;

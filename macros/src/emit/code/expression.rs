@@ -199,12 +199,32 @@ impl Block<'_> {
     }
 
     fn call(&self, function: Function, arguments: &[Id]) -> TokenStream {
+        if let (Function::Table, &[argument, table]) = (function, arguments) {
+            return self.looked_up(argument, table);
+        }
         if self.is_generic {
             return self.method(function.name(), arguments);
         }
         let (private, arguments) = (&self.writer.shapes.private, self.arguments(arguments));
         let name = Ident::new(function.name(), Span::call_site());
         quote!(#private::math::#name(#(#arguments),*))
+    }
+
+    /// The value of a table, by its polynomials.
+    fn looked_up(&self, argument: Id, table: Id) -> TokenStream {
+        let table = self.writer.work.graph.table(table);
+        let pieces = table.map_or(Vec::new(), |table| table.pieces);
+        let width = pieces.iter().map(|piece| piece.coefficients.len()).max();
+        let rows = pieces.iter().map(|piece| {
+            let rest = (0..width.unwrap_or(0)).map(|power| match piece.coefficients.get(power) {
+                Some(one) => number_literal(one.to_f64()),
+                None => number_literal(0.0),
+            });
+            let start = number_literal(piece.start.to_f64());
+            quote!((#start, [#(#rest),*]))
+        });
+        let (private, argument) = (&self.writer.shapes.private, self.value(argument));
+        quote!(#private::table(#argument, &[#(#rows),*]))
     }
 
     /// A method of the scalar, `x.sin()`.

@@ -116,6 +116,7 @@ impl Lowering<'_> {
             );
         };
         let id = self.scalar(value, rate, &format!("the rate of `{name}`"))?;
+        self.check_no_acceleration(value, &[id], "the rate of a state")?;
         match self.named(Value::Scalar(id, rate), &format!("{name}_rate")) {
             Value::Scalar(id, _) => Some(id),
             _ => None,

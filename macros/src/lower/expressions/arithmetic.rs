@@ -6,8 +6,8 @@ use crate::symbolic::{Comparison, Id};
 use crate::syntax::{Expression, Kind, Operator, Prefix, Step};
 
 use super::lowering::{Lowering, dimension};
+use super::scope::Value;
 use super::unit::TOO_LARGE;
-use super::value::Value;
 
 impl Lowering<'_> {
     pub fn prefix(&mut self, prefix: Prefix, operand: &Expression) -> Option<Value> {

@@ -7,8 +7,8 @@ use crate::symbolic::{Components, Number, Stage};
 
 use super::along_axis::UNTURNED;
 use super::lowering::Lowering;
+use super::scope::Value;
 use super::scope::{BUILT_IN, FOLLOWED};
-use super::value::Value;
 
 impl Lowering<'_> {
     pub fn name(&mut self, name: &Ident) -> Option<Value> {

@@ -6,8 +6,8 @@ use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, UnitExpression};
 
 use super::lowering::{AXES, Lowering, UNKNOWN, dimension};
+use super::scope::Value;
 use super::unit::lower_unit;
-use super::value::Value;
 
 const CHARGES: &str = "a list of charges stands behind a field: `field.on([q.at(P)])`";
 

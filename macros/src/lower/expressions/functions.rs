@@ -9,8 +9,8 @@ use crate::symbolic::{Function, Id, Number};
 use crate::syntax::{Expression, Kind, Prefix};
 
 use super::lowering::Lowering;
+use super::scope::Value;
 use super::unit::TOO_LARGE;
-use super::value::Value;
 
 pub const VECTOR_METHODS: [&str; 7] = [
     "cross",
@@ -42,6 +42,7 @@ impl Lowering<'_> {
                 };
                 Some(Value::Vector(vector, dimension))
             }
+            "table" => self.table(function, arguments, extent),
             "moment" => self.report(
                 function.span(),
                 "`moment(..)` stands alone behind the name of a reaction or a field",
@@ -63,7 +64,7 @@ impl Lowering<'_> {
             }
             _ => {
                 self.visit(arguments);
-                let known = ["body", "world"];
+                let known = ["body", "world", "table"];
                 self.report(
                     function.span(),
                     format!("there is no function `{word}` here{}", hint(&word, known)),

@@ -11,8 +11,8 @@ use crate::model::{
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind};
 
+use super::scope::Value;
 use super::scope::{Members, Scope};
-use super::value::Value;
 
 /// Messages that are given in more than one place.
 pub const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
@@ -190,6 +190,15 @@ impl Lowering<'_> {
             expression = match &expression.kind {
                 Kind::Unit(_, unit) => return unit.extent,
                 Kind::Prefix(_, operand) => operand,
+                // its values come last
+                Kind::Call(word, parts) if word == "table" => {
+                    let is_word = |part: &&Expression| matches!(part.kind, Kind::Name(_));
+                    let values = parts.iter().rev().find(|part| !is_word(part));
+                    return match values.map(|values| &values.kind) {
+                        Some(Kind::Unit(_, unit)) => unit.extent,
+                        _ => word.span().into(),
+                    };
+                }
                 Kind::Call(_, parts) | Kind::Tuple(parts) => {
                     let wrong = parts.iter().filter(|part| match self.value(part) {
                         Some(Value::Scalar(_, found)) => !found.fits(expected),

@@ -7,8 +7,8 @@ use crate::model::{Frame, Vector};
 use crate::syntax::{Expression, Kind};
 
 use super::lowering::{Lowering, OfPoint};
+use super::scope::Value;
 use super::scope::{JointNames, Offset};
-use super::value::Value;
 
 impl Lowering<'_> {
     /// The value of an expression that begins with the name of a body or of a joint; the outer `None`

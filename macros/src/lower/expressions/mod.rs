@@ -10,16 +10,17 @@ mod lowering;
 mod members;
 mod points;
 mod scope;
+mod tables;
 mod unit;
-mod value;
 mod vectors;
 mod written;
 
 pub use along_axis::UNTURNED;
 pub use lowering::{Lowering, dimension};
-pub use scope::{BUILT_IN, BodyMotion, BodyNames, JointNames, Members, OF_ROD, Offset, Scope};
+pub use scope::{
+    BUILT_IN, BodyMotion, BodyNames, JointNames, Members, OF_ROD, Offset, Scope, Value,
+};
 pub use unit::lower_unit;
-pub use value::Value;
 pub use written::{
     base, direction, has_placeholder, is_drive, is_of_solid, is_turning_drive, is_unknown, motion,
     placeholders, strip_unit, written_frame, written_motion,

@@ -6,8 +6,8 @@ use crate::symbolic::Components;
 use crate::syntax::{Expression, Kind};
 
 use super::lowering::{Lowering, UNKNOWN};
+use super::scope::Value;
 use super::unit::lower_unit;
-use super::value::Value;
 use super::written::written_frame;
 
 impl Lowering<'_> {

@@ -1,5 +1,5 @@
-//! Names: one namespace for parameters, inputs, points, locals and what is built in, and the order
-//! in which definitions are to be read.
+//! Values, and names for them: one namespace for parameters, inputs, points, locals and what is
+//! built in, and the order in which definitions are to be read.
 
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -7,13 +7,40 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::errors::hint;
-use crate::model::{Frame, Origin, Vector};
-use crate::symbolic::Components;
+use crate::model::{Dimension, Frame, Origin, Point, Vector};
+use crate::symbolic::{Components, Id};
 use crate::syntax::Description;
 
 pub use crate::syntax::BUILT_IN;
 
-use super::value::Value;
+/// The value of an expression, with its dimension.
+#[derive(Clone, Copy, Debug)]
+pub enum Value {
+    Scalar(Id, Dimension),
+    Vector(Vector, Dimension),
+    /// A vector of which components can be read: it says in which axes.
+    Components(Frame, Components, Dimension),
+    Condition(Id),
+    Point(Point),
+    /// A point of a body of a system, by the number of the body: its offset from that one's G.
+    Carried(usize, Vector),
+    /// The attitude of the body.
+    Attitude,
+}
+
+impl Value {
+    /// What kind of thing this is, for messages.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::Scalar(..) => "a scalar",
+            Self::Vector(..) | Self::Components(..) => "a vector",
+            Self::Condition(_) => "a condition",
+            Self::Point(_) => "a point",
+            Self::Carried(..) => "a point of another body",
+            Self::Attitude => "the attitude",
+        }
+    }
+}
 
 /// Names that mean something under `motion: rod(..)` alone.
 pub const OF_ROD: [&str; 2] = ["axis", "axis_rate"];

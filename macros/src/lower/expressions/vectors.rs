@@ -10,8 +10,8 @@ use crate::syntax::Expression;
 use super::along_axis::UNTURNED;
 use super::functions::VECTOR_METHODS;
 use super::lowering::{Lowering, OfPoint, dimension};
+use super::scope::Value;
 use super::unit::TOO_LARGE;
-use super::value::Value;
 
 impl Lowering<'_> {
     /// In the plane: `w.cross(v)` of a scalar `w` about z.

@@ -23,6 +23,10 @@ impl Graph {
                 Node::Multiply(a, b) => value(a) * value(b),
                 Node::Divide(a, b) => value(a) / value(b),
                 Node::Unary(function, a) => unary(function, value(a)),
+                Node::Binary(Function::Table, a, table) => {
+                    let table = self.table(table);
+                    table.map_or(f64::NAN, |table| table.rounded(value(a)))
+                }
                 Node::Binary(function, a, b) => binary(function, value(a), value(b)),
                 Node::Compare(comparison, a, b) => truth(compare(comparison, value(a), value(b))),
                 Node::And(a, b) => truth(value(a) != 0.0 && value(b) != 0.0),

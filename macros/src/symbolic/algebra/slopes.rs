@@ -87,6 +87,11 @@ pub fn slopes<A: Algebra>(
             let logarithm = of.apply(Function::Ln, from_ref(a));
             (of.multiply(b, &power), of.multiply(value, &logarithm))
         }
+        // the derivative of a table is one, too
+        Function::Table => {
+            let next = of.add(b, &one);
+            (of.apply(Function::Table, &[a.clone(), next]), zero)
+        }
         Function::Min | Function::Max => {
             let first = takes_first(of, function, a, b);
             (

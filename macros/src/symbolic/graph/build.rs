@@ -9,7 +9,7 @@
 //! `x - x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, `x` being
 //! zero or not a number, it may be given one.
 
-use crate::symbolic::number::{Function, Number};
+use crate::symbolic::number::{Function, Number, ORDERS, Table};
 
 use super::nodes::{Comparison, Graph, Id, Node, ONE, Stage, ZERO};
 
@@ -164,6 +164,29 @@ impl Graph {
         }
     }
 
+    /// A new table.
+    pub fn new_table(&mut self, table: Table) -> Id {
+        self.tables.push(table);
+        let number = i64::try_from(self.tables.len() - 1).unwrap_or(0);
+        self.integer(number * ORDERS)
+    }
+
+    /// The table that this is the number of, or its derivative.
+    pub fn table(&self, number: Id) -> Option<Table> {
+        let number = self.as_number(number)?.to_integer()?;
+        let [number, order] = [number / ORDERS, number % ORDERS].map(usize::try_from);
+        Some(self.tables.get(number.ok()?)?.derivative(order.ok()?))
+    }
+
+    /// The value of a table.
+    fn tabulated(&mut self, argument: Id, table: Id) -> Id {
+        let known = self.as_number(argument).cloned().zip(self.table(table));
+        match known {
+            Some((argument, table)) => self.number(table.value(&argument)),
+            None => self.intern(Node::Binary(Function::Table, argument, table)),
+        }
+    }
+
     /// A function of one argument, or of two.
     pub fn apply(&mut self, function: Function, arguments: &[Id]) -> Id {
         if arguments
@@ -171,6 +194,9 @@ impl Graph {
             .any(|argument| self.is_undefined(*argument))
         {
             return self.undefined();
+        }
+        if let (Function::Table, &[argument, table]) = (function, arguments) {
+            return self.tabulated(argument, table);
         }
         let numbers: Vec<Number> = arguments
             .iter()

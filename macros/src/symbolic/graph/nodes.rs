@@ -8,7 +8,7 @@ use core::cmp::Ordering;
 use core::hash::BuildHasherDefault;
 use std::collections::HashMap;
 
-use crate::symbolic::number::{Function, Number, Spectrum};
+use crate::symbolic::number::{Function, Number, Spectrum, Table};
 
 use super::hash::WordHasher;
 
@@ -152,6 +152,8 @@ pub struct Graph {
     stages: Vec<Stage>,
     numbers: ByWords<Number>,
     operations: ByWords<u128>,
+    /// By their numbers.
+    pub(super) tables: Vec<Table>,
     /// The products of early factors that were asked for.
     pub(super) products: ByWords<[Id; 2]>,
     /// The negatives that were asked for, by what they are negatives of.
@@ -172,6 +174,7 @@ impl Default for Graph {
             stages: Vec::new(),
             numbers: HashMap::default(),
             operations: HashMap::default(),
+            tables: Vec::new(),
             products: HashMap::default(),
             negatives: Vec::new(),
             symbols: Vec::new(),

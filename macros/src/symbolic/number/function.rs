@@ -25,7 +25,13 @@ pub enum Function {
     Hypot,
     Min,
     Max,
+    /// A table, of which the second argument is the number: [`super::Number`] of the table, times
+    /// [`ORDERS`], and of the derivative.
+    Table,
 }
+
+/// More than a table is differentiated.
+pub const ORDERS: i64 = 8;
 
 impl Function {
     /// All functions, under the names that Rust's `f64` gives them.
@@ -65,21 +71,27 @@ impl Function {
         Self::ALL
             .iter()
             .find(|(_, function)| *function == self)
-            .map_or("", |(name, _)| name)
+            .map_or("table", |(name, _)| name)
     }
 
     /// Whether it is one expression here and another one there.
     pub fn is_piecewise(self) -> bool {
         matches!(
             self,
-            Self::Abs | Self::Signum | Self::Floor | Self::Ceil | Self::Min | Self::Max
+            Self::Abs
+                | Self::Signum
+                | Self::Floor
+                | Self::Ceil
+                | Self::Min
+                | Self::Max
+                | Self::Table
         )
     }
 
     /// Number of arguments, the receiver included.
     pub fn arity(self) -> usize {
         match self {
-            Self::Atan2 | Self::Powf | Self::Hypot | Self::Min | Self::Max => 2,
+            Self::Atan2 | Self::Powf | Self::Hypot | Self::Min | Self::Max | Self::Table => 2,
             _ => 1,
         }
     }

@@ -9,9 +9,11 @@ mod function;
 pub mod irrational;
 mod rational_residues;
 mod residue;
+mod table;
 mod values;
 
 pub use eigen::{Matrix, PrincipalAxes, Spectrum, Symmetry, scaled};
 pub use exact::Number;
-pub use function::Function;
+pub use function::{Function, ORDERS};
 pub use residue::Residue;
+pub use table::Table;

@@ -46,6 +46,8 @@ impl Number {
             Function::Atan => x.atan(),
             Function::Atan2 => x.atan2(second()?),
             Function::Sinh | Function::Cosh | Function::Tanh => x.hyperbolic(function),
+            // its numbers are not known here
+            Function::Table => None,
         }
     }
 

@@ -160,7 +160,13 @@ pub fn mentions_accelerations(system: &syntax::System) -> bool {
     let descriptions = [&system.top].into_iter().chain(&system.bodies);
     let mut within = descriptions.map(|one| {
         let loads = one.loads.iter().filter_map(|load| load.vector.as_ref());
-        let lists = [&one.points, &one.locals, &one.potentials, &one.constraints];
+        let lists = [
+            &one.points,
+            &one.locals,
+            &one.potentials,
+            &one.constraints,
+            &one.rates,
+        ];
         let at = one
             .loads
             .iter()

@@ -1,0 +1,37 @@
+//! Tables that stand in a description.
+
+use crate::numbers::scalar::Scalar;
+
+/// The value of a table: of each of its polynomials there is where it starts, and what the powers of
+/// the distance from there are multiplied by. The first one holds below its start, too. All are
+/// looked at, so that many numbers at once go the same way as each alone.
+#[inline(always)]
+#[must_use]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounded to the precision of the scalar"
+)]
+pub fn table<T: Scalar, const N: usize>(x: T, pieces: &[(f64, [f64; N])]) -> T {
+    let number = |value: f64| x.constant(value, value as f32);
+    let mut start = x.constant(f64::NAN, f32::NAN);
+    let mut coefficients = [start; N];
+    for (place, (from, own)) in pieces.iter().enumerate() {
+        let from = number(*from);
+        let below = x.less(from);
+        let keep = |known: T, new: T| {
+            if place == 0 {
+                new
+            } else {
+                T::select(below, known, new)
+            }
+        };
+        start = keep(start, from);
+        for (known, new) in coefficients.iter_mut().zip(own) {
+            *known = keep(*known, number(*new));
+        }
+    }
+    let beyond = x - start;
+    let zero = number(0.0);
+    let powers = coefficients.into_iter().rev();
+    powers.fold(zero, |sum, one| sum * beyond + one)
+}

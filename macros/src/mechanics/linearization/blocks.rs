@@ -49,7 +49,22 @@ pub fn assemble(
             blocks.extend(block(work, (row, column), columns.concat()));
         }
     }
-    let mut first = 0;
+    let all = blocks_by(outline, work, accelerations, changes);
+    blocks.extend(all.blocks);
+    Linearization {
+        accelerations: all.accelerations,
+        blocks,
+    }
+}
+
+/// Puts together what accelerations change by, where that is not zero.
+pub fn blocks_by(
+    outline: &Outline,
+    work: &mut Workspace,
+    accelerations: Vec<Id>,
+    changes: &Changes,
+) -> Linearization {
+    let (mut first, mut blocks) = (0, Vec::new());
     for (number, group) in outline.accelerations().iter().enumerate() {
         let rows = first..first + group.size;
         first = rows.end;

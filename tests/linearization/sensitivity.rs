@@ -345,3 +345,30 @@ fn a_loop() {
     };
     hold(&body, &state, accelerations, &columns, 1e-12);
 }
+
+rigid_body!(Motor {
+    motion: pivot(hinge),
+    params: [lag = 0.08[s], friction = 0.3[N * m * s]],
+    inputs: [command[N * m]],
+    states: [torque[N * m]],
+    rates: [torque = (command - torque) / lag],
+    mass: 2[kg],
+    inertia: 0.1[kg * m ^ 2],
+    points: [hinge = (0, 0.5)],
+    moments: [drive = torque - friction * angular_velocity],
+    outputs: [sensitivity],
+});
+
+#[test]
+fn states_of_ones_own() {
+    let state = MotorState {
+        motion: Hinge {
+            angle: 0.3,
+            angular_velocity: 2.0,
+        },
+        torque: 1.5,
+    };
+    let found = Motor::default().sensitivity(0.0, &state, &MotorInput { command: 4.0 });
+    assert!((found.torque_rate_by_lag + 2.5 / 0.0064).abs() < 1e-11);
+    assert!((found.angular_by_friction + 2.0 / 0.6).abs() < 1e-14);
+}

@@ -36,7 +36,7 @@ use std::sync::LazyLock;
 use std::time::Instant;
 
 use descriptions::{many_forces, quadrotor};
-use proc_macro2::TokenStream;
+use proc_macro2::{Group, Punct, Spacing, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 /// A system as a file of tests describes it.
@@ -51,6 +51,30 @@ fn described(text: &str, name: &str) -> TokenStream {
         first.is_some_and(|first| first.to_string() == name)
     });
     named.next().expect("a system of this name")
+}
+
+/// The same with its derivatives alone.
+fn linear(description: TokenStream) -> TokenStream {
+    let asked = quote!(outputs: [linearization]);
+    let trees = description.into_iter().map(|tree| match tree {
+        TokenTree::Group(keys) => {
+            let mut kept = TokenStream::new();
+            let mut is_outputs = false;
+            for key in keys.stream() {
+                is_outputs |= matches!(&key, TokenTree::Ident(word) if word == "outputs");
+                if !is_outputs {
+                    kept.extend([key]);
+                }
+            }
+            let comma = Punct::new(',', Spacing::Alone);
+            let ends = kept.clone().into_iter().last();
+            let is_closed = matches!(ends, Some(TokenTree::Punct(last)) if last.as_char() == ',');
+            let comma = (!is_closed).then_some(comma);
+            TokenTree::Group(Group::new(keys.delimiter(), quote!(#kept #comma #asked)))
+        }
+        other => other,
+    });
+    trees.collect()
 }
 
 /// A robot of a file, whose root floats.
@@ -116,6 +140,7 @@ fn main() {
     );
     let bodies = [
         ("quadrotor", quadrotor()),
+        ("quadrotor, linearization", linear(quadrotor())),
         ("every kind of load, all outputs", with_everything()),
         ("1 force", many_forces(1)),
         ("10 forces", many_forces(10)),
@@ -138,6 +163,10 @@ fn main() {
             described(references, "Satellite"),
         ),
         ("UR5".into(), described(references, "Ur5")),
+        (
+            "UR5, linearization".into(),
+            linear(described(references, "Ur5")),
+        ),
         (
             "quadruped, 18 freedoms".into(),
             described(include_str!("../tests/systems/large.rs"), "Quadruped"),

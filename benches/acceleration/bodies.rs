@@ -71,3 +71,35 @@ rigid_body!(FreePrincipal {
     motion: rotation,
     inertia: principal(1.3, 1.7, 2.1)[kg * m ^ 2],
 });
+
+rigid_body!(Crazyflie {
+    doc: "The Crazyflie 2.0; rotors 1 and 3 spin about +z.",
+    motion: spatial,
+    params: [torque_per_thrust = 0.005964552[m]],
+    inputs: [thrust_1[N], thrust_2[N], thrust_3[N], thrust_4[N]],
+    mass: 0.028[kg],
+    inertia: tensor {
+        xx: 1.657171e-5[kg * m ^ 2],
+        yy: 1.6655602e-5[kg * m ^ 2],
+        zz: 2.9261652e-5[kg * m ^ 2],
+        xy: 8.30806e-7[kg * m ^ 2],
+        yz: 1.800197e-6[kg * m ^ 2],
+        zx: 7.18277e-7[kg * m ^ 2],
+    },
+    points: [
+        front_right = (28.243, -28.325, 0)[mm],
+        back_right = (-28.243, -28.325, 0)[mm],
+        back_left = (-28.243, 28.325, 0)[mm],
+        front_left = (28.243, 28.325, 0)[mm],
+    ],
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    forces: [
+        lift_1 = body(0, 0, thrust_1).at(front_right),
+        lift_2 = body(0, 0, thrust_2).at(back_right),
+        lift_3 = body(0, 0, thrust_3).at(back_left),
+        lift_4 = body(0, 0, thrust_4).at(front_left),
+    ],
+    locals: [twist = thrust_2 + thrust_4 - thrust_1 - thrust_3],
+    moments: [drag = body(0, 0, torque_per_thrust * twist)],
+    outputs: [linearization],
+});

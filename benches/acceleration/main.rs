@@ -7,6 +7,7 @@ mod bodies;
 mod by_hand;
 #[path = "../measure/clock.rs"]
 mod clock;
+mod derivatives;
 #[path = "../measure/drawing.rs"]
 mod drawing;
 mod ensemble;
@@ -27,6 +28,7 @@ use table::Table;
 fn main() -> io::Result<()> {
     let mut table = Table::default();
     one_by_one::measure(&mut table);
+    derivatives::measure(&mut table);
     ensemble::measure(&mut table);
     println!("{table}");
 

@@ -188,3 +188,26 @@ fn of_a_system_at_rest() {
         |_| unreachable!("it has no input"),
     );
 }
+
+#[test]
+fn an_arm_rests_on_its_controller() {
+    let servo = Servo::<f64>::default();
+    let given = ServoInput { target: 0.4 };
+    let search = servo.trim(&ServoState::default()).input(&given);
+    let rest = search.free(["angle", "integral", "torque"]).solve();
+    let rest = rest.expect("it rests");
+    let weight = 1.5 * 9.81 * 0.3 * 0.4_f64.cos();
+    assert!((rest.state.motion.angle - 0.4).abs() < 1e-14);
+    assert!((rest.state.torque - weight).abs() < 1e-13);
+    assert!((rest.state.integral - weight / 60.0).abs() < 1e-14);
+    assert_eq!(rest.undetermined, 0);
+    // angle, rate, integral and torque: four eigenvalues, and it is well controlled
+    let modes = rest.modes().expect("A is finite");
+    let twice = modes.iter().filter(|mode| mode.period().is_some()).count();
+    assert_eq!((modes.len() + twice, modes.neutral()), (4, 0));
+    assert!(modes.is_stable());
+    // with the integral held, its rate cannot be brought to zero but by the angle
+    let search = servo.trim(&ServoState::default()).input(&given);
+    let error = search.free(["torque"]).solve();
+    assert!(error.is_err());
+}

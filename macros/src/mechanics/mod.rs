@@ -22,7 +22,10 @@ pub use answers::{
 };
 pub use balances::uniform_field;
 pub use closed_forms::{Flow, Free, Rotation, derive_flow};
-pub use linearization::{Block, Column, Linearization, Row, linearize_body, linearize_system};
+pub use linearization::{
+    Block, Column, Linearization, Row, linearize_body, linearize_system, sensitivity_of_body,
+    sensitivity_of_system,
+};
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
 pub use system::{
     Inertias, Jacobian, SystemEquations, check_followers, derive_inertias, derive_jacobians,

@@ -10,7 +10,8 @@ use crate::mechanics::{
     derive_momentum, derive_reach, derive_system, derive_system_balances,
     derive_system_consistency, derive_system_energy, derive_system_momentum, derive_system_taylor,
     derive_taylor, describe_equations, describe_system, linearize_body, linearize_system,
-    uniform_field, with_potentials, with_system_potentials,
+    sensitivity_of_body, sensitivity_of_system, uniform_field, with_potentials,
+    with_system_potentials,
 };
 use crate::model::{Defaults, Frame, Load, Model, Outline, Own, Substance, System, Workspace};
 use crate::symbolic::Id;
@@ -66,6 +67,14 @@ pub trait Subject: Sized + 'static {
     ) -> Option<Taylor>;
 
     fn linearization(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &Self::Equations,
+    ) -> Linearization;
+
+    /// What the accelerations change by with parameters.
+    fn sensitivity(
         &self,
         outline: &Outline,
         work: &mut Workspace,
@@ -160,6 +169,15 @@ impl Subject for Model {
         equations: &Equations,
     ) -> Linearization {
         linearize_body(outline, self, work, equations.accelerations)
+    }
+
+    fn sensitivity(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &Equations,
+    ) -> Linearization {
+        sensitivity_of_body(outline, self, work, equations.accelerations)
     }
 
     fn is_in_world(&self, _: usize) -> bool {
@@ -259,8 +277,18 @@ impl Subject for System {
         linearize_system(outline, self, work, equations)
     }
 
+    fn sensitivity(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &SystemEquations,
+    ) -> Linearization {
+        sensitivity_of_system(outline, self, work, equations)
+    }
+
     fn is_in_world(&self, joint: usize) -> bool {
-        self.joints[self.written[joint]].is_in_world()
+        let joint = self.written.get(joint);
+        joint.is_some_and(|joint| self.joints[*joint].is_in_world())
     }
 }
 

@@ -1,6 +1,6 @@
 //! The blocks of a linearisation, by what changes and what it changes with.
 
-use crate::mechanics::proofs::all_vanish;
+use crate::mechanics::proofs::vanishing;
 use crate::model::{Outline, Variable, Workspace};
 use crate::symbolic::{Components, Id};
 
@@ -39,51 +39,76 @@ pub fn assemble(
     changes: &Changes,
     spin: impl Fn(&Workspace, usize) -> Components,
 ) -> Linearization {
-    let mut blocks = Vec::new();
+    let mut written = Vec::new();
     for (number, group) in outline.tangent().iter().enumerate() {
         if group.variable == Variable::Quaternion {
             // an attitude q exp(e): e' = dw - w x e
             let w = spin(work, group.joint);
             let columns = work.graph.unit_vectors().map(|e| work.graph.cross(e, w));
             let (row, column) = (Row::Attitude(number), Column::State(number));
-            blocks.extend(block(work, (row, column), columns.concat()));
+            written.push((row, column, columns.concat()));
         }
     }
-    let mut first = 0;
+    written.extend(by_accelerations(outline, changes));
+    Linearization {
+        accelerations,
+        blocks: not_zero(work, written),
+    }
+}
+
+/// Puts together what accelerations change by, where that is not zero.
+pub fn blocks_by(
+    outline: &Outline,
+    work: &mut Workspace,
+    accelerations: Vec<Id>,
+    changes: &Changes,
+) -> Linearization {
+    Linearization {
+        accelerations,
+        blocks: not_zero(work, by_accelerations(outline, changes)),
+    }
+}
+
+/// What changes, what it changes with, and the entries of the block.
+type Written = (Row, Column, Vec<Id>);
+
+fn by_accelerations(outline: &Outline, changes: &Changes) -> Vec<Written> {
+    let (mut first, mut written) = (0, Vec::new());
     for (number, group) in outline.accelerations().iter().enumerate() {
         let rows = first..first + group.size;
         first = rows.end;
         for (column, changes) in changes {
             let entries = changes.iter().flat_map(|all| &all[rows.clone()]);
             let entries: Vec<Id> = entries.copied().collect();
-            blocks.extend(block(work, (Row::Acceleration(number), *column), entries));
+            written.push((Row::Acceleration(number), *column, entries));
         }
     }
-    Linearization {
-        accelerations,
-        blocks,
-    }
+    written
 }
 
-/// A block, if it is not zero in all states.
-fn block(work: &mut Workspace, (row, column): (Row, Column), entries: Vec<Id>) -> Option<Block> {
+/// The blocks that are not zero in all states.
+fn not_zero(work: &mut Workspace, written: Vec<Written>) -> Vec<Block> {
     let zero = work.graph.zero();
-    let entries: Vec<Id> = entries
-        .into_iter()
-        .map(|entry| {
-            if all_vanish(work, &[entry]) {
+    let all = written.iter().flat_map(|(.., entries)| entries);
+    let all: Vec<Id> = all.copied().collect();
+    let mut vanishing = vanishing(work, &all).into_iter();
+    let blocks = written.into_iter().map(|(row, column, mut entries)| {
+        for (entry, is_zero) in entries.iter_mut().zip(vanishing.by_ref()) {
+            *entry = if is_zero {
                 zero
             } else {
-                work.graph.result(entry)
-            }
-        })
-        .collect();
-    let is_there = entries.iter().map(|entry| !work.graph.is_zero(*entry));
-    let is_there: Vec<bool> = is_there.collect();
-    is_there.contains(&true).then_some(Block {
-        row,
-        column,
-        entries,
-        is_there,
-    })
+                work.graph.result(*entry)
+            };
+        }
+        let is_there = entries.iter().map(|entry| !work.graph.is_zero(*entry));
+        Block {
+            row,
+            column,
+            is_there: is_there.collect(),
+            entries,
+        }
+    });
+    let blocks: Vec<Block> = blocks.collect();
+    let is_there = |block: &Block| block.is_there.contains(&true);
+    blocks.into_iter().filter(is_there).collect()
 }

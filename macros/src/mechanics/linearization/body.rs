@@ -14,16 +14,9 @@ pub fn linearize_body(
     outline: &Outline,
     model: &Model,
     work: &mut Workspace,
-    Pair { linear, angular }: Pair,
+    pair: Pair,
 ) -> Linearization {
-    let motion = model.motion;
-    let accelerations = [
-        &linear[motion.linear_axes()],
-        &angular[motion.angular_axes()],
-    ]
-    .concat();
-    let rates = model.states.iter().map(|state| state.rate);
-    let accelerations: Vec<Id> = accelerations.into_iter().chain(rates).collect();
+    let accelerations = in_order(model, pair);
     let mut directions = Directions::new();
     for (number, group) in outline.tangent().iter().enumerate() {
         let components = 0..group.size;
@@ -41,6 +34,17 @@ pub fn linearize_body(
     );
     let spin = |_: &Workspace, _| model.state.angular_velocity;
     assemble(outline, work, accelerations, &changes, spin)
+}
+
+/// The accelerations that the state has, and the rates of states of one's own.
+pub fn in_order(model: &Model, Pair { linear, angular }: Pair) -> Vec<Id> {
+    let motion = model.motion;
+    let accelerations = [
+        &linear[motion.linear_axes()],
+        &angular[motion.angular_axes()],
+    ];
+    let rates = model.states.iter().map(|state| state.rate);
+    accelerations.concat().into_iter().chain(rates).collect()
 }
 
 /// A component of the tangent space changes by one.

@@ -5,11 +5,12 @@ use crate::mechanics::variation::{self, Direction, Leaves, Slopes};
 use crate::model::{Meaning, Outline, Workspace};
 use crate::symbolic::Id;
 
-/// With what something changes: a group of the tangent space, or an input.
+/// With what something changes: a group of the tangent space, an input, or a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Column {
     State(usize),
     Input(usize),
+    Param(usize),
 }
 
 /// Each group of columns, with a direction for each of its components.

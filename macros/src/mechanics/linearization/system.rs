@@ -17,18 +17,8 @@ pub fn linearize_system(
     equations: &SystemEquations,
 ) -> Linearization {
     let mut response = Response::of(system, work, equations);
-    let (mut accelerations, mut changing) = if let Some(response) = &response {
-        (response.accelerations.clone(), response.lacking.clone())
-    } else {
-        let written = system.written.iter();
-        let accelerations = written.flat_map(|joint| equations.accelerations[*joint].clone());
-        let accelerations: Vec<Id> = accelerations.collect();
-        (accelerations.clone(), accelerations)
-    };
-    let own = changing.len();
-    let rates = || system.states.iter().map(|state| state.rate);
-    accelerations.extend(rates());
-    changing.extend(rates());
+    let (accelerations, changing) = changing(system, equations, response.as_ref());
+    let own = changing.len() - system.states.len();
     let mut directions = Directions::new();
     for (number, group) in outline.tangent().iter().enumerate() {
         let components = 0..group.size;
@@ -57,6 +47,27 @@ pub fn linearize_system(
         })
     };
     assemble(outline, work, accelerations, &changes, spin)
+}
+
+/// The accelerations in the order of the state, and what is differentiated for them; the rates of
+/// states of one's own are behind both.
+pub fn changing(
+    system: &System,
+    equations: &SystemEquations,
+    response: Option<&Response>,
+) -> (Vec<Id>, Vec<Id>) {
+    let (accelerations, changing) = if let Some(response) = response {
+        (response.accelerations.clone(), response.lacking.clone())
+    } else {
+        let written = system.written.iter();
+        let accelerations = written.flat_map(|joint| equations.accelerations[*joint].clone());
+        let accelerations: Vec<Id> = accelerations.collect();
+        (accelerations.clone(), accelerations)
+    };
+    let rates = system.states.iter().map(|state| state.rate);
+    [accelerations, changing]
+        .map(|all| all.into_iter().chain(rates.clone()).collect())
+        .into()
 }
 
 /// A component of the tangent space changes by one.

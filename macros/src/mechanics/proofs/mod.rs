@@ -4,4 +4,4 @@ mod random_state;
 mod zeros;
 
 pub use random_state::RandomState;
-pub use zeros::{all_vanish, cancels_in_half_turns, samples};
+pub use zeros::{all_vanish, cancels_in_half_turns, samples, vanishing};

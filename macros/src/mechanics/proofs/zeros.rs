@@ -10,6 +10,15 @@ pub fn all_vanish(work: &Workspace, roots: &[Id]) -> bool {
     samples(work, roots).iter().all(Sample::is_zero)
 }
 
+/// Which of `roots` are proved to be zero in all states: seen together, and by itself where one that
+/// is not told by residues hides what others are.
+pub fn vanishing(work: &Workspace, roots: &[Id]) -> Vec<bool> {
+    let samples = samples(work, roots);
+    let all = samples.iter().zip(roots);
+    all.map(|(sample, root)| sample.is_zero() || !sample.is_refuted() && all_vanish(work, &[*root]))
+        .collect()
+}
+
 /// The values of `roots` at one random state, on each branch.
 pub fn samples(work: &Workspace, roots: &[Id]) -> Vec<Sample> {
     let state = RandomState::draw(0);

@@ -10,19 +10,20 @@ use crate::model::Model;
 use super::balance::Balance;
 use super::constrained::Constrained;
 use super::energy::Energy;
-use super::linearization::Linearization;
+use super::linearization::{Linearization, Sensitivity};
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
 use super::taylor::Taylor;
 
 /// What is solved for, or looked for.
-fn solved() -> [Box<dyn Output<Model>>; 5] {
+fn solved() -> [Box<dyn Output<Model>>; 6] {
     [
         Box::<inverse::Inverse>::default(),
         Box::<flow::Flow>::default(),
         Box::<structured::Structured>::default(),
         Box::<Taylor>::default(),
         Box::<Linearization>::default(),
+        Box::<Sensitivity>::default(),
     ]
 }
 

@@ -7,13 +7,14 @@ use quote::{format_ident, quote};
 
 use crate::emit::code::{Shapes, Site, Values, local};
 use crate::mechanics::{Block, Column, Row};
-use crate::model::{AXES, Group, Outline, Variable};
+use crate::model::{AXES, Declared, Group, Outline, Variable};
 
 /// The tangent space of the states, and the inputs, in groups.
 pub struct Space {
     state: Vec<Group>,
     accelerations: Vec<Group>,
     inputs: Vec<(String, usize)>,
+    params: Vec<(String, usize)>,
 }
 
 /// A block, and where it is in the matrices.
@@ -27,14 +28,18 @@ pub struct Placed {
 
 impl Space {
     pub fn of(outline: &Outline) -> Self {
-        let inputs = outline.inputs.iter().map(|input| {
-            let size = input.frame.map_or(1, |_| outline.motion.axes());
-            (input.name.to_string(), size)
-        });
+        let sized = |declared: &[Declared]| {
+            let sized = declared.iter().map(|one| {
+                let size = one.frame.map_or(1, |_| outline.motion.axes());
+                (one.name.to_string(), size)
+            });
+            sized.collect()
+        };
         Self {
             state: outline.tangent(),
             accelerations: outline.accelerations(),
-            inputs: inputs.collect(),
+            inputs: sized(&outline.inputs),
+            params: sized(&outline.params),
         }
     }
 
@@ -73,6 +78,10 @@ impl Space {
                 let at = self.inputs[..number].iter().map(|(_, size)| size).sum();
                 (name, *size, at)
             }
+            Column::Param(number) => {
+                let (name, size) = &self.params[number];
+                (name, *size, 0)
+            }
         };
         Placed {
             name: format_ident!("{}_by_{}", changing.name, name.trim_start_matches("r#")),
@@ -98,6 +107,16 @@ impl Space {
         let mut seen = HashSet::new();
         let all = attitudes.chain(blocks);
         all.filter(|one| seen.insert(one.name.clone())).collect()
+    }
+
+    /// Those that there may be by parameters.
+    pub fn by_params(&self) -> Vec<Placed> {
+        let rows = 0..self.accelerations.len();
+        let columns = |row| (0..self.params.len()).map(move |number| (row, number));
+        let blocks = rows.flat_map(columns);
+        let placed =
+            blocks.map(|(row, number)| self.place(Row::Acceleration(row), Column::Param(number)));
+        placed.collect()
     }
 
     /// What the coordinates and the components of inputs are called.

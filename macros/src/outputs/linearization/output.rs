@@ -1,10 +1,9 @@
 //! `linearization`: what the rates of a state change by with state and input, to first order, in blocks.
 
 use proc_macro2::Ident;
-use quote::{format_ident, quote};
 
-use crate::emit::code::{COMMON, Method, Site};
-use crate::emit::items::{Addition, Field, Record};
+use crate::emit::code::Site;
+use crate::emit::items::Addition;
 use crate::lower::{LINEARIZATION, Offer};
 use crate::mechanics;
 use crate::symbolic::Id;
@@ -13,7 +12,8 @@ use crate::outputs::output::{Basis, Output};
 use crate::outputs::subject::Subject;
 
 use super::coordinates::coordinated;
-use super::matrices::Space;
+use super::emitted::{Words, emitted};
+use super::matrices::{Placed, Space};
 
 const OFFER: Offer = Offer {
     is_of_motion: true,
@@ -69,8 +69,8 @@ impl<S: Subject> Output<S> for Linearization {
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
-        let (shapes, space) = (&site.shapes, Space::of(site.outline));
-        let blocks = match &self.found {
+        let space = Space::of(site.outline);
+        let blocks: Vec<Placed> = match &self.found {
             Some(found) => found
                 .blocks
                 .iter()
@@ -78,34 +78,15 @@ impl<S: Subject> Output<S> for Linearization {
                 .collect(),
             None => space.all(),
         };
-        let acceleration = Field::new(&format_ident!("acceleration"), shapes.acceleration_type());
-        let fields = blocks
-            .iter()
-            .map(|one| Field::new(&one.name, one.kind(shapes)));
-        let by_name = Record {
-            suffix: "Linearization",
+        let words = Words {
+            name: "Linearization",
+            method: "linearize",
             doc: format!(
                 " What the rates of the state of [`{}`] change by, to first order: by how much what is named first changes with what is named behind `by`, a row for each component of the first, a column for each of the second, SI units. An attitude q becomes `q exp(e)`, with the rotation vector e in body axes.",
                 site.outline.name
             ),
-            fields: [acceleration].into_iter().chain(fields).collect(),
-            has_default: false,
         };
-        let method = site.method(self.found.as_ref(), |writer, found| {
-            let entries = found.blocks.iter().flat_map(|block| &block.entries);
-            let roots: Vec<Id> = found.accelerations.iter().chain(entries).copied().collect();
-            Method::write(writer, &roots, |values| {
-                by_name.filled(site.outline, values, |field, values| match field {
-                    0 => shapes.acceleration(values),
-                    field => blocks[field - 1].filled(shapes, values),
-                })
-            })
-        });
-        let kind = site.own_type("Linearization");
-        let methods = [("linearize", &method, &COMMON[..], &kind)];
-        let types = quote!(type Linearization = #kind;);
-        let addition = Addition::implement(site, "Linearization", [types, quote!()], &methods);
-        let mut addition = addition.with(site.outline, &by_name);
+        let mut addition = emitted(site, self.found.as_ref(), &blocks, words);
         let double = site.double();
         let entries = self.found.as_ref();
         let patterns = entries.map_or_else(|| space.dense(), |found| space.patterns(&found.blocks));

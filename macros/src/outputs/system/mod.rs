@@ -10,7 +10,7 @@ use crate::model::System;
 use super::balance::Balance;
 use super::constrained::Constrained;
 use super::energy::Energy;
-use super::linearization::Linearization;
+use super::linearization::{Linearization, Sensitivity};
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
 use super::taylor::Taylor;
@@ -27,6 +27,7 @@ impl Listed for System {
             Box::<jacobian::Jacobian>::default(),
             Box::<Taylor>::default(),
             Box::<Linearization>::default(),
+            Box::<Sensitivity>::default(),
             Box::<Constrained>::default(),
         ]
     }

@@ -26,6 +26,13 @@ impl Sample {
             .all(|value| value.is_some_and(Residue::is_zero))
     }
 
+    /// Whether it is not zero somewhere.
+    pub fn is_refuted(&self) -> bool {
+        self.0
+            .iter()
+            .any(|value| value.is_some_and(|value| !value.is_zero()))
+    }
+
     /// Whether it may be zero throughout a branch.
     pub fn may_vanish(&self) -> bool {
         self.0

@@ -1,6 +1,6 @@
 //! What the coordinates of a state are, before their rates.
 
-/// A coordinate of the tangent space, of those that are no rates: what it does as the world is
+/// A coordinate of the tangent space, of those that come before the rates: what it does as the world is
 /// turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {

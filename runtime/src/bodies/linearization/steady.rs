@@ -123,7 +123,7 @@ impl<B, C> Steady<'_, B, C> {
             rate: tangent::rate(state, &acceleration),
             reach: Change {
                 state: SVector::from_fn(|row, _| {
-                    if row < N / 2 {
+                    if row < B::PLACES.len() {
                         1.0
                     } else {
                         libm::fabs(values[row])
@@ -133,8 +133,9 @@ impl<B, C> Steady<'_, B, C> {
             },
         };
         let excess = self.excess(&values, &mut about);
+        let places = B::PLACES.len();
         for row in 0..N {
-            if row >= N / 2 || self.turning.is_some() && B::PLACES[row].turns() {
+            if row >= places || self.turning.is_some() && B::PLACES[row].turns() {
                 let by = Change {
                     state: about.matrix.row(row).transpose(),
                     input: b.row(row).transpose(),
@@ -142,7 +143,7 @@ impl<B, C> Steady<'_, B, C> {
                 let value = excess[row];
                 about.rows.push(Asked {
                     name: <B::Linearization as Linearized<N, M>>::STATES[row],
-                    is_angle: Some(B::PLACES[row % (N / 2)].is_angle()),
+                    is_angle: (row < 2 * places).then(|| B::PLACES[row % places].is_angle()),
                     equation: Equation { value, by },
                 });
             }
@@ -177,7 +178,7 @@ impl<B, C> Steady<'_, B, C> {
                     let is_seen = a.columns(place, size).amax() > 0.0;
                     for other in 0..size {
                         let turn = cross[(*part, other)];
-                        for first in [place, place + N / 2] {
+                        for first in [place, place + B::PLACES.len()] {
                             excess[first + part] -= turn * values[first + other];
                             if is_seen || first > place {
                                 about.matrix[(first + part, first + other)] -= turn;
@@ -235,20 +236,23 @@ impl<B, C> Steady<'_, B, C> {
                 }
             }
         }
-        let mut rest = tangent::values::<_, N>(state, &Vector3::zeros());
-        rest.rows_mut(0, N / 2).fill(0.0);
+        let places = B::PLACES.len();
+        let mut rest = SVector::<f64, N>::zeros();
+        let values = tangent::values::<_, N>(state, &Vector3::zeros());
+        rest.rows_mut(places, places)
+            .copy_from(&values.rows(places, places));
         let rest = tangent::moved(state, &-rest);
         let (still, _) = self.measure(&rest, components);
-        for place in 0..N / 2 {
+        for place in 0..places {
             let rate =
-                SVector::<f64, N>::from_fn(|row, _| f64::from(u8::from(row == place + N / 2)));
+                SVector::<f64, N>::from_fn(|row, _| f64::from(u8::from(row == place + places)));
             let (moving, _) = self.measure(&tangent::moved(&rest, &rate), components);
             let pairs = moving.list().iter().zip(still.list());
             for (row, (moving, still)) in rows.iter_mut().zip(pairs).take(kept) {
                 match moving.rate.zip(still.rate) {
                     Some((moving, still)) => row.equation.by.state[place] = moving - still,
                     None => {
-                        row.equation.by.state[place + N / 2] = moving.value - still.value;
+                        row.equation.by.state[place + places] = moving.value - still.value;
                     }
                 }
             }
@@ -314,7 +318,7 @@ where
             let [mut length, mut level] = [Asked::new("axis", 0.0); 2];
             let [along, rates] = [&mut length.equation.by, &mut level.equation.by];
             for part in row..row + vector(&B::PLACES[row..]) {
-                let rate = part + N / 2;
+                let rate = part + B::PLACES.len();
                 along.state[part] = values[part];
                 rates.state[part] = values[rate];
                 rates.state[rate] = values[part];

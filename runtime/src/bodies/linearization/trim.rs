@@ -16,7 +16,8 @@ use super::trim_error::{FEW, Off, TrimError};
 
 /// Steady motions and equilibria of what has `outputs: [linearization]`.
 ///
-/// A motion is *steady* where nothing accelerates: rates stay as they are. With rates of zero it is
+/// A motion is *steady* where nothing accelerates: rates stay as they are, and so do states of one's
+/// own. With rates of zero it is
 /// an equilibrium. With [`Search::turning`] it is a steady turn: velocities turn with the world at a
 /// given rate, and so does the body.
 pub trait Trim<const STATES: usize, const INPUTS: usize>: Coordinated<STATES, INPUTS> {
@@ -127,7 +128,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         self.steady.turning = Some(angular_velocity.into());
         for (place, kind) in B::PLACES.iter().enumerate() {
             if kind.turns() {
-                self.free.state[place + N / 2] = 1.0;
+                self.free.state[place + B::PLACES.len()] = 1.0;
             }
         }
         self
@@ -432,7 +433,7 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trimmed<B, N, M> {
     #[must_use]
     pub fn drift(&self) -> SVector<f64, N> {
         let mut drift = self.matrix * self.rate;
-        drift.rows_mut(0, N / 2).fill(0.0);
+        drift.rows_mut(0, B::PLACES.len()).fill(0.0);
         drift
     }
 }

@@ -1,0 +1,64 @@
+//! `sensitivity`: what the accelerations change by with parameters, to first order, in blocks.
+
+use crate::emit::code::Site;
+use crate::emit::items::Addition;
+use crate::lower::Offer;
+use crate::mechanics;
+use crate::outputs::output::{Basis, Output};
+use crate::outputs::subject::Subject;
+use crate::symbolic::Id;
+
+use super::emitted::{Words, emitted};
+use super::matrices::Space;
+
+const OFFER: Offer = Offer {
+    is_of_motion: true,
+    ..Offer::new("sensitivity")
+};
+
+#[derive(Default)]
+pub struct Sensitivity(Option<mechanics::Linearization>);
+
+impl<S: Subject> Output<S> for Sensitivity {
+    fn offer(&self) -> Option<&'static Offer> {
+        Some(&OFFER)
+    }
+
+    fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {
+        let place = basis.outline.place(OFFER.word);
+        if let Some(place) = place.filter(|_| basis.outline.params.is_empty()) {
+            let message = "there are no `params`, and `sensitivity` is what the accelerations change by with these";
+            basis.errors.push(place, message);
+            return None;
+        }
+        let found = (basis.model).sensitivity(basis.outline, basis.work, basis.equations);
+        self.0 = Some(found);
+        Some(())
+    }
+
+    fn roots(&self) -> Vec<Id> {
+        let all = self.0.iter().flat_map(|all| &all.blocks);
+        all.flat_map(|block| block.entries.clone()).collect()
+    }
+
+    fn emit(&self, site: &Site<'_>) -> Addition {
+        let space = Space::of(site.outline);
+        let blocks = match &self.0 {
+            Some(found) => found
+                .blocks
+                .iter()
+                .map(|block| space.placed(block))
+                .collect(),
+            None => space.by_params(),
+        };
+        let words = Words {
+            name: "Sensitivity",
+            method: "sensitivity",
+            doc: format!(
+                " What the accelerations of [`{}`] change by with its parameters, to first order, state and input being held: by how much what is named first changes with what is named behind `by`, a row for each component of the first, a column for each of the second, SI units.",
+                site.outline.name
+            ),
+        };
+        emitted(site, self.0.as_ref(), &blocks, words)
+    }
+}

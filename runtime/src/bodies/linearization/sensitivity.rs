@@ -1,0 +1,42 @@
+//! What accelerations change by with parameters.
+
+use crate::bodies::body::RigidBody;
+
+/// The first derivatives of the accelerations by parameters, `outputs: [sensitivity]`.
+///
+/// ```
+/// use newton_euler::prelude::*;
+///
+/// rigid_body!(Pendulum {
+///     motion: pivot(hinge),
+///     params: [arm = 0.5[m], radius = 0.2[m]],
+///     mass: 2[kg],
+///     inertia: mass * radius.powi(2),
+///     points: [hinge = (0, arm)],
+///     fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+///     outputs: [sensitivity],
+/// });
+///
+/// let aside = Hinge { angle: 0.3, angular_velocity: 0.0 };
+/// let found = Pendulum::default().sensitivity(0.0, &aside, &());
+/// // w' = -g l sin(angle) / (r^2 + l^2)
+/// let (square, pull) = (0.04 + 0.25_f64, -9.80665 * 0.3_f64.sin());
+/// assert!((found.acceleration - pull * 0.5 / square).abs() < 1e-14);
+/// assert!((found.angular_by_arm - pull * (0.04 - 0.25) / square.powi(2)).abs() < 1e-13);
+/// assert!((found.angular_by_radius + pull * 0.5 * 0.4 / square.powi(2)).abs() < 1e-13);
+/// ```
+pub trait Sensitivity: RigidBody {
+    /// A struct of the acceleration and of all blocks that are not zero in all states:
+    /// `linear_by_area`, of a system `elbow_angular_by_length`; a number, or a matrix with a row for
+    /// each component of what changes and a column for each of a parameter that is a vector.
+    type Sensitivity;
+
+    /// The derivatives in this state, with state and input held. Where the motion has a kink
+    /// (`abs`, `min`, `if`), those of the branch that is taken.
+    fn sensitivity(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> Self::Sensitivity;
+}

@@ -260,7 +260,8 @@ impl Subject for System {
     }
 
     fn is_in_world(&self, joint: usize) -> bool {
-        self.joints[self.written[joint]].is_in_world()
+        let joint = self.written.get(joint);
+        joint.is_some_and(|joint| self.joints[*joint].is_in_world())
     }
 }
 

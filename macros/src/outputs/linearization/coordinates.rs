@@ -11,8 +11,8 @@ use crate::model::{AXES, Group, Outline, Variable};
 pub fn coordinated(site: &Site<'_>, in_world: &[bool]) -> TokenStream {
     let (outline, private) = (site.outline, &site.shapes.private);
     let groups = outline.tangent();
-    let places = &groups[..groups.len() / 2];
-    let places = places.iter().flat_map(|group| {
+    let places = groups.iter().filter(|group| !group.variable.is_rate());
+    let places = places.flat_map(|group| {
         let is_in_world = in_world.get(group.joint).copied().unwrap_or_default();
         let is_free = is_in_world && groups.iter().any(|other| is_position(group, other));
         (0..group.size).map(move |part| place(group, part, [is_in_world, is_free]))

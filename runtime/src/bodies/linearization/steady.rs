@@ -123,7 +123,7 @@ impl<B, C> Steady<'_, B, C> {
             rate: tangent::rate(state, &acceleration),
             reach: Change {
                 state: SVector::from_fn(|row, _| {
-                    if row < N / 2 {
+                    if row < B::PLACES.len() {
                         1.0
                     } else {
                         libm::fabs(values[row])
@@ -134,7 +134,7 @@ impl<B, C> Steady<'_, B, C> {
         };
         let excess = self.excess(&values, &mut about);
         for row in 0..N {
-            if row >= N / 2 || self.turning.is_some() && B::PLACES[row].turns() {
+            if row >= B::PLACES.len() || self.turning.is_some() && B::PLACES[row].turns() {
                 let by = Change {
                     state: about.matrix.row(row).transpose(),
                     input: b.row(row).transpose(),
@@ -142,7 +142,7 @@ impl<B, C> Steady<'_, B, C> {
                 let value = excess[row];
                 about.rows.push(Asked {
                     name: <B::Linearization as Linearized<N, M>>::STATES[row],
-                    is_angle: Some(B::PLACES[row % (N / 2)].is_angle()),
+                    is_angle: Some(is_angle::<B, N, M>(row)),
                     equation: Equation { value, by },
                 });
             }
@@ -177,7 +177,7 @@ impl<B, C> Steady<'_, B, C> {
                     let is_seen = a.columns(place, size).amax() > 0.0;
                     for other in 0..size {
                         let turn = cross[(*part, other)];
-                        for first in [place, place + N / 2] {
+                        for first in [place, place + B::PLACES.len()] {
                             excess[first + part] -= turn * values[first + other];
                             if is_seen || first > place {
                                 about.matrix[(first + part, first + other)] -= turn;
@@ -236,19 +236,20 @@ impl<B, C> Steady<'_, B, C> {
             }
         }
         let mut rest = tangent::values::<_, N>(state, &Vector3::zeros());
-        rest.rows_mut(0, N / 2).fill(0.0);
+        rest.rows_mut(0, B::PLACES.len()).fill(0.0);
         let rest = tangent::moved(state, &-rest);
         let (still, _) = self.measure(&rest, components);
-        for place in 0..N / 2 {
-            let rate =
-                SVector::<f64, N>::from_fn(|row, _| f64::from(u8::from(row == place + N / 2)));
+        for place in 0..B::PLACES.len() {
+            let rate = SVector::<f64, N>::from_fn(|row, _| {
+                f64::from(u8::from(row == place + B::PLACES.len()))
+            });
             let (moving, _) = self.measure(&tangent::moved(&rest, &rate), components);
             let pairs = moving.list().iter().zip(still.list());
             for (row, (moving, still)) in rows.iter_mut().zip(pairs).take(kept) {
                 match moving.rate.zip(still.rate) {
                     Some((moving, still)) => row.equation.by.state[place] = moving - still,
                     None => {
-                        row.equation.by.state[place + N / 2] = moving.value - still.value;
+                        row.equation.by.state[place + B::PLACES.len()] = moving.value - still.value;
                     }
                 }
             }
@@ -314,7 +315,7 @@ where
             let [mut length, mut level] = [Asked::new("axis", 0.0); 2];
             let [along, rates] = [&mut length.equation.by, &mut level.equation.by];
             for part in row..row + vector(&B::PLACES[row..]) {
-                let rate = part + N / 2;
+                let rate = part + B::PLACES.len();
                 along.state[part] = values[part];
                 rates.state[part] = values[rate];
                 rates.state[rate] = values[part];
@@ -323,6 +324,12 @@ where
             about.rows.push(level);
         }
     }
+}
+
+/// Whether a coordinate is an angle, or the rate of one; states of one's own are not.
+fn is_angle<B: Coordinated<N, M>, const N: usize, const M: usize>(row: usize) -> bool {
+    let place = row.checked_sub(B::PLACES.len()).unwrap_or(row);
+    B::PLACES.get(place).is_some_and(|place| place.is_angle())
 }
 
 /// How many of the first places are those of one vector.

@@ -44,7 +44,6 @@ pub fn rate<S: Coordinates<Scalar = f64>, const N: usize>(
     let (at, rates) = (state.coordinates(), state.rates(acceleration));
     let half: usize = S::GROUPS[..S::GROUPS.len() / 2].iter().sum();
     let mut x = SVector::<f64, N>::zeros();
-    let places = N / 2;
     let (mut first, mut place) = (0, 0);
     for group in &S::GROUPS[..S::GROUPS.len() / 2] {
         let size = (*group).min(3);
@@ -57,7 +56,7 @@ pub fn rate<S: Coordinates<Scalar = f64>, const N: usize>(
         first += group;
         place += size;
     }
-    x.as_mut_slice()[places..].copy_from_slice(&rates.as_ref()[half..]);
+    x.as_mut_slice()[place..].copy_from_slice(&rates.as_ref()[half..]);
     x
 }
 

@@ -127,7 +127,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         self.steady.turning = Some(angular_velocity.into());
         for (place, kind) in B::PLACES.iter().enumerate() {
             if kind.turns() {
-                self.free.state[place + N / 2] = 1.0;
+                self.free.state[place + B::PLACES.len()] = 1.0;
             }
         }
         self
@@ -432,7 +432,7 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trimmed<B, N, M> {
     #[must_use]
     pub fn drift(&self) -> SVector<f64, N> {
         let mut drift = self.matrix * self.rate;
-        drift.rows_mut(0, N / 2).fill(0.0);
+        drift.rows_mut(0, B::PLACES.len()).fill(0.0);
         drift
     }
 }

@@ -209,7 +209,8 @@ mod tests {
             },
         );
         assert_eq!(rate.motion.linear, nalgebra::Vector2::new(1.0, 3.0));
-        assert_eq!([rate.state, rate.x, rate.angle], [4.0, 4.0, 9.0]);
+        let found = Vector3::new(rate.state, rate.x, rate.angle);
+        assert_eq!(found, Vector3::new(4.0, 4.0, 9.0));
 
         let plate = names::Load::default();
         assert!(

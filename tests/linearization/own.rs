@@ -98,6 +98,39 @@ fn a_controller_on_a_hinge() {
     );
 }
 
+/// What a controller comes to rest with, and how.
+#[test]
+fn a_controller_at_rest() {
+    let servo = Servo::<f64>::default();
+    let start = ServoState {
+        motion: hinge(0.6, 0.0),
+        ..ServoState::default()
+    };
+    let search = servo.trim(&start).input(&ServoInput { target: 0.6 });
+    let rest = search.free(["integral", "torque"]).solve().unwrap();
+    let weight = 1.5 * 9.81 * 0.3 * 0.6_f64.cos();
+    assert!((rest.state.torque - weight).abs() < 1e-14);
+    assert!((rest.state.integral - weight / 60.0).abs() < 1e-15);
+    let modes = rest.modes().expect("A is finite");
+    assert_eq!(modes.neutral(), 0);
+    assert!(modes.is_stable());
+    // the sum of the eigenvalues is the trace, and a complex one stands for two
+    let sum: f64 = (modes.iter())
+        .map(|mode| mode.eigenvalue.re * if mode.eigenvalue.im == 0.0 { 1.0 } else { 2.0 })
+        .sum();
+    assert!((sum + 1.0 / 0.02).abs() < 1e-12, "{sum}");
+    // without its integrator free, it lacks what carries the weight
+    let error = servo.trim(&start).input(&ServoInput { target: 0.6 });
+    assert!(error.free(["torque"]).solve().is_err());
+    let loaded = Drone::<f64>::default();
+    let hover = loaded.trim(&DroneState::default());
+    let hover = hover.free(["speed_1", "speed_2", "command_1", "command_2"]);
+    let found = hover.solve().unwrap();
+    let speed = 1.3 * 9.81 / 2.0 / 0.02;
+    assert!((found.state.speed_1 - speed).abs() < 1e-10);
+    assert!((found.input.command_2 - speed).abs() < 1e-10);
+}
+
 #[test]
 fn under_a_constraint() {
     let state = BeadState {

@@ -1,7 +1,7 @@
 //! Many at once: each as if alone, to the bit.
 
-use newton_euler::ensemble::Ensemble;
-use newton_euler::integrate::{DormandPrince8, Fixed};
+use newton_euler::ensemble::{Ensemble, OneByOne};
+use newton_euler::integrate::{DormandPrince, DormandPrince8, Fixed, TaylorSeries};
 use newton_euler::prelude::*;
 
 use crate::bodies::{Arms, ArmsInput, ArmsState, Drone, DroneInput, DroneState};
@@ -30,16 +30,21 @@ fn drones() {
         method: DormandPrince8,
         step: 0.02,
     };
-    let by_series = ensemble.clone();
+    let tolerance = 1e-10;
+    let (series, pairs) = (TaylorSeries { tolerance }, DormandPrince { tolerance });
+    let [mut by_series, mut by_pairs] = [ensemble.clone(), ensemble.clone()];
+    let one_by_one = by_series.integrate().method(OneByOne(series));
+    one_by_one.to(1.0).unwrap();
+    by_pairs.integrate().method(pairs).to(1.0).unwrap();
     ensemble.integrate().method(steps).to(1.0).unwrap();
-    let mut by_series = by_series;
-    by_series.integrate().tolerance(1e-10).to(1.0).unwrap();
     for k in 0..13 {
         let index = usize::try_from(k).unwrap();
         let alone = drone.integrate(&start(k)).input(input).method(steps);
         assert!(ensemble.state(index) == alone.to(1.0).unwrap(), "{k}");
-        let alone = drone.integrate(&start(k)).input(input).tolerance(1e-10);
+        let alone = drone.integrate(&start(k)).input(input).method(series);
         assert!(by_series.state(index) == alone.to(1.0).unwrap(), "{k}");
+        let alone = drone.integrate(&start(k)).input(input).method(pairs);
+        assert!(by_pairs.state(index) == alone.to(1.0).unwrap(), "{k}");
     }
 }
 

@@ -115,8 +115,9 @@ impl Lowering<'_> {
                 format!("the unit of the rate of `{name}` has powers beyond measure"),
             );
         };
-        let id = self.scalar(value, rate, &format!("the rate of `{name}`"))?;
-        self.check_no_acceleration(value, &[id], "the rate of a state")?;
+        let what = format!("the rate of `{name}`");
+        let id = self.scalar(value, rate, &what)?;
+        self.check_no_acceleration(value, &[id], &what)?;
         match self.named(Value::Scalar(id, rate), &format!("{name}_rate")) {
             Value::Scalar(id, _) => Some(id),
             _ => None,

@@ -380,3 +380,58 @@ fn loads_that_follow_accelerations() {
     assert!((by_series.joint.angle - by_steps.joint.angle).abs() < 1e-10);
     assert!((by_series.swims.position - by_steps.swims.position).amax() < 1e-10);
 }
+
+// a driven joint before one that moves, and a potential of where what they carry is
+rigid_system!(Sprung::<T> {
+    inputs: [torque[N * m]],
+    bodies: [
+        a {
+            mass: 1[kg],
+            inertia: principal(0.1, 0.2, 0.25)[kg * m ^ 2],
+            points: [p = (-0.2, 0, 0), q = (0.3, 0, 0.1)]
+        },
+        b {
+            mass: 2[kg],
+            inertia: principal(0.3, 0.2, 0.25)[kg * m ^ 2],
+            points: [p = (0, -0.2, 0), q = (0.1, 0.3, 0)]
+        },
+        c {
+            mass: 0.5[kg],
+            inertia: principal(0.1, 0.05, 0.08)[kg * m ^ 2],
+            points: [p = (0, 0.1, -0.2), q = (0.2, 0, 0.3)]
+        },
+    ],
+    joints: [
+        first = revolute(world(0, 0, 0), a.p, body(0, 0, 1)),
+        swept = revolute(a.q, b.p, body(1, 0, 0)).driven(0.4[rad] * (2[rad / s] * t).sin()),
+        last = revolute(b.q, c.p, body(0, 1, 0)),
+    ],
+    potentials: [trap = 30[N / m] * (c.q.position() - world(0.3, -0.4, 0.2)).norm_squared()],
+    drives: [motor = torque.on(first)],
+    outputs: [linearization],
+});
+
+#[test]
+fn a_potential_behind_a_driven_joint() {
+    let hinge = |angle, angular_velocity| Hinge {
+        angle,
+        angular_velocity,
+    };
+    let state = SprungState {
+        first: hinge(0.4, 1.3),
+        last: hinge(-0.7, -2.1),
+    };
+    let input = |j: usize| SprungInput {
+        torque: by(0.7, j == 0),
+    };
+    let found = Sprung::<f64>::default().linearize(0.3, &state, &SprungInput { torque: 0.7 });
+    let body = Sprung::<Derived>::default();
+    let at = unmoved(&state);
+    hold::<_, _, SprungState<Derived>, 4, 1>(
+        &found,
+        &state,
+        1e-13,
+        |state| body.acceleration(derived(0.3), state, &input(9)),
+        |j| body.acceleration(derived(0.3), &at, &input(j)),
+    );
+}

@@ -245,3 +245,24 @@ fn an_arm_of_a_loop_may_have_no_length() {
         0.25 * (rocker.cos() * pin.y - rocker.sin() * pin.x) - 0.8 * 9.81 * 0.11 * rocker.cos();
     close("moments", &[about_a, about_c], &[0.0, 0.0], 10.0, 1e-13);
 }
+
+// what is written with a body alone carries it, and the next joint closes a loop
+rigid_system!(Gliding {
+    motion: planar,
+    bodies: [sled {
+        mass: 2[kg],
+        inertia: 0.1[kg * m ^ 2]
+    }],
+    joints: [
+        flight = translation(sled),
+        rail = prismatic(world(0, 0), sled.G, body(3, 4)),
+    ],
+    fields: [weight = mass * world(0, -10[m / s ^ 2])],
+});
+
+#[test]
+fn a_sled_on_a_rail() {
+    let state = GlidingState::default();
+    let found = Gliding::default().acceleration(0.0, &state, &()).flight;
+    close("sled", found.as_slice(), &[-4.8, -6.4], 10.0, 1e-14);
+}

@@ -40,6 +40,8 @@ fn main() -> ExitCode {
         seed: number("--seed", 1) as u64,
         extent: draw::Extent {
             bodies: number("--bodies", 6),
+            ties: number("--links", 0) > 0,
+            linearized: number("--linearized", 0) > 0,
             ..draw::Extent::ALL
         },
         shown: number("--shown", 5),
@@ -90,6 +92,7 @@ mod tests {
             "(copies)",
             "(local)",
             "(open drive)",
+            "(armature)",
         ];
         for kind in kinds {
             let mut words = report.joints.keys();

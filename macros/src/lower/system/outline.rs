@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 use quote::format_ident;
 
 use crate::errors::similar;
-use crate::model::{JointKind, Jointed, Outline};
+use crate::model::{Holds, JointKind, Jointed, Outline};
 use crate::syntax::{self, Definition, Expression, Kind, call};
 
 use super::drives::behind;
@@ -86,7 +86,7 @@ fn is_driven(joint: &Definition) -> bool {
 /// The body that a joint carries.
 fn name_of_carried(joint: &Definition, kind: &JointKind) -> Option<String> {
     let ((_, arguments), _) = joint.value.as_ref().and_then(call)?;
-    let written = arguments.get(usize::from(!kind.is_free()))?;
+    let written = arguments.get(usize::from(kind.holds == Holds::Points))?;
     first_name_of(written).map(ToString::to_string)
 }
 

@@ -41,11 +41,14 @@ impl Response {
         let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
         let found = matrix.solve(&mut work.graph, &mut work.labels);
         let order = order(system, equations);
+        let joints = system.joints.iter().zip(given);
+        let open = joints.filter(|(joint, _)| !joint.is_driven());
+        let symbols = open.flat_map(|(_, symbols)| symbols);
         Some(Self {
             matrix,
             lacking,
             accelerations: order.iter().map(|freedom| found[*freedom]).collect(),
-            values: given.concat().into_iter().zip(found).collect(),
+            values: symbols.zip(found.iter().copied()).collect(),
             order,
         })
     }

@@ -98,8 +98,8 @@ impl Workspace {
             }
         };
         self.turned.push(Turn {
-            from,
-            to,
+            from: self.original(from),
+            to: self.original(to),
             vector: v,
             turned,
         });

@@ -20,6 +20,8 @@ pub struct Workspace {
     pub(super) attitudes: Vec<Attitude>,
     /// The frame that each is turned against.
     carriers: Vec<Frame>,
+    /// The frame that each is a copy of, or itself.
+    originals: Vec<Frame>,
     pub(super) vectors: Vectors,
     /// Turned vectors are kept apart in here, where potentials are read.
     pub turns: Option<Turns>,
@@ -39,6 +41,7 @@ impl Workspace {
         Self {
             attitudes: vec![Attitude::Fixed; 1],
             carriers: vec![Frame::WORLD; 1],
+            originals: vec![Frame::WORLD; 1],
             ..Self::default()
         }
     }
@@ -47,7 +50,9 @@ impl Workspace {
     pub fn new_frame(&mut self, carrier: Frame) -> Frame {
         self.attitudes.push(Attitude::Fixed);
         self.carriers.push(carrier);
-        Frame::with_index(self.carriers.len() - 1)
+        let frame = Frame::with_index(self.originals.len());
+        self.originals.push(frame);
+        frame
     }
 
     pub fn carrier(&self, frame: Frame) -> Frame {
@@ -67,6 +72,11 @@ impl Workspace {
         }
     }
 
+    /// The frame that this one is a copy of, or itself: what moves are originals.
+    pub(super) fn original(&self, frame: Frame) -> Frame {
+        self.originals[frame.index()]
+    }
+
     /// Frames that are turned like all that there are, each against the copy of its carrier.
     pub fn copied_frames(&mut self) -> Vec<Frame> {
         let count = self.carriers.len();
@@ -74,6 +84,7 @@ impl Workspace {
         for index in 1..count {
             copies.push(self.new_frame(Frame::WORLD));
             self.attitudes[copies[index].index()] = self.attitudes[index];
+            self.originals[copies[index].index()] = self.originals[index];
         }
         for index in 1..count {
             let carrier = self.carriers[index];

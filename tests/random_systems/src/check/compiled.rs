@@ -5,10 +5,11 @@ use std::collections::HashMap;
 use fuzz::errors::Errors;
 use fuzz::lower::{lower_system, outline, outline_system};
 use fuzz::mechanics::{
-    Balance, Consistency, Energy, Inertias, Jacobian, Momentum, SystemEquations, derive_inertias,
-    derive_jacobians, derive_system, derive_system_balances, derive_system_consistency,
-    derive_system_driving, derive_system_energy, derive_system_inverse, derive_system_momentum,
-    derive_system_reactions, derive_system_spare, describe_system, with_system_potentials,
+    Balance, Consistency, Energy, Inertias, Jacobian, Linearization, Momentum, SystemEquations,
+    derive_inertias, derive_jacobians, derive_system, derive_system_balances,
+    derive_system_consistency, derive_system_driving, derive_system_energy, derive_system_inverse,
+    derive_system_momentum, derive_system_reactions, derive_system_spare, describe_system,
+    linearize_system, with_system_potentials,
 };
 use fuzz::model::{Meaning, Outline, System, Variable, Workspace};
 use fuzz::outputs::offers;
@@ -42,6 +43,9 @@ pub struct Compiled {
     /// The link of each joint and body, and of those that close loops.
     pub links: Vec<usize>,
     pub closing: Vec<usize>,
+    /// The link of each link without mass, and its tension.
+    pub ties: Vec<(usize, Id)>,
+    pub linearization: Option<Linearization>,
 }
 
 /// Values of the symbols.
@@ -109,7 +113,7 @@ impl Compiled {
         let (system, mut work) = lower_system(&description, &mut outline, errors)?;
         let mut system = with_system_potentials(system, &mut work);
         let equations = derive_system(&system, &mut work);
-        let is_tree = system.closings.is_empty();
+        let is_tree = system.is_tree();
         let is_determined = derive_system_spare(&system, &equations).is_empty();
         let reactions = is_determined.then(|| {
             let named = derive_system_reactions(&system, &mut work, &equations);
@@ -123,6 +127,9 @@ impl Compiled {
             });
             reactions.collect()
         });
+        let tensions = equations.kept_loads().iter().copied();
+        let ties = system.links.iter().map(|tie| number_of(&tie.name));
+        let is_asked = outline.rank("linearization").is_some();
         let constraints = derive_system_consistency(&system, &mut work, &equations);
         Some(Self {
             links: system
@@ -135,6 +142,9 @@ impl Compiled {
                 .iter()
                 .map(|one| number_of(&one.name))
                 .collect(),
+            ties: ties.zip(tensions).collect(),
+            linearization: is_asked
+                .then(|| linearize_system(&outline, &system, &mut work, &equations)),
             skipped: describe_system(&system, &work, &equations).skipped,
             accelerations: equations.accelerations.clone(),
             reactions,
@@ -197,8 +207,12 @@ impl Compiled {
             Some(Meaning::Param(i, _)) => given.params[i],
             Some(Meaning::Input(i, _)) => given.inputs[i],
             Some(Meaning::Reaction(i, axis)) => {
-                let joint = number_of(&self.outline.holding[i / 2]);
-                given.loads[joint][i % 2][axis]
+                // behind those of joints the tensions, a number each
+                let Some(joint) = self.outline.holding.get(i / 2) else {
+                    let (link, _) = self.ties[i - 2 * self.outline.holding.len()];
+                    return given.loads[link][0][0];
+                };
+                given.loads[number_of(joint)][i % 2][axis]
             }
             _ => f64::NAN.into(),
         }

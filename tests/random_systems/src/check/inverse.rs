@@ -4,8 +4,8 @@ use super::compiled::Compiled;
 use super::state::State;
 use super::{Checks, EXACT, Failure, apart};
 use crate::draw::Drawn;
-use crate::law::kind::Motion;
-use crate::law::space::{add, cross, scale, subtract};
+use crate::law::kind::{Kind, Motion};
+use crate::law::space::{ZERO, add, cross, scale, subtract};
 use crate::wide::Wide;
 
 /// Numbers by joint of the compiler, as they are by link.
@@ -156,7 +156,14 @@ impl Checks<'_> {
                 };
                 let pin = self.scene.point(Some(carried), other.pin);
                 let arm = subtract(pin, motions[*link].position);
-                let [force, moment] = state.loads[joint].map(|part| scale(part, sign));
+                let load = match other.kind {
+                    Kind::Rod(..) => {
+                        let tension = state.loads[joint][0][0];
+                        [scale(self.scene.along_rod(joint), tension), ZERO]
+                    }
+                    _ => state.loads[joint],
+                };
+                let [force, moment] = load.map(|part| scale(part, sign));
                 sums = [
                     add(sums[0], force),
                     add(sums[1], add(moment, cross(arm, force))),

@@ -3,6 +3,7 @@
 pub mod compiled;
 mod doubles;
 mod inverse;
+mod linearized;
 mod motion;
 mod power;
 mod second;
@@ -75,6 +76,7 @@ pub fn check(
     checks.totals();
     checks.words();
     checks.jacobian();
+    checks.linearized();
     let errors = checks.doubles(&found, rng);
     Some(if checks.failures.is_empty() {
         Ok(errors)

@@ -2,6 +2,7 @@
 
 use super::Checks;
 use crate::law::scene::{Carried, Loads};
+use crate::law::space::{dot, scale, subtract};
 use crate::wide::Wide;
 
 impl Checks<'_> {
@@ -88,6 +89,16 @@ impl Checks<'_> {
         let Some(reactions) = &compiled.reactions else {
             return;
         };
+        for (link, tension) in &compiled.ties {
+            let found = self.values(&[*tension]);
+            let [force, moment] = carried.joints[*link];
+            let along = dot(force, self.scene.along_rod(*link));
+            let rest = subtract(force, scale(self.scene.along_rod(*link), along));
+            let name = format!("tension of j{link}");
+            self.close(&name, &found, &[along], carried.size);
+            let nothing = [rest, moment].concat();
+            self.close(&name, &nothing, &[Wide::ZERO; 6], carried.size);
+        }
         let links = compiled.links.iter().chain(&compiled.closing);
         for (link, reaction) in links.zip(reactions) {
             let found = self.values(&reaction.concat());

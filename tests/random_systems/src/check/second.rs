@@ -41,6 +41,7 @@ fn body(link: &Link, q: &[Wide]) -> Body<Wide> {
         Kind::Plane => vec![Part::Slide(x), Part::Slide(y), Part::Turn(z)],
         Kind::Planar(a, b, n) => vec![Part::Slide(a), Part::Slide(b), Part::Turn(n)],
         Kind::Shift(count) => [x, y, z][..count].iter().map(|d| Part::Slide(*d)).collect(),
+        Kind::Rod(..) => unreachable!("a tree has no links without mass"),
     };
     Body {
         mass: link.mass,
@@ -103,10 +104,15 @@ impl Checks<'_> {
         let driven = links
             .iter()
             .flat_map(|link| std::iter::repeat_n(link.driven.is_some(), link.kind.freedoms()));
+        let armatures = links
+            .iter()
+            .flat_map(|link| std::iter::repeat_n(link.armature, link.kind.freedoms()));
+        let taken = armatures.zip(state.a).map(|(armature, a)| armature * *a);
         let size = missing.iter().map(|(_, size)| size).sum::<f64>();
-        for (((missing, _), drive), is_driven) in missing.iter().zip(drives).zip(driven) {
-            let allowed = 10.0 * EXACT * (size + drive.high.abs() + 1e-3);
-            let left = (*missing - drive).high;
+        let sides = missing.iter().zip(drives).zip(taken).zip(driven);
+        for ((((missing, _), drive), taken), is_driven) in sides {
+            let allowed = 10.0 * EXACT * (size + drive.high.abs() + taken.high.abs() + 1e-3);
+            let left = (*missing + taken - drive).high;
             // not a number is not close
             let is_close = left.abs() <= allowed;
             if !is_driven && !is_close {

@@ -172,7 +172,7 @@ impl State {
         }
     }
 
-    fn with(&self, rates: Vec<Rates>) -> Self {
+    pub fn with(&self, rates: Vec<Rates>) -> Self {
         Self {
             time: self.time,
             params: self.params.clone(),

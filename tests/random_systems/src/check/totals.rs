@@ -28,6 +28,11 @@ impl Checks<'_> {
             about = add(about, add(cross(motion.position, own), spin));
             potential = potential - dot(gravity, motion.position) * link.mass;
         }
+        for (link, (_, v)) in self.drawn.links.iter().zip(&self.state.rates) {
+            if let [v] = v[..] {
+                kinetic = kinetic + link.armature * v * v * 0.5;
+            }
+        }
         let center = subtract(about, cross(scale(first, Wide::ONE / mass), linear));
         let energies = self.drawn.stored.iter().chain(&self.drawn.falling);
         for energy in energies {

@@ -104,6 +104,7 @@ impl Drawing {
             kind: Kind::Weld,
             turned: Vec::new(),
             driven: None,
+            armature: Wide::ZERO,
         });
     }
 

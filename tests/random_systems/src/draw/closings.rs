@@ -15,6 +15,9 @@ use crate::wide::Wide;
 /// Loops are told apart from what hardly moves by their smallest pivot.
 const MOVES: f64 = 0.05;
 
+/// Its points, its kind with coordinates, how it is turned, and how it is written.
+type Closing = ([Vec3; 2], Kind, Vec<Wide>, Vec<(Vec3, Wide)>, String);
+
 impl Drawing {
     pub fn closings(&mut self, count: usize) {
         if count == 0 || self.links.iter().all(|link| link.driven.is_some()) {
@@ -71,8 +74,11 @@ impl Drawing {
         if carrier == Some(carried) {
             return false;
         }
+        if self.numbers.one_of(4) && self.extent.ties {
+            return self.tie(rates, (carrier, carried));
+        }
         let number = self.links.len();
-        let named: Vec<usize> = self.bodies.iter().map(|keys| keys.points.len()).collect();
+        let named = self.named();
         let (to, pin) = self.place(Some(carried), &format!("h{number}"), self.extent.pins);
         let (word, directions, kind) = self.closing_kind();
         let q = self.coordinates(kind);
@@ -99,6 +105,39 @@ impl Drawing {
             })
         });
         let from = self.written_place(carrier, number, place);
+        let word = format!("{word}({from}, {to}{directions}){turns}");
+        self.close(
+            rates,
+            &named,
+            (carrier, carried),
+            ([place, pin], kind, q, turned, word),
+        )
+    }
+
+    /// How many points of each body have names.
+    pub fn named(&self) -> Vec<usize> {
+        self.bodies.iter().map(|keys| keys.points.len()).collect()
+    }
+
+    /// Leaves out the points that were named since.
+    pub fn forget(&mut self, named: &[usize]) {
+        for (keys, count) in self.bodies.iter_mut().zip(named) {
+            keys.points.truncate(*count);
+        }
+    }
+
+    /// Adds what closes a loop, if the loops are closed by as much as they need.
+    pub fn close(
+        &mut self,
+        rates: &mut Vec<Rates>,
+        named: &[usize],
+        (carrier, carried): (Option<usize>, usize),
+        ([place, pin], kind, q, turned, word): Closing,
+    ) -> bool {
+        self.rings.push(Ring {
+            link: self.links.len(),
+            body: carried,
+        });
         self.links.push(Link {
             mass: Wide::ZERO,
             inertia: NONE,
@@ -108,23 +147,17 @@ impl Drawing {
             kind,
             turned,
             driven: None,
-        });
-        self.rings.push(Ring {
-            link: number,
-            body: carried,
+            armature: Wide::ZERO,
         });
         rates.push((q, vec![Wide::ZERO; kind.freedoms()]));
         if self.is_loop(rates) {
-            self.joints
-                .push(format!("{word}({from}, {to}{directions}){turns}"));
+            self.joints.push(word);
             return true;
         }
         self.links.pop();
         self.rings.pop();
         rates.pop();
-        for (keys, count) in self.bodies.iter_mut().zip(named) {
-            keys.points.truncate(count);
-        }
+        self.forget(named);
         false
     }
 

@@ -291,6 +291,7 @@ impl Drawing {
                 kind,
                 turned: Vec::new(),
                 driven: None,
+                armature: Wide::ZERO,
             });
             self.joints.push(word);
             return;

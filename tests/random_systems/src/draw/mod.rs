@@ -11,6 +11,7 @@ mod loads;
 pub mod number;
 mod potentials;
 mod sizes;
+mod ties;
 mod written;
 
 use fastrand::Rng;
@@ -39,6 +40,11 @@ pub struct Extent {
     pub tensors: bool,
     pub copies: bool,
     pub locals: bool,
+    pub armatures: bool,
+    /// Links without mass among what closes loops: asked for by `--links 1`.
+    pub ties: bool,
+    /// Asked for by `--linearized 1`.
+    pub linearized: bool,
 }
 
 impl Extent {
@@ -54,6 +60,9 @@ impl Extent {
         tensors: true,
         copies: true,
         locals: true,
+        armatures: true,
+        ties: false,
+        linearized: false,
     };
 }
 
@@ -185,6 +194,8 @@ pub fn drawn(seed: u64, index: usize, extent: Extent) -> Drawn {
         drawing.body(masses, number);
         drawing.joint(number, carrier);
     }
+    drawing.numbers.rng = parts.fork();
+    drawing.armatures();
     drawing.numbers.rng = parts.fork();
     drawing.closings(loops);
     drawing.numbers.rng = parts.fork();

@@ -39,6 +39,9 @@ impl Drawing {
         }
         let jacobian = format!("jacobian({}.{point})", self.name(body));
         outputs.push(&jacobian);
+        if self.numbers.one_of(4) && self.extent.linearized {
+            outputs.push("linearization");
+        }
         let text = self.text(&bodies, &joints, &outputs, false);
         let opened = (!self.open.is_empty()).then(|| {
             let outputs = [&outputs[..], &["inverse"]].concat();

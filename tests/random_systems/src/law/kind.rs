@@ -22,6 +22,8 @@ pub enum Kind {
     Planar(Vec3, Vec3, Vec3),
     /// Along the first axes, so many.
     Shift(usize),
+    /// A rod of this length from P to Q, which is turned anyhow at both ends, in the plane or in space.
+    Rod(Wide, bool),
 }
 
 /// Coordinates of a joint and their rates.
@@ -50,9 +52,10 @@ impl Kind {
         match self {
             Self::Weld => 0,
             Self::Revolute(_) | Self::Prismatic(_) | Self::Screw(..) => 1,
-            Self::Cylindrical(_) | Self::Universal(..) => 2,
+            Self::Cylindrical(_) | Self::Universal(..) | Self::Rod(_, true) => 2,
             Self::Shift(count) => count,
             Self::Spherical | Self::Plane | Self::Planar(..) => 3,
+            Self::Rod(_, false) => 5,
             Self::Free => 6,
         }
     }
@@ -114,6 +117,17 @@ impl Kind {
                 let axes = [x, y, z].into_iter().enumerate().take(count);
                 axes.fold(Pose::at(ZERO), |pose, (axis, unit)| {
                     pose.then(&Pose::slide(unit, of(axis)))
+                })
+            }
+            Self::Rod(length, is_planar) => {
+                let rod = Pose::at(scale(x, length));
+                if is_planar {
+                    return Pose::turn(z, of(0)).then(&rod).then(&Pose::turn(z, of(1)));
+                }
+                let turns = [(z, 2), (y, 3), (x, 4)].into_iter();
+                let along = Pose::turn(z, of(0)).then(&Pose::turn(y, of(1)));
+                turns.fold(along.then(&rod), |pose, (axis, part)| {
+                    pose.then(&Pose::turn(axis, of(part)))
                 })
             }
             Self::Free => {

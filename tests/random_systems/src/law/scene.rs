@@ -29,6 +29,8 @@ pub struct Link {
     /// Axes, and angles about them, each in the axes that those before it have made.
     pub turned: Vec<(Vec3, Wide)>,
     pub driven: Option<Vec<Prescribed>>,
+    /// The inertia along its only coordinate.
+    pub armature: Wide,
 }
 
 /// What acts.
@@ -119,6 +121,14 @@ impl<'a> Scene<'a> {
         }
     }
 
+    /// Of a link that a rod carries: the direction from Q to P, world axes.
+    pub fn along_rod(&self, link: usize) -> Vec3 {
+        let own = &self.links[link];
+        let [p, q] = [(own.carrier, own.place), (Some(link), own.pin)];
+        let line = subtract(self.point(p.0, p.1), self.point(q.0, q.1));
+        scale(line, Wide::ONE / dot(line, line).sqrt())
+    }
+
     /// From body to world axes; of the ground they are its own.
     pub fn turned(&self, body: Option<usize>, vector: Vec3) -> Vec3 {
         body.map_or(vector, |body| apply(&self.motions[body].attitude, vector))
@@ -176,7 +186,14 @@ impl<'a> Scene<'a> {
                 ];
             }
         }
-        let along = self.along(&needed);
+        let mut along = self.along(&needed);
+        for ((link, along), a) in self.links.iter().zip(&mut along).zip(accelerations) {
+            for (along, a) in along.iter_mut().zip(a) {
+                let taken = link.armature * *a;
+                *along = *along + taken;
+                all += taken.high.abs();
+            }
+        }
         let drives = loads.drives.iter().flatten();
         let size = drives.fold(all, |size, drive| size + drive.high.abs());
         let carried = Carried {

@@ -55,6 +55,12 @@ impl Report {
             (drawn.declared.locals.len(), "local"),
             (drawn.text.matches("copies").count(), "copies"),
             (drawn.open.len(), "open drive"),
+            (system.links.len(), "link"),
+            (drawn.text.matches(".armature").count(), "armature"),
+            (
+                usize::from(compiled.linearization.is_some()),
+                "linearization",
+            ),
         ];
         for (count, word) in counts {
             words.extend(std::iter::repeat_n(format!("({word})"), count));

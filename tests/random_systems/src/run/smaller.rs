@@ -28,6 +28,18 @@ pub fn smaller(plan: &Plan, index: usize, first: String) -> (String, String) {
                 ..extent
             },
             Extent {
+                armatures: false,
+                ..extent
+            },
+            Extent {
+                ties: false,
+                ..extent
+            },
+            Extent {
+                linearized: false,
+                ..extent
+            },
+            Extent {
                 turned: false,
                 ..extent
             },

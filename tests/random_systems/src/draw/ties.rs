@@ -82,7 +82,9 @@ impl Drawing {
             };
             if is_drawn {
                 let (word, armature) = self.numbers.quantity(size, unit);
-                self.joints[number] += &format!(".armature({word})");
+                self.joints[number].push_str(".armature(");
+                self.joints[number].push_str(&word);
+                self.joints[number].push(')');
                 self.links[number].armature = armature;
             }
         }

@@ -266,3 +266,70 @@ fn a_sled_on_a_rail() {
     let found = Gliding::default().acceleration(0.0, &state, &()).flight;
     close("sled", found.as_slice(), &[-4.8, -6.4], 10.0, 1e-14);
 }
+
+rigid_system!(HungTurned {
+    inputs: [weight[m / s ^ 2]],
+    bodies: [plate {
+        mass: 1.3[kg],
+        inertia: principal(0.1, 0.1, 0.15)[kg * m ^ 2],
+        points: [hinge = (0.34375, 0, 0)[m], eye = (0, 0.1, 0.25)[m]],
+    }],
+    joints: [
+        axle = revolute(world(0, 0, 0), plate.hinge, body(0, 0, 1)).turned(body(0, 0, 1), 1.5[rad]),
+        rod = link(world(0, 0.09375[m], 0), plate.eye, 0.375[m]),
+    ],
+    fields: [pull = mass * world(weight, 0, 0)],
+    drives: [motor = 0.7[N * m].on(axle)],
+    outputs: [reactions],
+});
+
+rigid_system!(Hung {
+    inputs: [weight[m / s ^ 2]],
+    bodies: [plate {
+        mass: 1.3[kg],
+        inertia: principal(0.1, 0.1, 0.15)[kg * m ^ 2],
+        points: [hinge = (0.34375, 0, 0)[m], eye = (0, 0.1, 0.25)[m]],
+    }],
+    joints: [
+        axle = revolute(world(0, 0, 0), plate.hinge, body(0, 0, 1)),
+        rod = link(world(0, 0.09375[m], 0), plate.eye, 0.375[m]),
+    ],
+    fields: [pull = mass * world(weight, 0, 0)],
+    drives: [motor = 0.7[N * m].on(axle)],
+    outputs: [reactions],
+});
+
+/// A constant turn about the axis of a hinge is an angle more: the slopes of what is turned twice are
+/// those of what is turned once.
+#[test]
+fn a_link_behind_two_turns_about_one_axis() {
+    let (turned, plain) = (HungTurned::default(), Hung::default());
+    for angle in [0.3, 1.1, -2.0] {
+        let hinge = |angle| Hinge {
+            angle,
+            angular_velocity: 0.6,
+        };
+        let weight = 2.5;
+        let ours = turned.reactions(
+            0.0,
+            &HungTurnedState { axle: hinge(angle) },
+            &HungTurnedInput { weight },
+        );
+        let theirs = plain.reactions(
+            0.0,
+            &HungState {
+                axle: hinge(angle + 1.5),
+            },
+            &HungInput { weight },
+        );
+        assert!(
+            (ours.rod - theirs.rod).abs() < 1e-12 * theirs.rod.abs(),
+            "{ours:?} {theirs:?}"
+        );
+        let away = ours.axle.force - theirs.axle.force;
+        assert!(
+            away.norm() < 1e-12 * theirs.axle.force.norm(),
+            "{ours:?} {theirs:?}"
+        );
+    }
+}

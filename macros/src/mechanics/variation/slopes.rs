@@ -71,8 +71,10 @@ impl Slopes {
 
     /// From a turned vector to what it was made of.
     pub fn pass_on(&mut self, work: &mut Workspace, turn: &Turn, slope: Components) {
-        let is_leaf = |id: Id| self.leaves.contains(&id);
-        if work.graph.depends_on(&turn.vector, is_leaf) {
+        // what was turned before is a leaf, too
+        let is_leaf = |id: &Id| self.leaves.contains(id);
+        let reached = work.graph.reachable(&turn.vector, |id| !is_leaf(&id));
+        if reached.iter().any(is_leaf) {
             let back = work.turn(slope, turn.to, turn.from);
             let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();
             self.descend(work, &weighted);

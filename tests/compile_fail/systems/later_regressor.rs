@@ -14,7 +14,7 @@ rigid_system!(Pendulum {
         shoulder = revolute(world(0, 0), upper.hinge),
         elbow = revolute(upper.tip, lower.hinge),
     ],
-    outputs: [sensitivity],
+    outputs: [regressor],
 });
 
 fn main() {}

@@ -4,7 +4,7 @@ rigid_body!(Plank {
     motion: planar,
     mass: 2[kg],
     inertia: 0.3[kg * m ^ 2],
-    outputs: [energy, sensitivity],
+    outputs: [energy, regressor],
 });
 
 fn main() {}

@@ -435,3 +435,59 @@ fn a_potential_behind_a_driven_joint() {
         |j| body.acceleration(derived(0.3), &at, &input(j)),
     );
 }
+
+// an input that turns what a potential is behind
+rigid_system!(Steered::<T> {
+    inputs: [torque[N * m], tilt[rad].moving],
+    bodies: [
+        a {
+            mass: 1[kg],
+            inertia: principal(0.1, 0.2, 0.25)[kg * m ^ 2],
+            points: [p = (-0.2, 0, 0), q = (0.3, 0, 0.1)]
+        },
+        b {
+            mass: 2[kg],
+            inertia: principal(0.3, 0.2, 0.25)[kg * m ^ 2],
+            points: [p = (0, -0.2, 0), q = (0.1, 0.3, 0)]
+        },
+    ],
+    joints: [
+        first = revolute(world(0, 0, 0), a.p, body(0, 0, 1)),
+        swept = revolute(a.q, b.p, body(1, 0, 0)).driven(1.5 * tilt),
+    ],
+    potentials: [trap = 30[N / m] * (b.q.position() - world(0.3, -0.4, 0.2)).norm_squared()],
+    drives: [motor = torque.on(first)],
+    outputs: [linearization],
+});
+
+#[test]
+fn an_input_that_drives_a_joint() {
+    let state = SteeredState {
+        first: Hinge {
+            angle: 0.4,
+            angular_velocity: 1.3,
+        },
+    };
+    let input = |j: usize| SteeredInput {
+        torque: by(0.7, j == 0),
+        tilt: by(0.3, j == 1),
+        tilt_rate: by(-0.8, j == 2),
+        tilt_acceleration: by(1.1, j == 3),
+    };
+    let held = SteeredInput {
+        torque: 0.7,
+        tilt: 0.3,
+        tilt_rate: -0.8,
+        tilt_acceleration: 1.1,
+    };
+    let found = Steered::<f64>::default().linearize(0.0, &state, &held);
+    let body = Steered::<Derived>::default();
+    let at = unmoved(&state);
+    hold::<_, _, SteeredState<Derived>, 2, 4>(
+        &found,
+        &state,
+        1e-13,
+        |state| body.acceleration(derived(0.0), state, &input(9)),
+        |j| body.acceleration(derived(0.0), &at, &input(j)),
+    );
+}

@@ -20,10 +20,12 @@ pub type Directions = Vec<(Column, Vec<Direction>)>;
 pub type Changes = Vec<(Column, Vec<Vec<Id>>)>;
 
 /// The directions in which one component of an input changes.
-pub fn of_inputs(outline: &Outline, work: &Workspace) -> Directions {
+pub fn of_inputs(outline: &Outline, work: &mut Workspace) -> Directions {
     let inputs = (0..outline.inputs.len()).map(|number| {
         let parts = [None, Some(0), Some(1), Some(2)].into_iter();
         let symbols = parts.filter_map(|part| work.symbol_of(Meaning::Input(number, part)));
+        let symbols: Vec<Id> = symbols.collect();
+        let symbols = symbols.into_iter();
         let directions = symbols.map(|symbol| Direction::of_symbol(work, Some(symbol)));
         (Column::Input(number), directions.collect())
     });

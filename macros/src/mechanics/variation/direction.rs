@@ -63,12 +63,25 @@ impl Direction {
         turn
     }
 
-    /// One symbol changes by one, and nothing else; without it, nothing.
-    pub fn of_symbol(work: &Workspace, symbol: Option<Id>) -> Self {
+    /// One symbol changes by one, and nothing but what follows it: axes whose angle it is in turn
+    /// with it. Without it, nothing changes.
+    pub fn of_symbol(work: &mut Workspace, symbol: Option<Id>) -> Self {
         let one = work.graph.one();
+        let mut turns = BTreeMap::new();
+        for frame in work.turned_frames() {
+            let Attitude::Axis { angle, direction } = work.attitude(frame) else {
+                continue;
+            };
+            if work.graph.depends_on(&[angle], |id| Some(id) == symbol) {
+                let is_it = |id: Id| (Some(id) == symbol).then_some(one);
+                let by = work.graph.change(&[angle], is_it)[0];
+                let phi = work.graph.scale_vector(by, direction);
+                turns.insert(frame, work.vector(frame, phi));
+            }
+        }
         Self {
             changes: symbol.map(|symbol| (symbol, one)).into_iter().collect(),
-            turns: BTreeMap::new(),
+            turns,
         }
     }
 

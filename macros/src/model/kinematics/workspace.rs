@@ -72,6 +72,14 @@ impl Workspace {
         }
     }
 
+    /// All frames that are turned, each against its carrier; no copies.
+    pub fn turned_frames(&self) -> Vec<Frame> {
+        let mut frames = self.originals.clone();
+        frames.sort_unstable();
+        frames.dedup();
+        frames
+    }
+
     /// The frame that this one is a copy of, or itself: what moves are originals.
     pub(super) fn original(&self, frame: Frame) -> Frame {
         self.originals[frame.index()]

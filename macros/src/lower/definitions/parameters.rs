@@ -23,7 +23,7 @@ impl Lowering<'_> {
             return Some(Value::Scalar(symbol, declared.dimension));
         };
         let value = value.as_ref()?;
-        self.check_not_in_rod(declared.frame, value)?;
+        self.check_axes(declared.frame, value)?;
         if has_placeholder(value) {
             return self.open_vector(value, declared, Stage::Parameter, |axis| {
                 Meaning::Param(index, Some(axis))
@@ -101,7 +101,7 @@ impl Lowering<'_> {
             return Some(Value::Scalar(symbol, declared.dimension));
         };
         let value = value.as_ref()?;
-        self.check_not_in_rod(declared.frame, value)?;
+        self.check_axes(declared.frame, value)?;
         if !has_placeholder(value) {
             let name = &written.name;
             return self.report(
@@ -138,8 +138,16 @@ impl Lowering<'_> {
     }
 
     /// A vector in body axes that is given from outside may have any direction, and one of a rod
-    /// not.
-    fn check_not_in_rod(&mut self, frame: Option<FrameWord>, value: &Expression) -> Option<()> {
+    /// not; a system has no body axes.
+    fn check_axes(&mut self, frame: Option<FrameWord>, value: &Expression) -> Option<()> {
+        if frame == Some(FrameWord::Body)
+            && self.is_whole
+            && let Kind::Call(word, _) = &strip_unit(value).kind
+        {
+            let message = "in the axes of which body? what is given to a system is a scalar, or a vector in \
+                           world axes, `world(_, _, _)`: make vectors of scalars in a body";
+            return self.report(word.span(), message);
+        }
         if frame == Some(FrameWord::Body) && self.motion.is_line() {
             return self.report(
                 value.extent,

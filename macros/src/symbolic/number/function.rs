@@ -26,7 +26,7 @@ pub enum Function {
     Min,
     Max,
     /// A table, of which the second argument is the number: [`super::Number`] of the table, times
-    /// [`ORDERS`], and of the derivative.
+    /// `ORDERS`, and of the derivative.
     Table,
 }
 

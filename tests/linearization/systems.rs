@@ -65,7 +65,7 @@ rigid_system!(Ur5::<T> {
 });
 
 rigid_system!(Orbiter::<T> {
-    inputs: [torque[N * m], jet = body(_, _, _)[N]],
+    inputs: [torque[N * m], jet = world(_, _, _)[N]],
     bodies: [
         hub {
             mass: 120[kg],

@@ -12,6 +12,7 @@ mod own;
 mod sensitivity;
 mod systems;
 mod trim;
+mod trim_of_systems;
 
 #[test]
 fn an_aeroplane_has_its_published_modes() {

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 
-use super::blocks::{BLOCK, Blocks, Eight, write};
+use super::blocks::{BLOCK, Eight, write};
 use super::evaluate::read;
 use super::plan::Plan;
 use crate::bodies::body::RigidBody;
@@ -461,12 +461,4 @@ where
             || self.equations.rates(time, coordinates),
         )
     }
-}
-
-/// Which of so many members are left; nobody yet.
-pub(super) fn nobody<C>(states: &Blocks<C>) -> Vec<AtomicBool>
-where
-    C: Columns<f64>,
-{
-    (0..states.len()).map(|_| AtomicBool::new(false)).collect()
 }

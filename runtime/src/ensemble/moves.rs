@@ -2,13 +2,13 @@
 
 use core::fmt;
 use core::ops::Range;
-use core::sync::atomic::{AtomicUsize, Ordering};
+use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use alloc::vec::Vec;
 #[cfg(feature = "rayon")]
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
-use super::adaptive::{Stream, nobody};
+use super::adaptive::Stream;
 use super::blocks::{BLOCK, Blocks, Eight, GroupMut};
 use super::evaluate::{in_chunks, read};
 use super::plan::{Limits, Plan};
@@ -174,8 +174,8 @@ impl<B: Generic> Moves<B> for DormandPrince {
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Vec<MemberError<B::State>> {
-        let (count, before) = (ensemble.len(), ensemble.states.clone());
-        let left = nobody(&before);
+        let count = ensemble.len();
+        let left: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
         let done = Done::of(count, observer);
         if times.start.is_finite() && times.end.is_finite() {
             let columns = <B::State as Columns<f64>>::COUNT;

@@ -105,7 +105,7 @@ impl<const N: usize> Modes<N> {
         let largest = matrix.amax();
         let scale = libm::exp2(f64::from(libm::ilogb(largest.max(f64::MIN_POSITIVE))));
         let mut balanced = matrix / scale;
-        balance_parlett_reinsch(&mut balanced);
+        balance_parlett_reinsch::<f64, Const<N>>(&mut balanced);
         let (rest, moving) = without_neutral(balanced, size);
         let values = eigenvalues(rest, moving)?;
         let mut modes = Self {
@@ -148,7 +148,8 @@ where
     DefaultAllocator: Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
 {
     for pitch in MIRRORS {
-        if let Some(schur) = Schur::try_new(matrix, f64::EPSILON, ITERATIONS * N) {
+        let schur = Schur::<f64, Const<N>>::try_new(matrix, f64::EPSILON, ITERATIONS * N);
+        if let Some(schur) = schur {
             return Some(schur.complex_eigenvalues());
         }
         let mut angle = 1.0;

@@ -105,6 +105,11 @@ impl Errors {
         self.found.len()
     }
 
+    /// Forgets what was found beyond so many: it is to be read again.
+    pub fn take_back(&mut self, count: usize) {
+        self.found.truncate(count);
+    }
+
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()
     }

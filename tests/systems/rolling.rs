@@ -228,3 +228,93 @@ fn a_ball_on_a_turntable_goes_round() {
         1e-9,
     );
 }
+
+/// Points whose values have none, or other ones, where the axes of the body are those of the world.
+mod upright {
+    use newton_euler::prelude::*;
+
+    rigid_body!(Alone {
+        motion: spatial,
+        mass: 2[kg],
+        inertia: disc(0.3),
+        locals: [
+            axis = body(0, 0, 1),
+            up = world(0, 0, 1),
+            steepest = (up - up.dot(axis) * axis).normalize(),
+        ],
+        points: [
+            contact = G - 0.3[m] * steepest,
+            raised = G + body(0, 0, attitude.w * 1[m])
+        ],
+        forces: [
+            push = world(0, 1[N], 2[N]).at(contact),
+            pull = world(1[N], 0, 0).at(raised)
+        ],
+    });
+
+    rigid_system!(Jointed {
+        bodies: [disc {
+            mass: 2[kg],
+            inertia: disc(0.3),
+            locals: [
+                axis = body(0, 0, 1),
+                up = world(0, 0, 1),
+                steepest = (up - up.dot(axis) * axis).normalize(),
+            ],
+            points: [
+                contact = G - 0.3[m] * steepest,
+                raised = G + body(0, 0, attitude.w * 1[m])
+            ],
+            forces: [
+                push = world(0, 1[N], 2[N]).at(contact),
+                pull = world(1[N], 0, 0).at(raised)
+            ],
+        }],
+        joints: [away = free(disc)],
+    });
+
+    rigid_body!(Cam {
+        motion: planar,
+        mass: 2[kg],
+        inertia: sphere(0.3),
+        points: [nose = G - 0.1[m] * attitude.sin() * world(0, 1)],
+        forces: [push = world(1[N], 0).at(nose)],
+    });
+
+    rigid_system!(JointedCam {
+        motion: planar,
+        bodies: [cam {
+            mass: 2[kg],
+            inertia: sphere(0.3),
+            points: [nose = G - 0.1[m] * attitude.sin() * world(0, 1)],
+            forces: [push = world(1[N], 0).at(nose)],
+        }],
+        joints: [away = free(cam)],
+    });
+}
+
+#[test]
+fn points_that_a_body_standing_still_has_not() {
+    let state = Spatial {
+        attitude: newton_euler::attitude::exp(&[0.4, 0.3, -0.2].into()),
+        angular_velocity: [0.3, -0.2, 0.7].into(),
+        ..Spatial::default()
+    };
+    let alone = upright::Alone::default().acceleration(0.0, &state, &());
+    let jointed = upright::JointedState { away: state };
+    let jointed = upright::Jointed::default().acceleration(0.0, &jointed, &());
+    assert!((alone.linear - jointed.away.linear).norm() < 1e-14);
+    assert!((alone.angular - jointed.away.angular).norm() < 1e-13);
+
+    let state = Planar {
+        angle: 0.7,
+        ..Planar::default()
+    };
+    let alone = upright::Cam::default().acceleration(0.0, &state, &());
+    let jointed = upright::JointedCamState { away: state };
+    let jointed = upright::JointedCam::default().acceleration(0.0, &jointed, &());
+    assert!((alone.angular - jointed.away.angular).abs() < 1e-14);
+    // the force is 0.1 m times the sine below G
+    let inertia = 0.4 * 2.0 * 0.3 * 0.3;
+    assert!((alone.angular - 0.1 * 0.7_f64.sin() / inertia).abs() < 1e-14);
+}

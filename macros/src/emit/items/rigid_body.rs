@@ -192,7 +192,7 @@ pub fn emit_integrate(site: &Site<'_>, best: Best) -> TokenStream {
     let method = match best {
         Best::ClosedForm => quote!(#private::ClosedForm),
         Best::Series => quote!(#private::TaylorSeries),
-        Best::RungeKutta => quote!(#private::DormandPrince),
+        Best::RungeKutta => quote!(#private::RungeKuttaPair),
     };
     let method = if site.outline.is_constrained {
         quote!(#private::Projected<#method>)

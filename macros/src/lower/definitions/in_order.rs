@@ -143,11 +143,14 @@ impl Lowering<'_> {
                 self.scope.define("mass", None);
                 continue;
             }
+            let reported = self.errors.count();
             if follows.is_none() {
                 self.work.met_still = false;
                 self.definition(*definition, description, defaults, mass);
             }
             if follows.is_some() || self.work.met_still || self.is_late(&name) {
+                // of a body that stands still another value is wrong than of one that moves
+                self.errors.take_back(reported);
                 self.scope.forget(&name);
                 late.push(*definition);
             }

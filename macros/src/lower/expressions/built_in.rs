@@ -44,6 +44,10 @@ impl Lowering<'_> {
             "attitude" if !self.motion.has_attitude() => self.absent(name, "attitude"),
             "attitude" => match self.work.attitude(self.state.body) {
                 Attitude::Axis { angle, .. } => Some(Value::Scalar(angle, Dimension::NONE)),
+                Attitude::Fixed => {
+                    self.work.met_still = true;
+                    Some(Value::Attitude)
+                }
                 _ => Some(Value::Attitude),
             },
             "angular_velocity" | "angular_acceleration" if !self.motion.has_attitude() => {

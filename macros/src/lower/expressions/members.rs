@@ -149,7 +149,12 @@ impl Lowering<'_> {
             "mass",
         ];
         let name = &known.name;
-        let message = if of_state.contains(&written.as_str()) && known.motion.is_none() {
+        let is_unknown = known.motion.is_none() && of_state.contains(&written.as_str());
+        if is_unknown && self.members.are_moving {
+            // why it is not known how this body moves was reported
+            return None;
+        }
+        let message = if is_unknown {
             "this is fixed: it cannot depend on how the system moves".to_owned()
         } else if written == "attitude" {
             format!(
@@ -175,6 +180,9 @@ impl Lowering<'_> {
         let asked = self.of_point(method, arguments)?;
         let known = &self.members.bodies[body];
         let Some(motion) = known.motion else {
+            if self.members.are_moving {
+                return None;
+            }
             return self.report(
                 method.span(),
                 "this is fixed: it cannot depend on how the system moves",

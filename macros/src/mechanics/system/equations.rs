@@ -13,6 +13,7 @@ use crate::symbolic::Id;
 
 use super::closed::{Closed, check_kept, close};
 use super::constraints::replace;
+use super::independence::check_independence;
 use super::motion::motion;
 
 /// The equations of motion of a system.
@@ -104,10 +105,11 @@ impl SystemEquations {
         closed.map_or(&[], |closed| &closed.loads)
     }
 
-    /// Reports written constraints that say nothing, or nothing new, and loads that leave no inertia.
-    pub fn check(&self, system: &System, work: &Workspace, errors: &mut Errors) -> Option<()> {
+    /// Reports joints that depend on each other, written constraints that say nothing, or nothing new,
+    /// and loads that leave no inertia.
+    pub fn check(&self, system: &System, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
         let Some(closed) = &self.closed else {
-            return Some(());
+            return check_independence(system, work, &self.built, errors);
         };
         check_kept(system, &closed.unsettled, errors)?;
         if closed.unsettled.light.is_empty() {

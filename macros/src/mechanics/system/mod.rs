@@ -5,6 +5,7 @@ mod closed;
 mod consistency;
 mod constraints;
 mod equations;
+mod independence;
 mod jacobian;
 mod loads;
 mod matrix;

@@ -1,0 +1,78 @@
+//! Joints with bodies without mass between them, which have to move what has mass in independent
+//! ways.
+
+use crate::errors::Errors;
+use crate::mechanics::proofs::samples;
+use crate::mechanics::tree::{Built, MassMatrix};
+use crate::model::{Labels, System, Workspace};
+use crate::symbolic::{Id, Sample};
+
+/// Reports joints of a tree whose motion others can undo, so that no mass moves: the mass matrix is
+/// singular in all states.
+pub fn check_independence(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+    errors: &mut Errors,
+) -> Option<()> {
+    let mut links = built.tree.links.iter();
+    if links.all(|link| !work.graph.is_zero(link.properties.mass)) {
+        return Some(());
+    }
+    let matrix = MassMatrix::derive(&mut work.graph, &mut Labels::silent(), &built.tree);
+    let mut sound = Some(());
+    for freedom in dependent(work, &matrix.rows) {
+        let joint = joint_of(built, freedom)?;
+        let (name, carried) = (&system.joints[joint].name, &system.bodies[joint]);
+        let message = if work.graph.is_zero(carried.mass) {
+            format!(
+                "`{name}` moves nothing in a way of its own: `{0}` has no mass, and the joints that it carries can \
+                 undo the motion: give `{0}` a mass, or leave one of these joints out",
+                carried.name
+            )
+        } else {
+            format!(
+                "the freedoms of `{name}` do not move `{}` in independent ways",
+                carried.name
+            )
+        };
+        sound = errors.report(name.span(), message);
+    }
+    sound
+}
+
+/// The freedoms that a matrix has no inertia for once those behind them give way: proved, in all
+/// states.
+fn dependent(work: &Workspace, rows: &[Vec<Id>]) -> Vec<usize> {
+    let all = samples(work, &rows.concat());
+    let mut left: Vec<Vec<Sample>> = all
+        .chunks(rows.len().max(1))
+        .map(<[Sample]>::to_vec)
+        .collect();
+    let mut found = Vec::new();
+    for k in (0..rows.len()).rev() {
+        let pivot = left[k][k].clone();
+        if pivot.is_zero() {
+            found.push(k);
+            continue;
+        }
+        for i in 0..k {
+            let share = left[k][i].over(&pivot);
+            for j in 0..k {
+                let less = share.times(&left[k][j]);
+                left[i][j] = left[i][j].minus(&less);
+            }
+        }
+    }
+    found
+}
+
+/// The joint that a freedom belongs to.
+fn joint_of(built: &Built, freedom: usize) -> Option<usize> {
+    let mut next = 0;
+    built.links.iter().position(|links| {
+        let links = &built.tree.links[links.clone()];
+        next += links.iter().map(|link| link.open().count()).sum::<usize>();
+        freedom < next
+    })
+}

@@ -4,7 +4,9 @@ use std::hint::black_box;
 
 use nalgebra::Vector3;
 use newton_euler::ensemble::Ensemble;
-use newton_euler::integrate::{self, Classical4, DormandPrince8, Fixed, Tsitouras5, Verner9};
+use newton_euler::integrate::{
+    self, Classical4, DormandPrince, DormandPrince8, Fixed, Tsitouras5, Verner, Verner9,
+};
 use newton_euler::prelude::*;
 
 use crate::bodies::{self, many};
@@ -25,11 +27,21 @@ macro_rules! methods {
                     Some(moved.states().iter().collect())
                 },
             ),
+            methods!(@adaptive $ensemble, $seconds, "DOP853", DormandPrince),
+            methods!(@adaptive $ensemble, $seconds, "Verner 9(8)", Verner),
             methods!(@steps $ensemble, $seconds, "Runge-Kutta 9", Verner9),
             methods!(@steps $ensemble, $seconds, "Runge-Kutta 8", DormandPrince8),
             methods!(@steps $ensemble, $seconds, "Runge-Kutta 5", Tsitouras5),
             methods!(@steps $ensemble, $seconds, "Runge-Kutta 4", Classical4),
         ]
+    };
+    (@adaptive $ensemble:expr, $seconds:expr, $name:literal, $method:ident) => {
+        Method::adaptive(format!("{}, {} at once", $name, $ensemble.len()), |tolerance| {
+            let mut moved = black_box(&$ensemble).clone();
+            let motion = moved.integrate().method($method { tolerance });
+            motion.to($seconds).ok()?;
+            Some(moved.states().iter().collect())
+        })
     };
     (@steps $ensemble:expr, $seconds:expr, $name:literal, $method:expr) => {
         Method::fixed(format!("{}, {} at once", $name, $ensemble.len()), |steps| {

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use newton_euler::integrate::{
     self, Classical4, DormandPrince, DormandPrince8, Fixed, Midpoint, Motion, RungeKutta,
-    TaylorSeries, Tolerant, Tsitouras5, Verner9,
+    TaylorSeries, Tolerant, Tsitouras5, Verner, Verner9,
 };
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
@@ -28,6 +28,7 @@ pub fn smooth<B: Taylor<Input = ()> + Integrate>(
     vec![
         adaptive::<B, TaylorSeries>("Taylor", problem),
         adaptive::<B, DormandPrince>("DOP853", problem),
+        adaptive::<B, Verner>("Verner 9(8)", problem),
         taylor_steps::<B, 17>("Taylor 16, fixed steps", problem),
         steps("Runge-Kutta 9, fixed steps", Verner9, problem),
         steps("Runge-Kutta 8, fixed steps", DormandPrince8, problem),

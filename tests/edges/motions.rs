@@ -2,7 +2,8 @@
 
 use newton_euler::integrate::{
     Classical4, ClosedForm, DormandPrince, DormandPrince8, Fixed, IntegrationError, Method,
-    Midpoint, Motion, Projected, RungeKutta, TaylorSeries, Tsitouras5, Verner9, cf4, taylor,
+    Midpoint, Motion, Projected, RungeKutta, TaylorSeries, Tsitouras5, Verner, Verner9, cf4,
+    taylor,
 };
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
@@ -131,6 +132,8 @@ fn in_equal_steps() {
 
 #[test]
 fn by_tolerance() {
+    let verner = Verner { tolerance: 1e-9 };
+    check("Verner 9(8)", Craft::default(), spun(), verner);
     let method = DormandPrince { tolerance: 1e-9 };
     check("DOP853", Craft::default(), spun(), method);
     check("DOP853 of a top", Top::default(), nodding(), method);

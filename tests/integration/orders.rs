@@ -1,10 +1,11 @@
 //! Each method has its order, and every body comes to the same end by each of them.
 
 use newton_euler::integrate::{
-    Classical4, DormandPrince, DormandPrince8, Fixed, Midpoint, Motion, RungeKutta, TaylorSeries,
-    Tsitouras5, Verner9, taylor,
+    Classical4, DormandPrince, DormandPrince8, Embedded, Equations, Fixed, Midpoint, Motion,
+    RungeKutta, RungeKuttaPair, TaylorSeries, Tsitouras5, Verner, Verner9, taylor,
 };
 use newton_euler::prelude::*;
+use newton_euler::state::Coordinates as _;
 
 use crate::scenes::{
     Chirp, ExactBody, FreeBody, HeavyTop, Kicked, SeriesPendulum, SeriesTop, Stiffening, ends,
@@ -40,6 +41,33 @@ fn fixed_methods() {
     shows(Verner9, [0.25, 0.125]);
 }
 
+/// Differences to methods of lower order shrink with the step as these do.
+#[test]
+fn differences_of_pairs() {
+    fn orders<P: Embedded>(step: f64) -> Vec<f64> {
+        let [start, _] = ends("heavy_asym");
+        let (body, start) = (&HeavyTop::default(), start.coordinates());
+        let sizes = |step: f64| {
+            let (_, differences) = P::sums(&Equations { body, input: &() }, 0.0, &start, step);
+            let size = |one: &[f64; 7]| one.iter().map(|part| part * part).sum::<f64>().sqrt();
+            differences.as_ref().iter().map(size).collect::<Vec<f64>>()
+        };
+        let (long, short) = (sizes(step), sizes(0.5 * step));
+        long.iter()
+            .zip(&short)
+            .map(|(a, b)| (a / b).log2())
+            .collect()
+    }
+    // Verner's coefficients of order nine are small, and in longer steps the next order shows
+    let near = |found: Vec<f64>, expected: &[f64]| {
+        let is_near = |(a, b): (&f64, &f64)| (-0.3..1.3).contains(&(a - b));
+        let are_near = found.iter().zip(expected).all(is_near) && found.len() == expected.len();
+        assert!(are_near, "{found:?}, not {expected:?}");
+    };
+    near(orders::<DormandPrince8>(0.1), &[6.0, 4.0]);
+    near(orders::<Verner9>(0.2), &[9.0]);
+}
+
 /// In small steps nothing but rounding is left.
 #[test]
 fn high_orders_come_to_rounding() {
@@ -66,15 +94,23 @@ fn comes_to_rounding<M: RungeKutta>(method: M, step: f64) {
 fn tolerances() {
     let [start, expected] = ends("heavy_asym");
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
-        let by_stages = HeavyTop::default()
+        let by_dop853 = HeavyTop::default()
             .integrate(&start)
-            .tolerance(tolerance)
+            .method(DormandPrince { tolerance })
+            .to(10.0);
+        let by_verner = HeavyTop::default()
+            .integrate(&start)
+            .method(Verner { tolerance })
             .to(10.0);
         let by_series = SeriesTop::default()
             .integrate(&start)
             .tolerance(tolerance)
             .to(10.0);
-        for (method, end) in [("DOP853", by_stages), ("series", by_series)] {
+        for (method, end) in [
+            ("DOP853", by_dop853),
+            ("Verner 9(8)", by_verner),
+            ("series", by_series),
+        ] {
             let error = error(&end.unwrap(), &expected);
             assert!(
                 error < 200.0 * tolerance,
@@ -89,12 +125,16 @@ fn tolerances() {
 fn the_best_method() {
     let [start, expected] = ends("heavy_asym");
     let (plain, series) = (HeavyTop::default(), SeriesTop::default());
-    let by = |tolerance| DormandPrince { tolerance };
-    let best = plain.integrate(&start).tolerance(1e-11).to(10.0).unwrap();
-    assert_eq!(
-        best,
-        plain.integrate(&start).method(by(1e-11)).to(10.0).unwrap()
+    let motion = || plain.integrate(&start);
+    let best = |tolerance| motion().tolerance(tolerance).to(10.0).unwrap();
+    let (coarse, fine) = (
+        DormandPrince { tolerance: 1e-4 },
+        Verner { tolerance: 1e-11 },
     );
+    assert_eq!(best(1e-4), motion().method(coarse).to(10.0).unwrap());
+    assert_eq!(best(1e-11), motion().method(fine).to(10.0).unwrap());
+    let pair = RungeKuttaPair { tolerance: 1e-11 };
+    assert_eq!(best(1e-11), motion().method(pair).to(10.0).unwrap());
     let best = series.integrate(&start).tolerance(1e-11).to(10.0).unwrap();
     let other = TaylorSeries { tolerance: 1e-11 };
     assert_eq!(

@@ -16,8 +16,8 @@ use super::plan::Plan;
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
 use crate::integrate::{
-    DormandPrince, Equations, Lengths, Rates, Stretch, Watch, Within, add, compensated, error,
-    finest, first, in_range, tried,
+    Adaptive, Equations, Lengths, Rates, Stretch, Watch, Within, add, compensated, error, finest,
+    first, in_range, tried,
 };
 use crate::numbers::lanes::{Lanes, Register, Work, by_itself};
 use crate::numbers::scalar::Scalar;
@@ -25,8 +25,8 @@ use crate::state::Coordinates;
 
 /// Moves the members of some blocks, each as it would alone, to the bit. Those that do not come to
 /// the end, or take very many steps, are left where they were, for a motion of their own.
-pub(super) struct Stream<'e, B: Generic> {
-    pub(super) plan: &'e Plan<'e, DormandPrince, B>,
+pub(super) struct Stream<'e, A, B: Generic> {
+    pub(super) plan: &'e Plan<'e, A, B>,
     pub(super) states: &'e mut [Eight],
     /// How many members the blocks have.
     pub(super) count: usize,
@@ -34,7 +34,7 @@ pub(super) struct Stream<'e, B: Generic> {
     pub(super) left: &'e [AtomicBool],
 }
 
-impl<B: Generic> Work for Stream<'_, B> {
+impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
     type Output = ();
 
     #[inline(always)]
@@ -50,7 +50,7 @@ impl<B: Generic> Work for Stream<'_, B> {
         let mut register = InRegister {
             simd,
             plan,
-            tolerance: finest(plan.method.tolerance),
+            tolerance: finest(plan.method.tolerance()),
             lanes: [Lane::EMPTY; BLOCK],
             member: read(simd, &seats.bodies, 0),
             input: read(simd, &seats.inputs, 0),
@@ -143,13 +143,13 @@ impl Lane {
         step: 0.0,
         is_last: false,
         lengths: Lengths::NEW,
-        watch: Watch::OF_DORMAND_PRINCE,
+        watch: Watch::OF_A_PAIR,
     };
 
     /// It at its start.
     fn at(member: Option<usize>, times: &Range<f64>) -> Self {
         let (time, limit) = (times.start, times.start);
-        let mut watch = Watch::OF_DORMAND_PRINCE;
+        let mut watch = Watch::OF_A_PAIR;
         watch.heads_for(times.end);
         Self {
             member,
@@ -208,7 +208,7 @@ struct Seats<B: Generic> {
 
 impl<B: Generic> Seats<B> {
     /// The first members in all of them, so that there is a body everywhere.
-    fn new(plan: &Plan<'_, DormandPrince, B>, states: &[Eight]) -> Self {
+    fn new<A>(plan: &Plan<'_, A, B>, states: &[Eight]) -> Self {
         let bodies = if plan.members.is_uniform {
             0
         } else {
@@ -224,13 +224,7 @@ impl<B: Generic> Seats<B> {
     }
 
     /// Puts a member into a lane.
-    fn sit(
-        &mut self,
-        plan: &Plan<'_, DormandPrince, B>,
-        states: &[Eight],
-        member: usize,
-        lane: usize,
-    ) {
+    fn sit<A>(&mut self, plan: &Plan<'_, A, B>, states: &[Eight], member: usize, lane: usize) {
         let (block, from) = (member / BLOCK, member % BLOCK);
         let copy = |seats: &mut [Eight], rows: Option<&[Eight]>| {
             for (seat, row) in seats.iter_mut().zip(rows.unwrap_or_default()) {
@@ -261,9 +255,9 @@ type StateOf<B, S> = <Laned<B, S> as RigidBody>::State;
 type ArrayOf<B, S> = <StateOf<B, S> as Coordinates>::Array;
 
 /// The members of a register on their way.
-struct InRegister<'e, B: Generic, S: Register> {
+struct InRegister<'e, A, B: Generic, S: Register> {
     simd: S,
-    plan: &'e Plan<'e, DormandPrince, B>,
+    plan: &'e Plan<'e, A, B>,
     tolerance: f64,
     lanes: [Lane; BLOCK],
     member: Laned<B, S>,
@@ -272,7 +266,7 @@ struct InRegister<'e, B: Generic, S: Register> {
     lost: ArrayOf<B, S>,
 }
 
-impl<B: Generic, S: Register> InRegister<'_, B, S> {
+impl<A: Adaptive, B: Generic, S: Register> InRegister<'_, A, B, S> {
     #[inline(always)]
     fn register(&self, part: impl Fn(&Lane) -> f64) -> Lanes<S> {
         let row: Eight = core::array::from_fn(|lane| part(&self.lanes[lane]));
@@ -326,7 +320,8 @@ impl<B: Generic, S: Register> InRegister<'_, B, S> {
                 input: &self.input,
             },
         };
-        let steps = first(&equations, time, &self.coordinates, rest, self.tolerance);
+        let (from, tolerance) = (&self.coordinates, self.tolerance);
+        let steps = first::<A::Pair, _, _>(&equations, time, from, rest, tolerance);
         for (lane, _) in fresh.iter().enumerate().filter(|(_, new)| **new != 0.0) {
             self.lanes[lane].lengths.begin(steps.lane(lane));
         }
@@ -351,7 +346,8 @@ impl<B: Generic, S: Register> InRegister<'_, B, S> {
                 input: &self.input,
             },
         };
-        let (mut change, [fifth, third]) = tried(&equations, time, &self.coordinates, step);
+        let from = &self.coordinates;
+        let (mut change, sizes) = tried::<A::Pair, _, _>(&equations, time, from, step);
         <StateOf<B, S>>::keep(&self.coordinates, &mut change);
         let (mut next, mut next_lost) = (self.coordinates, self.lost);
         let zero = Lanes::splat(self.simd, 0.0);
@@ -361,14 +357,18 @@ impl<B: Generic, S: Register> InRegister<'_, B, S> {
             is_finite = is_finite & (moved * zero).equal(zero);
         }
         let finite = Lanes::select(is_finite, Lanes::splat(self.simd, 1.0), zero);
-        let [errors, squares] = error([fifth, third]);
+        let [errors, squares] = error(sizes);
         let mut accepted = [0.0; BLOCK];
         for (lane, is_taken) in accepted.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
             let here = &mut self.lanes[lane];
-            let sizes = [fifth.lane(lane), third.lane(lane)];
+            let sizes = [sizes[0].lane(lane), sizes[1].lane(lane)];
             let error = in_range(sizes, [errors.lane(lane), squares.lane(lane)]);
             let step = (here.step, here.is_last);
-            if here.is_going() && here.lengths.is_accepted(step, error, self.tolerance) {
+            if here.is_going()
+                && here
+                    .lengths
+                    .is_accepted::<A::Pair>(step, error, self.tolerance)
+            {
                 if finite.lane(lane) == 0.0 {
                     here.state = Progress::Left;
                 } else {

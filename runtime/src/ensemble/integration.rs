@@ -11,7 +11,7 @@ use super::moves::{MemberError, Moves, Together};
 use super::plan::Limits;
 use crate::bodies::columns::Generic;
 #[cfg(doc)]
-use crate::integrate::{DormandPrince, Fixed};
+use crate::integrate::{DormandPrince, Fixed, Verner};
 use crate::integrate::{Integrate, Sampled, TOLERANCE, Tolerant};
 
 /// A motion of all members that is to be integrated, as one body's by
@@ -62,7 +62,7 @@ pub struct EnsembleIntegration<'e, B: Generic, M, C> {
 impl<B: Generic + Integrate<Best: Together<B>>> Ensemble<B> {
     /// Integrates the motion of all members: from time zero, under the inputs that they have, each
     /// with steps of its own; in closed form where there is one ([`Integrate::Best`]), else by
-    /// DOP853, several in a register. [`EnsembleIntegration`] can change all of that.
+    /// [`Verner`](crate::integrate::Verner), several in a register. [`EnsembleIntegration`] can change all of that.
     pub fn integrate(
         &mut self,
     ) -> EnsembleIntegration<'_, B, <B::Best as Together<B>>::Moves, AsGiven> {
@@ -99,7 +99,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         self.method(M::with_tolerance(tolerance))
     }
 
-    /// By another method: [`DormandPrince`] and [`Fixed`] in lanes, or [`OneByOne`] of any.
+    /// By another method: [`Verner`], [`DormandPrince`] and [`Fixed`] in lanes, or [`OneByOne`] of any.
     pub fn method<N>(self, method: N) -> EnsembleIntegration<'e, B, N, C> {
         EnsembleIntegration {
             ensemble: self.ensemble,

@@ -17,8 +17,8 @@ use super::{Ensemble, Members};
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
 use crate::integrate::{
-    ClosedForm, Course, DormandPrince, Equations, Fixed, Held, IntegrationError, Method, Projected,
-    Run as _, RungeKutta, TaylorSeries, Tolerant, add,
+    Adaptive, ClosedForm, Course, DormandPrince, Equations, Fixed, Held, IntegrationError, Method,
+    Projected, Run as _, RungeKutta, RungeKuttaPair, TaylorSeries, Tolerant, Verner, add,
 };
 use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
@@ -79,13 +79,14 @@ where
     type Moves = OneByOne<Self>;
 }
 
-/// Steps of DOP853 in lanes are faster than series one by one.
+/// Steps of a pair in lanes are faster than series one by one.
 impl<B: Generic> Together<B> for TaylorSeries {
-    type Moves = DormandPrince;
+    type Moves = Verner;
 }
 
-impl<B: Generic> Together<B> for DormandPrince {
-    type Moves = Self;
+/// In lanes, the greater order is as fast where it is not faster.
+impl<B: Generic> Together<B> for RungeKuttaPair {
+    type Moves = Verner;
 }
 
 impl<B: Generic, M: Tolerant> Together<B> for Projected<M>
@@ -160,58 +161,80 @@ fn put<S: Columns<f64>>(
 }
 
 /// In lanes, each member with its own steps: it moves as it would alone, to the bit.
-impl<B: Generic> Moves<B> for DormandPrince {
-    type Alone = Self;
+macro_rules! moves_in_lanes {
+    ($name:ident) => {
+        impl<B: Generic> Moves<B> for $name {
+            type Alone = Self;
 
-    fn alone(&self) -> Self {
-        *self
-    }
+            fn alone(&self) -> Self {
+                *self
+            }
 
-    fn moved(
-        &self,
-        ensemble: &mut Ensemble<B>,
-        times: Range<f64>,
-        limits: &Limits,
-        observer: impl Fn(f64) + Sync,
-    ) -> Vec<MemberError<B::State>> {
-        let count = ensemble.len();
-        let left: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
-        let done = Done::of(count, observer);
-        if times.start.is_finite() && times.end.is_finite() {
-            let columns = <B::State as Columns<f64>>::COUNT;
-            let (members, width) = (&ensemble.members, ensemble.width);
-            in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
-                let here = BLOCK * first..count.min(BLOCK * (first + rows.len() / columns));
-                let plan = Plan {
-                    method: *self,
-                    members,
-                    first,
-                    times: times.clone(),
-                    limits,
-                };
-                width.run(Stream {
-                    plan: &plan,
-                    states: rows,
-                    count: here.len(),
-                    left: &left[here.clone()],
-                });
-                done.add(here.len());
-            });
-        } else {
-            for one in &left {
-                one.store(true, Ordering::Relaxed);
+            fn moved(
+                &self,
+                ensemble: &mut Ensemble<B>,
+                times: Range<f64>,
+                limits: &Limits,
+                observer: impl Fn(f64) + Sync,
+            ) -> Vec<MemberError<B::State>> {
+                stream(*self, ensemble, &times, limits, observer)
             }
         }
-        let left = left.iter().enumerate();
-        let left = left.filter(|(_, is_left)| is_left.load(Ordering::Relaxed));
-        let left: Vec<usize> = left.map(|(index, _)| index).collect();
-        let ends = indices(left.len()).map(|number| {
-            let index = left[number];
-            (index, end_alone(ensemble, *self, index, &times, limits))
+
+        impl<B: Generic> Together<B> for $name {
+            type Moves = Self;
+        }
+    };
+}
+
+moves_in_lanes!(DormandPrince);
+moves_in_lanes!(Verner);
+
+/// Moves all members in lanes; those that are left there, alone.
+fn stream<B: Generic, A: Adaptive + Method<B>>(
+    method: A,
+    ensemble: &mut Ensemble<B>,
+    times: &Range<f64>,
+    limits: &Limits,
+    observer: impl Fn(f64) + Sync,
+) -> Vec<MemberError<B::State>> {
+    let count = ensemble.len();
+    let left: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
+    let done = Done::of(count, observer);
+    if times.start.is_finite() && times.end.is_finite() {
+        let columns = <B::State as Columns<f64>>::COUNT;
+        let (members, width) = (&ensemble.members, ensemble.width);
+        in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
+            let here = BLOCK * first..count.min(BLOCK * (first + rows.len() / columns));
+            let plan = Plan {
+                method: method,
+                members,
+                first,
+                times: times.clone(),
+                limits,
+            };
+            width.run(Stream {
+                plan: &plan,
+                states: rows,
+                count: here.len(),
+                left: &left[here.clone()],
+            });
+            done.add(here.len());
         });
-        let ends: Vec<_> = ends.collect();
-        put(&mut ensemble.states, ends.into_iter())
+    } else {
+        for one in &left {
+            one.store(true, Ordering::Relaxed);
+        }
     }
+    let left = left.iter().enumerate();
+    let left = left.filter(|(_, is_left)| is_left.load(Ordering::Relaxed));
+    let left: Vec<usize> = left.map(|(index, _)| index).collect();
+    let ends = indices(left.len()).map(|number| {
+        let index = left[number];
+        (index, end_alone(ensemble, method, index, times, limits))
+    });
+    let ends: Vec<_> = ends.collect();
+    put(&mut ensemble.states, ends.into_iter())
 }
 
 /// How many of the members are done, and who hears of it.

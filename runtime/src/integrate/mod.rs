@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | [`ClosedForm`] | `outputs: [flow]` | rounding |
 //! | [`TaylorSeries`] | `outputs: [taylor]` | below a tolerance; rounding only, if that is small enough |
-//! | [`DormandPrince`] | every body | below a tolerance |
+//! | [`RungeKuttaPair`]: [`DormandPrince`] or [`Verner`] | every body | below a tolerance |
 //! | [`Fixed`]`<`[`Verner9`]`>`, [`DormandPrince8`], [`Tsitouras5`], [`Classical4`] | every body, ensembles | of order 9, 8, 5, 4 in the step |
 //! | [`Fixed`]`<`[`Midpoint`]`>` | games: long runs in few steps | of order 2; energy does not drift |
 //! | [`Projected`] | bodies under constraints | that of the method it is given |
@@ -29,13 +29,15 @@ pub use crate::bodies::switches::{Stretch, Switches};
 pub use course::control::{Control, Held, Sampled};
 pub use course::integration::{Integrate, Integration};
 pub use course::observed::{Events, Sample, Samples, Steps};
-pub use methods::adaptive::{AdaptiveRun, DormandPrince};
+pub use methods::adaptive::{Adaptive, AdaptiveRun, DormandPrince, Verner};
 pub use methods::closed_form::{ClosedForm, PathRun};
 pub use methods::commutator_free::{cf4, cf4_step};
 pub use methods::fixed::{Fixed, FixedRun};
+pub use methods::paired::{PairRun, RungeKuttaPair};
 pub use methods::projected::{Projected, ProjectedRun, cf4_projected};
 pub use methods::runge_kutta::{
-    Classical4, DormandPrince8, Midpoint, RungeKutta, Tsitouras5, Verner9, runge_kutta_step,
+    Classical4, DormandPrince8, Embedded, Midpoint, RungeKutta, Tsitouras5, Verner9,
+    runge_kutta_step,
 };
 pub use methods::series::functions::{taylor, taylor_step};
 pub use methods::series::motion::Motion;

@@ -18,7 +18,7 @@ pub use crate::exact::{
     AxialTorque, Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Path, Pendulum,
 };
 pub use crate::integrate::{
-    ClosedForm, DormandPrince, Integrate, Projected, Switches, TaylorSeries,
+    ClosedForm, Integrate, Projected, RungeKuttaPair, Switches, TaylorSeries,
 };
 pub use crate::mechanics::load::{Family, Load, PlanarLoad};
 pub use crate::mechanics::wrench::{PlanarWrench, Wrench};

@@ -124,7 +124,7 @@ mod equations_of_Plank {
         }
     }
     impl ::newton_euler::private::Integrate for Plank {
-        type Best = ::newton_euler::private::DormandPrince;
+        type Best = ::newton_euler::private::RungeKuttaPair;
     }
     impl ::newton_euler::private::Energy for Plank {
         fn kinetic_energy(&self, state: &::newton_euler::private::Planar) -> f64 {

@@ -167,7 +167,7 @@ mod equations_of_Quadrotor {
         }
     }
     impl ::newton_euler::private::Integrate for Quadrotor {
-        type Best = ::newton_euler::private::DormandPrince;
+        type Best = ::newton_euler::private::RungeKuttaPair;
     }
     impl ::newton_euler::private::Structured for Quadrotor {
         const STRUCTURE: ::newton_euler::private::Structure = ::newton_euler::private::Structure {

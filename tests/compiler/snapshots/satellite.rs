@@ -94,7 +94,7 @@ impl ::newton_euler::private::RigidBody for Satellite {
     }
 }
 impl ::newton_euler::private::Integrate for Satellite {
-    type Best = ::newton_euler::private::DormandPrince;
+    type Best = ::newton_euler::private::RungeKuttaPair;
 }
 impl ::newton_euler::private::Balance for Satellite {
     type Wrench = ::newton_euler::private::Vector3<f64>;

@@ -120,7 +120,7 @@ mod equations_of_Top {
         }
     }
     impl ::newton_euler::private::Integrate for Top<f64> {
-        type Best = ::newton_euler::private::DormandPrince;
+        type Best = ::newton_euler::private::RungeKuttaPair;
     }
     impl<T: ::newton_euler::private::Scalar> ::newton_euler::private::Structured
     for Top<T> {

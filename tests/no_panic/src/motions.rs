@@ -2,8 +2,8 @@
 
 use newton_euler::integrate::{
     Classical4, ClosedForm, DormandPrince, DormandPrince8, Event, Fixed, IntegrationError, Method,
-    Midpoint, Projected, Run, Sample, TaylorSeries, Tsitouras5, Verner9, cf4_step,
-    runge_kutta_step, taylor_step,
+    Midpoint, Projected, Run, RungeKuttaPair, Sample, TaylorSeries, Tsitouras5, Verner, Verner9,
+    cf4_step, runge_kutta_step, taylor_step,
 };
 use newton_euler::prelude::*;
 
@@ -138,6 +138,8 @@ motions! {
     turning_adaptive: Turning<f64>, DormandPrince;
     rotor_adaptive: Rotor<f64>, DormandPrince;
     wave_adaptive: Wave<f64>, DormandPrince;
+    craft_by_verner: Craft<f64>, Verner;
+    rotor_by_either: Rotor<f64>, RungeKuttaPair;
     plank_adaptive: Plank<f64>, DormandPrince;
     slider_adaptive: Slider<f64>, DormandPrince;
     stick_adaptive: Stick<f64>, DormandPrince;

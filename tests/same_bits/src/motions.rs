@@ -4,7 +4,7 @@ use newton_euler::Scalar;
 use newton_euler::columns::{Columnar, Columns};
 use newton_euler::integrate::{
     ClosedForm, DormandPrince, DormandPrince8, Fixed, Integrate, Method, Projected, RungeKutta,
-    TaylorSeries, cf4, runge_kutta_step, taylor_step,
+    TaylorSeries, Verner, cf4, runge_kutta_step, taylor_step,
 };
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
@@ -66,6 +66,10 @@ pub fn fixed<M: RungeKutta>(method: M) -> Bits {
 
 pub fn adaptive() -> Bits {
     every_kind!(DormandPrince { tolerance: 1e-9 })
+}
+
+pub fn of_order_nine() -> Bits {
+    every_kind!(Verner { tolerance: 1e-9 })
 }
 
 pub fn projected() -> Bits {

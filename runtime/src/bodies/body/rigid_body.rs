@@ -69,7 +69,7 @@ pub trait RigidBody {
     /// }
     ///
     /// impl Integrate for Kicked {
-    ///     type Best = newton_euler::integrate::DormandPrince;
+    ///     type Best = newton_euler::integrate::RungeKuttaPair;
     /// }
     ///
     /// let end = Kicked { at: 50.0 }.integrate(&PlanarTranslation::default()).to(100.0)?;

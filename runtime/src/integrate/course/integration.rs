@@ -19,11 +19,11 @@ pub(crate) const TOLERANCE: f64 = 1e-9;
 /// [`rigid_body!`](crate::rigid_body) implements it: the
 /// [`ClosedForm`](crate::integrate::ClosedForm) with `outputs: [flow]`, Taylor series
 /// ([`TaylorSeries`](crate::integrate::TaylorSeries)) with `outputs: [taylor]`, for all others
-/// [`DormandPrince`](crate::integrate::DormandPrince), under constraints
+/// [`RungeKuttaPair`](crate::integrate::RungeKuttaPair), under constraints
 /// [`Projected`](crate::integrate::Projected). By hand it is one line:
 ///
 /// ```
-/// use newton_euler::{integrate::DormandPrince, prelude::*};
+/// use newton_euler::{integrate::RungeKuttaPair, prelude::*};
 /// use nalgebra::Vector2;
 ///
 /// struct Thrown { drag: f64 }
@@ -39,7 +39,7 @@ pub(crate) const TOLERANCE: f64 = 1e-9;
 /// }
 ///
 /// impl Integrate for Thrown {
-///     type Best = DormandPrince;
+///     type Best = RungeKuttaPair;
 /// }
 ///
 /// let start = PlanarTranslation { velocity: [20.0, 20.0].into(), ..PlanarTranslation::default() };

@@ -1,8 +1,9 @@
-//! Steps as long as the tolerance permits, by DOP853.
+//! Steps as long as the tolerance permits, by pairs of Runge–Kutta methods.
 
 use core::fmt;
+use core::marker::PhantomData;
 
-use super::runge_kutta::{DormandPrince8, number, runge_kutta_step};
+use super::runge_kutta::{DormandPrince8, Embedded, Verner9, number, runge_kutta_step};
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::chatter::Watch;
@@ -40,33 +41,61 @@ pub struct DormandPrince {
     pub tolerance: f64,
 }
 
-impl Tolerant for DormandPrince {
-    fn with_tolerance(tolerance: f64) -> Self {
-        Self { tolerance }
-    }
+/// [`Verner9`] with steps as long as the tolerance permits, as [`DormandPrince`] takes them.
+///
+/// The error is estimated from the difference to the method of order 8 of the same pair: J. H.
+/// Verner, Numerically optimal Runge–Kutta pairs with interpolants, Numerical Algorithms 53 (2010)
+/// 383.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verner {
+    /// How large the error of a step may be: see [`Tolerant`].
+    pub tolerance: f64,
 }
 
-impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for DormandPrince {
-    type Run<'b>
-        = AdaptiveRun<'b, B>
-    where
-        B: 'b;
+/// A pair of Runge–Kutta methods that keeps a tolerance.
+pub trait Adaptive: Copy + Tolerant + Send + Sync {
+    /// The pair.
+    type Pair: Embedded;
 
-    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> AdaptiveRun<'b, B> {
-        let now = Point::new(time, state);
-        AdaptiveRun {
-            within: Within::new(body, time),
-            tolerance: finest(self.tolerance),
-            before: (time, now.coordinates),
-            now,
-            lengths: Lengths::NEW,
-            watch: Watch::OF_DORMAND_PRINCE,
+    /// How large the error of a step may be.
+    fn tolerance(&self) -> f64;
+}
+
+/// A method that takes the steps of a pair.
+macro_rules! adaptive {
+    ($name:ident by $pair:ident) => {
+        impl Adaptive for $name {
+            type Pair = $pair;
+
+            fn tolerance(&self) -> f64 {
+                self.tolerance
+            }
         }
-    }
+
+        impl Tolerant for $name {
+            fn with_tolerance(tolerance: f64) -> Self {
+                Self { tolerance }
+            }
+        }
+
+        impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for $name {
+            type Run<'b>
+                = AdaptiveRun<'b, B, $pair>
+            where
+                B: 'b;
+
+            fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
+                AdaptiveRun::new(body, time, state, self.tolerance)
+            }
+        }
+    };
 }
+
+adaptive!(DormandPrince by DormandPrince8);
+adaptive!(Verner by Verner9);
 
 /// A motion in steps as long as its tolerance permits.
-pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>> {
+pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P = DormandPrince8> {
     within: Within<'b, B>,
     tolerance: f64,
     now: Point<B::State>,
@@ -74,6 +103,22 @@ pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>> {
     before: (f64, <B::State as Coordinates>::Array),
     lengths: Lengths,
     watch: Watch,
+    pair: PhantomData<P>,
+}
+
+impl<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P> AdaptiveRun<'b, B, P> {
+    fn new(body: &'b B, time: f64, state: &B::State, tolerance: f64) -> Self {
+        let now = Point::new(time, state);
+        Self {
+            within: Within::new(body, time),
+            tolerance: finest(tolerance),
+            before: (time, now.coordinates),
+            now,
+            lengths: Lengths::NEW,
+            watch: Watch::OF_A_PAIR,
+            pair: PhantomData,
+        }
+    }
 }
 
 /// How long the steps of a motion are, one after another.
@@ -114,15 +159,16 @@ impl Lengths {
         }
     }
 
-    /// Whether a step is accepted with this error; the next one is as long as that permits.
+    /// Whether a step of a pair is accepted with this error; the next one is as long as that
+    /// permits.
     #[inline(always)]
-    pub(crate) fn is_accepted(
+    pub(crate) fn is_accepted<P: Embedded>(
         &mut self,
         (step, is_last): (f64, bool),
         error: f64,
         tolerance: f64,
     ) -> bool {
-        let next = step.abs() * shrunk(tolerance, error).min(self.longest);
+        let next = step.abs() * shrunk::<P>(tolerance, error).min(self.longest);
         let is_accepted = error <= tolerance;
         (self.permitted, self.longest, self.error) = if is_accepted {
             // a step cut short at the end says little about the next
@@ -139,7 +185,7 @@ impl Lengths {
     }
 }
 
-impl<B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug for AdaptiveRun<'_, B> {
+impl<B: RigidBody<Scalar = f64, State: Coordinates>, P> fmt::Debug for AdaptiveRun<'_, B, P> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("AdaptiveRun")
             .field("tolerance", &self.tolerance)
@@ -149,7 +195,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug for AdaptiveRun<
     }
 }
 
-impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, B> {
+impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for AdaptiveRun<'_, B, P> {
     const PLACES: usize = 4;
 
     fn body(&self) -> &B {
@@ -182,7 +228,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
         let (time, rest) = (self.now.time, self.now.rest(end));
         if self.lengths.is_new() {
             let coordinates = &self.now.coordinates;
-            let step = first(&equations, time, coordinates, rest, self.tolerance);
+            let step = first::<P, _, _>(&equations, time, coordinates, rest, self.tolerance);
             self.lengths.begin(step);
         }
         loop {
@@ -197,10 +243,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
                     self.now.step_too_small(step)
                 });
             }
-            let (change, error) = attempt(&equations, time, &self.now.coordinates, step);
+            let (change, error) = attempt::<P, _>(&equations, time, &self.now.coordinates, step);
             if self
                 .lengths
-                .is_accepted((step, is_last), error, self.tolerance)
+                .is_accepted::<P>((step, is_last), error, self.tolerance)
             {
                 let is_finite = if is_last {
                     self.now.arrive(change, end)
@@ -232,76 +278,80 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for AdaptiveRun<'_, 
     fn within(&self, time: f64, input: &B::Input) -> B::State {
         let (start, coordinates) = &self.before;
         let before = B::State::from_coordinates(coordinates);
-        runge_kutta_step::<DormandPrince8, _>(&self.within, *start, &before, input, time - start)
+        runge_kutta_step::<P, _>(&self.within, *start, &before, input, time - start)
     }
 }
 
 /// What a step changes, and its error beside the state: not a number, where a stage is out of the
 /// domain, if only in one component.
 #[inline(always)]
-pub(super) fn attempt<E: Rates<State: Coordinates<Scalar = f64>>>(
+pub(super) fn attempt<P: Embedded, E: Rates<State: Coordinates<Scalar = f64>>>(
     equations: &E,
     time: f64,
     coordinates: &<E::State as Coordinates>::Array,
     step: f64,
 ) -> (<E::State as Coordinates>::Array, f64) {
-    let (change, sizes) = tried(equations, time, coordinates, step);
+    let (change, sizes) = tried::<P, _, _>(equations, time, coordinates, step);
     (change, in_range(sizes, error(sizes)))
 }
 
-/// What a step changes, and how large its differences to methods of orders 5 and 3 are: the first is
-/// not a number where any of it is none.
+/// What a step changes, and how large its differences to methods of lower order are, of a pair that
+/// has one the second zero: the first is not a number where any of it is none.
 #[inline(always)]
-pub(crate) fn tried<T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
+pub(crate) fn tried<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
     equations: &E,
     time: T,
     coordinates: &<E::State as Coordinates>::Array,
     step: T,
 ) -> (<E::State as Coordinates>::Array, [T; 2]) {
-    let [change, fifth, third] = DormandPrince8::sums(equations, time, coordinates, step);
+    let (change, differences) = P::sums(equations, time, coordinates, step);
+    let differences = differences.as_ref();
     let mut is_number = step.equal(step);
-    for part in fifth.as_ref() {
+    for part in differences[0].as_ref() {
         is_number = is_number & part.equal(*part);
     }
     // no closures: in lanes they would not be compiled for the register
-    let fifth = relative_size::<E::State>(&fifth, coordinates);
-    let third = relative_size::<E::State>(&third, coordinates);
+    let mut sizes = [T::default(); 2];
+    for (size, difference) in sizes.iter_mut().zip(differences) {
+        *size = relative_size::<E::State>(difference, coordinates);
+    }
     let none = step.constant(f64::NAN, f32::NAN);
-    (change, [T::select(is_number, fifth, none), third])
+    (change, [T::select(is_number, sizes[0], none), sizes[1]])
 }
 
-/// The error of a step by these sizes, and the sum of squares by whose root it is divided.
+/// The error of a step by these sizes, of a pair that has one difference this one; and the sum of
+/// squares by whose root it is divided.
 #[inline(always)]
-pub(crate) fn error<T: Scalar>([fifth, third]: [T; 2]) -> [T; 2] {
-    let squares = fifth * fifth + number(fifth, 0.01) * third * third;
-    [fifth * (fifth / squares.sqrt()), squares]
+pub(crate) fn error<T: Scalar>([first, second]: [T; 2]) -> [T; 2] {
+    let squares = first * first + number(first, 0.01) * second * second;
+    [first * (first / squares.sqrt()), squares]
 }
 
 /// The same error, where the squares are beyond the range of numbers, too.
 #[inline(always)]
-pub(crate) fn in_range([fifth, third]: [f64; 2], [error, squares]: [f64; 2]) -> f64 {
+pub(crate) fn in_range([first, second]: [f64; 2], [error, squares]: [f64; 2]) -> f64 {
     if squares.is_normal() {
         error
-    } else if fifth == 0.0 {
+    } else if first == 0.0 {
         0.0
-    } else if fifth + third == f64::INFINITY {
+    } else if first + second == f64::INFINITY {
         f64::INFINITY
     } else {
-        fifth * (fifth / libm::hypot(fifth, 0.1 * third))
+        first * (first / libm::hypot(first, 0.1 * second))
     }
 }
 
 /// The share of a step that its error permits, of no number the least.
 #[inline(always)]
-pub(super) fn shrunk(tolerance: f64, error: f64) -> f64 {
-    let share = SAFETY * root(tolerance, error, 8);
+pub(super) fn shrunk<P: Embedded>(tolerance: f64, error: f64) -> f64 {
+    let share = SAFETY * root(tolerance, error, P::ESTIMATE);
     if share >= SHRINK { share } else { SHRINK }
 }
 
 /// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4), where
 /// so much time is left.
 #[inline(always)]
-pub(crate) fn first<T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
+pub(crate) fn first<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
     equations: &E,
     time: T,
     coordinates: &<E::State as Coordinates>::Array,
@@ -330,7 +380,7 @@ pub(crate) fn first<T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
     let pace = T::select(curvature.less_or_equal(speed), speed, curvature);
     // not everything at once, of what seems to be at rest
     let longest = left / number(rest, 16.0);
-    let step = number(rest, root(tolerance, 1.0, 8)) / pace;
+    let step = number(rest, root(tolerance, 1.0, P::ESTIMATE)) / pace;
     let step = T::select(step.less(longest), step, longest);
     let step = T::select(zero.less(pace), step, longest);
     // what is not a number gives no step

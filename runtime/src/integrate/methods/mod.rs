@@ -4,6 +4,7 @@ pub mod adaptive;
 pub mod closed_form;
 pub mod commutator_free;
 pub mod fixed;
+pub mod paired;
 pub mod projected;
 pub mod runge_kutta;
 pub mod series;

@@ -43,7 +43,7 @@ const LEAST: f64 = 1.0 / 1_048_576.0;
 /// How often steps are tried, at most.
 const TRIES: usize = 8 * (LEADING + SEEN);
 
-/// After how many steps of DOP853 a motion is looked at.
+/// After how many steps of a pair a motion is looked at.
 pub(in crate::integrate) const LOOK: u32 = 1 << 18;
 /// How many steps are ahead, at least, of a motion that is looked at.
 const AHEAD: f64 = 4_194_304.0; // 2²²
@@ -60,8 +60,8 @@ pub(crate) struct Watch {
 }
 
 impl Watch {
-    /// Of a motion by DOP853.
-    pub(crate) const OF_DORMAND_PRINCE: Self = Self::every(LOOK);
+    /// Of a motion by a pair of Runge–Kutta methods.
+    pub(crate) const OF_A_PAIR: Self = Self::every(LOOK);
 
     /// Of a motion that is looked at after so many steps.
     pub(in crate::integrate) const fn every(period: u32) -> Self {

@@ -55,7 +55,7 @@ impl<B: RigidBody> fmt::Debug for Equations<'_, B> {
 }
 
 /// Equations for the coordinates of a state.
-pub(crate) trait Rates {
+pub trait Rates {
     /// The state.
     type State: Coordinates;
 

@@ -2,9 +2,9 @@
 
 use super::{RungeKutta, change, moved, number, tableau};
 use crate::bodies::body::RigidBody;
-use crate::integrate::steps::equations::{Equations, Rates};
+use crate::integrate::steps::equations::Equations;
 use crate::numbers::scalar::Scalar;
-use crate::state::{Coordinates, State};
+use crate::state::Coordinates;
 
 tableau! {
     /// The classical Runge–Kutta method, of order 4 with four evaluations (W. Kutta, Zeitschrift

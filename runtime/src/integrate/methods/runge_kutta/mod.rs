@@ -8,10 +8,10 @@
 //! their steps in lanes.
 
 use crate::bodies::body::RigidBody;
-use crate::integrate::steps::equations::Equations;
+use crate::integrate::steps::equations::{Equations, Rates};
 use crate::integrate::steps::stretch::Given;
 use crate::numbers::scalar::Scalar;
-use crate::state::Coordinates;
+use crate::state::{Coordinates, State};
 
 mod classical;
 mod dormand_prince;
@@ -129,39 +129,41 @@ pub(super) fn number<T: Scalar>(like: T, value: f64) -> T {
     like.constant(value, value as f32)
 }
 
+/// A Runge–Kutta method with differences to methods of lower order, which tell the error of a step.
+pub trait Embedded: RungeKutta {
+    /// This error is of order `h^ESTIMATE` in the step.
+    const ESTIMATE: usize;
+
+    /// One difference, or two.
+    type Differences<A>: AsRef<[A]>;
+
+    /// What a step adds to the coordinates, and the differences.
+    fn sums<E: Rates>(
+        equations: &E,
+        time: <E::State as State>::Scalar,
+        coordinates: &<E::State as Coordinates>::Array,
+        step: <E::State as State>::Scalar,
+    ) -> Sums<Self, <E::State as Coordinates>::Array>;
+}
+
+/// What a step changes, and the differences to methods of lower order.
+pub(in crate::integrate) type Sums<M, A> = (A, <M as Embedded>::Differences<A>);
+
 /// A method by its tableau: when each stage is evaluated, from which before; the sum that is the
-/// step, and its differences to other methods.
+/// step; and its error by differences to other methods, with the stages that these have beside.
 macro_rules! tableau {
     (
         $(#[$doc:meta])* $name:ident: order $order:literal;
-        stages { $($k:ident at $c:literal $(from $($a:literal $j:ident),+)?;)+ }
-        sum { $($b:literal $s:ident),+ }
-        $(difference { $($e:literal $t:ident),+ })*
+        stages $stages:tt
+        sum $sum:tt
+        $(error of order $estimate:literal {
+            $(stages $further:tt)?
+            $(difference $difference:tt)+
+        })?
     ) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $name;
-
-        impl $name {
-            /// The sum and the differences.
-            #[inline(always)]
-            pub(in crate::integrate) fn sums<E: Rates>(
-                equations: &E,
-                time: <E::State as State>::Scalar,
-                coordinates: &<E::State as Coordinates>::Array,
-                step: <E::State as State>::Scalar,
-            ) -> [<E::State as Coordinates>::Array; 1 $(+ tableau!(@one $($e)+))*] {
-                $(let $k = {
-                    let stage = *coordinates;
-                    $(let stage = moved::<E::State, _>(&stage, step, [$(($a, &$j)),+]);)?
-                    equations.rates(time + number(step, $c) * step, &stage)
-                };)+
-                [
-                    change::<E::State, _>(step, [$(($b, &$s)),+]),
-                    $(change::<E::State, _>(step, [$(($e, &$t)),+]),)*
-                ]
-            }
-        }
 
         impl RungeKutta for $name {
             const ORDER: usize = $order;
@@ -173,11 +175,43 @@ macro_rules! tableau {
                 coordinates: &<B::State as Coordinates>::Array,
                 step: B::Scalar,
             ) -> <B::State as Coordinates>::Array {
-                let [sum, ..] = Self::sums(equations, time, coordinates, step);
-                sum
+                tableau!(@stages B::State, (equations, time, coordinates, step) $stages);
+                tableau!(@sum B::State, step, $sum)
             }
         }
+
+        $(impl Embedded for $name {
+            const ESTIMATE: usize = $estimate;
+
+            type Differences<A> = [A; 0 $(+ tableau!(@one $difference))+];
+
+            #[inline(always)]
+            fn sums<E: Rates>(
+                equations: &E,
+                time: <E::State as State>::Scalar,
+                coordinates: &<E::State as Coordinates>::Array,
+                step: <E::State as State>::Scalar,
+            ) -> Sums<Self, <E::State as Coordinates>::Array> {
+                tableau!(@stages E::State, (equations, time, coordinates, step) $stages);
+                $(tableau!(@stages E::State, (equations, time, coordinates, step) $further);)?
+                let sum = tableau!(@sum E::State, step, $sum);
+                (sum, [$(tableau!(@sum E::State, step, $difference)),+])
+            }
+        })?
     };
-    (@one $($weight:literal)+) => { 1 };
+    (
+        @stages $state:ty, ($equations:ident, $time:ident, $coordinates:ident, $step:ident)
+        { $($k:ident at $c:literal $(from $($a:literal $j:ident),+)?;)+ }
+    ) => {
+        $(let $k = {
+            let stage = *$coordinates;
+            $(let stage = moved::<$state, _>(&stage, $step, [$(($a, &$j)),+]);)?
+            $equations.rates($time + number($step, $c) * $step, &stage)
+        };)+
+    };
+    (@sum $state:ty, $step:ident, { $($weight:literal $k:ident),+ }) => {
+        change::<$state, _>($step, [$(($weight, &$k)),+])
+    };
+    (@one $difference:tt) => { 1 };
 }
 use tableau;

@@ -2,9 +2,9 @@
 
 use super::{RungeKutta, change, moved, number, tableau};
 use crate::bodies::body::RigidBody;
-use crate::integrate::steps::equations::{Equations, Rates};
+use crate::integrate::steps::equations::Equations;
 use crate::numbers::scalar::Scalar;
-use crate::state::{Coordinates, State};
+use crate::state::Coordinates;
 
 tableau! {
     /// The method of order 5 with six evaluations of Ch. Tsitouras, Runge–Kutta pairs of order 5(4)

@@ -1,7 +1,7 @@
 //! A Runge–Kutta step over a place where a motion has no series, as a polynomial.
 
 use crate::integrate::methods::adaptive::{attempt, shrunk};
-use crate::integrate::methods::runge_kutta::{DormandPrince8, moved};
+use crate::integrate::methods::runge_kutta::{DormandPrince8, Embedded as _, moved};
 use crate::integrate::steps::agreement::Agreement;
 use crate::integrate::steps::equations::Rates;
 use crate::integrate::steps::point::Point;
@@ -42,9 +42,10 @@ pub(super) fn cross<E: Rates<State: Coordinates<Scalar = f64>>>(
     let (start, mut step) = (now.time, longest);
     let is_lost = |step: f64| (start + step) - start == 0.0 && !(is_last && step == longest);
     while step.abs() >= least && !is_lost(step) {
-        let (mut change, error) = attempt(equations, start, &now.coordinates, step);
+        let (mut change, error) =
+            attempt::<DormandPrince8, _>(equations, start, &now.coordinates, step);
         if error > tolerance || error.is_nan() {
-            step *= shrunk(tolerance, error);
+            step *= shrunk::<DormandPrince8>(tolerance, error);
             continue;
         }
         if now.moved(&mut change).is_some() {
@@ -89,7 +90,7 @@ fn polynomial<E: Rates<State: Coordinates<Scalar = f64>>>(
         [change, rates]
     };
     let part = |part: f64| {
-        let [mut change, ..] = DormandPrince8::sums(equations, time, start, part * step);
+        let (mut change, _) = DormandPrince8::sums(equations, time, start, part * step);
         E::State::keep(start, &mut change);
         beyond(part, &change)
     };

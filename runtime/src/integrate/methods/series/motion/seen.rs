@@ -4,6 +4,7 @@ use super::Motion;
 use super::crossing::cross;
 use super::permitted::GROWTH;
 use crate::integrate::methods::adaptive::first;
+use crate::integrate::methods::runge_kutta::DormandPrince8;
 use crate::integrate::steps::agreement::{Agreement, Seen};
 use crate::integrate::steps::equations::Equations;
 use crate::integrate::steps::error::IntegrationError;
@@ -186,7 +187,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
             [64.0, 2.0].map(|times| times * permitted)
         } else {
             // where one crossing follows another, steps grow
-            let first = first(
+            let first = first::<DormandPrince8, _, _>(
                 &equations,
                 self.now.time,
                 &self.now.coordinates,

@@ -8,6 +8,7 @@ mod despun;
 mod events;
 mod functions;
 mod motions;
+mod moving;
 mod products;
 #[path = "../reference/mod.rs"]
 mod reference;

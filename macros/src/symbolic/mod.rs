@@ -17,5 +17,5 @@ pub use algebra::{Algebra, Tape};
 pub use graph::{Comparison, Components, Cost, Graph, Id, Node, Program, Stage, Symbol};
 pub use linear::{Elimination, Equation, Size, Undetermined};
 pub use number::{Function, Number, PrincipalAxes, Residue, Spectrum, Symmetry, Table, scaled};
-pub use series::{Coordinate, LANES, Origin, Recurrences, Sum, Term};
+pub use series::{Coordinate, LANES, Origin, Polynomial, Recurrences, Sum, Term};
 pub use zeros::{Residues, Sample, free, on_branches};

@@ -16,9 +16,9 @@ pub fn inverse(n: usize) -> f64 {
     1.0 / real(n)
 }
 
-/// Coefficient n of time, n > 0.
+/// Coefficient n > 0 of a polynomial in time, by those from order 1 on.
 #[inline(always)]
 #[must_use]
-pub fn time(n: usize) -> f64 {
-    if n == 1 { 1.0 } else { 0.0 }
+pub fn given<const COUNT: usize>(n: usize, coefficients: [f64; COUNT]) -> f64 {
+    coefficients.get(n.wrapping_sub(1)).copied().unwrap_or(0.0)
 }

@@ -35,7 +35,7 @@ pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
     }
 
     /// Writes the first N coefficients of the motion through `state` at `time`, with the input
-    /// held; N is at least 2.
+    /// held, or moving from there on; N is at least 2.
     ///
     /// State and series are in [`axes`](Self::axes) that may not be those of the body. `products`
     /// may be in any state.
@@ -49,7 +49,7 @@ pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
     );
 
     /// The first N coefficients of the motion through `state` at `time`, in the axes of the body
-    /// and with the input held: all powers of time below N.
+    /// and with the input held, or moving from there on: all powers of time below N.
     ///
     /// # Panics
     /// If N is less than 2.

@@ -94,8 +94,12 @@ pub fn write_axes(writer: &Writer<'_>, axes: &Axes) -> Method {
 fn of_order(recurrences: &Recurrences) -> BTreeSet<Id> {
     let sums = recurrences.sums.iter().map(|sum| sum.value);
     let coefficients = recurrences.coefficients.iter().copied();
+    let polynomials = recurrences.polynomials.iter().map(|(_, next)| *next);
     let numbers = [recurrences.order, recurrences.inverse];
-    sums.chain(coefficients).chain(numbers).collect()
+    sums.chain(coefficients)
+        .chain(polynomials)
+        .chain(numbers)
+        .collect()
 }
 
 /// All that is computed for each order.
@@ -121,7 +125,13 @@ fn held(graph: &Graph, recurrences: &Recurrences) -> BTreeSet<Id> {
     let roots = of_each_order(recurrences);
     let mut moves = of_order(recurrences);
     let mut held = BTreeSet::new();
-    for id in graph.reachable(&roots, |id| !graph.is_early(id)) {
+    let order = graph.reachable(&roots, |id| !graph.is_early(id));
+    let read = recurrences.polynomials.iter();
+    for (polynomial, _) in read.filter(|(_, next)| order.contains(next)) {
+        let coefficients = polynomial.coefficients.iter().copied();
+        held.extend(coefficients.filter(|id| !graph.is_early(*id)));
+    }
+    for id in order {
         if graph
             .node(id)
             .operands()
@@ -187,9 +197,8 @@ fn start(
     tokens
 }
 
-/// The rates of the coordinates, without that of time, and what fills the last register.
+/// The rates of the coordinates, and what fills the last register.
 fn coordinates(block: &Block<'_>, rates: &[Id]) -> Vec<TokenStream> {
-    let rates = rates.split_last().map_or(rates, |(_, rates)| rates);
     let rest = filled(rates.len()) - rates.len();
     rates
         .iter()
@@ -275,31 +284,36 @@ fn sums_of_order(
 
 /// Whether the sums of a batch are the rates of all coordinates, and nothing else reads them.
 fn is_of_rates(batch: &Batch<'_>, recurrences: &Recurrences) -> bool {
-    let rates = &recurrences.rates[..recurrences.rates.len() - 1];
+    let rates = &recurrences.rates;
     let sums = batch.parts.iter().map(|part| part.sum.value);
     let factors = terms(recurrences).flat_map(|term| term.factors);
     let mut nexts = factors.map(|factor| factor.next);
     sums.eq(rates.iter().copied()) && !nexts.any(|next| rates.contains(&next))
 }
 
-/// n, its reciprocal, and the coefficient of time, if they are read.
+/// n, its reciprocal, and the coefficients of what goes on by itself, if they are read.
 fn read_order(block: &mut Block<'_>, recurrences: &Recurrences, program: &Program) -> TokenStream {
     let private = block.writer.shapes.private.clone();
     let n = local("n");
-    let time = recurrences.coefficients.last().copied();
-    let given = [
-        (Some(recurrences.order), "order"),
-        (Some(recurrences.inverse), "inverse"),
-        (time, "time"),
-    ];
+    let is_read = |symbol: &Id| program.symbols.contains(symbol);
     let mut tokens = TokenStream::new();
-    for (symbol, word) in given {
-        let Some(symbol) = symbol.filter(|symbol| program.symbols.contains(symbol)) else {
-            continue;
-        };
+    let numbers = [
+        (recurrences.order, "order"),
+        (recurrences.inverse, "inverse"),
+    ];
+    for (symbol, word) in numbers.into_iter().filter(|(symbol, _)| is_read(symbol)) {
         let (function, name) = (local(word), block.unique(&format!("{word}_n")));
         tokens.extend(quote!(let #name = #private::order::#function(#n);));
         block.names.insert(symbol, name);
+    }
+    let polynomials = recurrences.polynomials.iter();
+    for (polynomial, next) in polynomials.filter(|(_, next)| is_read(next)) {
+        let of = block.names.get(&polynomial.symbol);
+        let of = of.map_or_else(|| "given".to_owned(), ToString::to_string);
+        let name = block.unique(&format!("{of}_n"));
+        let coefficients = polynomial.coefficients.iter().map(|id| block.value(*id));
+        tokens.extend(quote!(let #name = #private::order::given(#n, [#(#coefficients),*]);));
+        block.names.insert(*next, name);
     }
     tokens
 }

@@ -28,9 +28,9 @@ fn name_after(block: &mut Block<'_>, id: Id, suffix: &str) -> Ident {
 /// `let [qx_n, _, ..] =`
 pub fn name_coefficients(block: &mut Block<'_>, taylor: &Taylor, program: &Program) -> TokenStream {
     let pairs = taylor.symbols.iter().zip(&taylor.recurrences.coefficients);
-    let count = taylor.symbols.len() - 1;
+    let count = taylor.symbols.len();
     let mut pattern = Vec::new();
-    for (symbol, coefficient) in pairs.take(count) {
+    for (symbol, coefficient) in pairs {
         let is_read = program.symbols.contains(coefficient);
         let base = block.names.get(symbol).filter(|_| is_read);
         let Some(base) = base.map(|base| format!("{base}_n")) else {
@@ -41,9 +41,8 @@ pub fn name_coefficients(block: &mut Block<'_>, taylor: &Taylor, program: &Progr
         block.names.insert(*coefficient, name.clone());
         pattern.push(name.into_token_stream());
     }
-    let is_read = taylor.recurrences.coefficients[..count]
-        .iter()
-        .any(|coefficient| program.symbols.contains(coefficient));
+    let mut coefficients = taylor.recurrences.coefficients.iter();
+    let is_read = coefficients.any(|coefficient| program.symbols.contains(coefficient));
     if is_read {
         let rest = (filled(count) > count).then(|| quote!(..));
         quote!(let [#(#pattern,)* #rest] =)

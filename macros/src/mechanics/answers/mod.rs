@@ -14,4 +14,4 @@ pub use energy::{Energy, derive_energy, done_by_field};
 pub use momentum::{Momentum, derive_momentum};
 pub use partial::{Partial, list_partial, loads, parts};
 pub use switches::{Switch, derive_switches};
-pub use taylor::{Moving, Taylor, derive_taylor, quaternion_rate};
+pub use taylor::{Moving, Taylor, derive_taylor, polynomials, quaternion_rate};

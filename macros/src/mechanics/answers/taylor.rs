@@ -2,8 +2,10 @@
 //!
 //! ```text
 //! position' = velocity      q' = q (0, w) / 2      angle' = w      u' = rate of the axis of a rod
-//! velocity' = a             w' = alpha             inputs are held
+//! velocity' = a             w' = alpha
 //! ```
+//!
+//! Inputs are held; those that are `.moving` go on with their rates and accelerations.
 //!
 //! They are those of axes that do not spin with a symmetric body, where there are such:
 //! [`super::axes`].
@@ -13,8 +15,8 @@
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
-use crate::model::{Attitude, Frame, Meaning, Model, Own, Pair, Workspace};
-use crate::symbolic::{Components, Coordinate, Id, Node, Number, Recurrences};
+use crate::model::{Attitude, Frame, Model, Own, Pair, Workspace, input_rates};
+use crate::symbolic::{Components, Coordinate, Id, Node, Number, Polynomial, Recurrences};
 
 use super::axes::{self, Axes};
 use super::partial::loads;
@@ -22,7 +24,7 @@ use super::partial::loads;
 /// The recurrences of a motion, with its coordinates in the order in which the runtime lists them.
 #[derive(Debug)]
 pub struct Taylor {
-    /// The coordinates, and then time.
+    /// The coordinates.
     pub symbols: Vec<Id>,
     pub recurrences: Recurrences,
     /// The axes that they hold in, if these are not those of the body.
@@ -65,23 +67,23 @@ pub fn derive_taylor(
     let coordinates = coordinates(model, work, accelerations, axes_rate);
     let moving = Moving {
         coordinates,
+        polynomials: polynomials(Some(model.state.time), &model.derivatives, work),
         loads: loads(model, work),
-        derivatives: &model.derivatives,
     };
     moving.expand(work, axes, asked, errors)
 }
 
 /// What series are made of.
-pub struct Moving<'a> {
-    /// The coordinates of the state, and then time.
+pub struct Moving {
+    /// The coordinates of the state.
     pub coordinates: Vec<Coordinate>,
+    /// Time, and inputs that move.
+    pub polynomials: Vec<Polynomial>,
     /// Loads by name, for what is to be said of them.
     pub loads: Vec<(String, Vec<Id>)>,
-    /// How many derivatives of each input are given.
-    pub derivatives: &'a [usize],
 }
 
-impl Moving<'_> {
+impl Moving {
     /// The recurrences, if they exist.
     pub fn expand(
         &self,
@@ -91,29 +93,11 @@ impl Moving<'_> {
         errors: &mut Errors,
     ) -> Option<Taylor> {
         self.check_smooth(work, asked, errors)?;
-        self.check_held(work, asked, errors)?;
         Some(Taylor {
             symbols: self.coordinates.iter().map(|one| one.symbol).collect(),
-            recurrences: work.graph.recurrences(&self.coordinates),
+            recurrences: work.graph.recurrences(&self.coordinates, &self.polynomials),
             axes,
         })
-    }
-
-    /// Over a step, series hold their inputs.
-    fn check_held(&self, work: &Workspace, asked: Extent, errors: &mut Errors) -> Option<()> {
-        let graph = &work.graph;
-        let rates: Vec<Id> = self.coordinates.iter().map(|one| one.rate).collect();
-        let is_given = |input: usize| self.derivatives.get(input).is_some_and(|count| *count > 0);
-        let moves =
-            |id: Id| matches!(work.meaning(id), Some(Meaning::Input(input, _)) if is_given(input));
-        if graph.depends_on(&rates, moves) {
-            return errors.report(
-                asked,
-                "series of what an input that is `.moving` drives are not there yet: leave `taylor` out, and \
-                 `integrate` takes Runge-Kutta steps, or `.moving`, and the input is held",
-            );
-        }
-        Some(())
     }
 
     /// Reports the place where the equations are not smooth, by the loads that it stands in.
@@ -124,6 +108,7 @@ impl Moving<'_> {
             .clone()
             .filter(|coordinate| !graph.is_zero(coordinate.rate))
             .map(|coordinate| coordinate.symbol)
+            .chain(self.polynomials.iter().map(|known| known.symbol))
             .collect();
         let rates: Vec<Id> = all.map(|coordinate| coordinate.rate).collect();
         let kink = graph.first_kink(&rates, &moving);
@@ -152,7 +137,32 @@ impl Moving<'_> {
     }
 }
 
-/// The coordinates of the state, those of one's own, and time; those of a kind of motion are together. `axes_rate` is the
+/// Time, and inputs that move: `x + x' s + x'' s^2 / 2` after a time s, as between two that are given.
+pub fn polynomials(
+    time: Option<Id>,
+    derivatives: &[usize],
+    work: &mut Workspace,
+) -> Vec<Polynomial> {
+    let rates = input_rates(work, derivatives);
+    let graph = &mut work.graph;
+    let (one, half) = (graph.one(), graph.number(Number::ratio(1, 2)));
+    let inputs = rates.iter().map(|(symbol, rate)| {
+        let second = rates.iter().find(|(of, _)| of == rate);
+        let second = second.map(|(_, second)| graph.multiply(half, *second));
+        Polynomial {
+            symbol: *symbol,
+            coefficients: [Some(*rate), second].into_iter().flatten().collect(),
+        }
+    });
+    let inputs: Vec<Polynomial> = inputs.collect();
+    let time = time.map(|symbol| Polynomial {
+        symbol,
+        coefficients: vec![one],
+    });
+    time.into_iter().chain(inputs).collect()
+}
+
+/// The coordinates of the state, and those of one's own; those of a kind of motion are together. `axes_rate` is the
 /// angular velocity of the axes.
 fn coordinates(
     model: &Model,
@@ -191,10 +201,6 @@ fn coordinates(
         Attitude::Quaternion { .. } | Attitude::Line { .. } => push(&state.turn_rate(), &angular),
     }
     list.extend(model.states.iter().map(Own::coordinate));
-    list.push(Coordinate {
-        symbol: state.time,
-        rate: work.graph.one(),
-    });
     list
 }
 

@@ -1,7 +1,7 @@
 //! Taylor series of the motion of a system: the coordinates of its joints, in the order of its state.
 
 use crate::errors::{Errors, Extent};
-use crate::mechanics::answers::{Moving, Taylor};
+use crate::mechanics::answers::{Moving, Taylor, polynomials};
 use crate::model::{Own, System, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
@@ -36,15 +36,11 @@ pub fn derive_system_taylor(
         }));
     }
     coordinates.extend(system.states.iter().map(Own::coordinate));
-    let unit = work.graph.one();
-    coordinates.extend(system.bodies.first().map(|body| Coordinate {
-        symbol: body.state.time,
-        rate: unit,
-    }));
+    let time = system.bodies.first().map(|body| body.state.time);
     let moving = Moving {
         coordinates,
+        polynomials: polynomials(time, &system.derivatives, work),
         loads: loads(system, work),
-        derivatives: &system.derivatives,
     };
     moving.expand(work, None, asked, errors)
 }

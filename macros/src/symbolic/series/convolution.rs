@@ -148,7 +148,7 @@ impl Graph {
         }
 
         self.write_readers(rates, results, &mut sums, &roots, &written);
-        if results.is_empty() && rates.len() <= LANES + 1 {
+        if results.is_empty() && rates.len() <= LANES {
             self.all_rates(rates, sums, &symbols, &values)
         } else {
             sums
@@ -212,9 +212,6 @@ impl Graph {
         symbols: &[Id],
         values: &HashSet<Id>,
     ) -> Vec<Sum> {
-        let Some((_, rates)) = rates.split_last_mut() else {
-            return sums;
-        };
         let mut all = Vec::new();
         for (place, rate) in rates.iter().enumerate() {
             if let Some(sum) = sums.iter().find(|sum| sum.value == *rate) {

@@ -4,7 +4,7 @@ use crate::symbolic::graph::{Graph, Id, Node, Stage};
 use crate::symbolic::number::Function;
 
 use super::convolution::{Factor, Product, Readers};
-use super::recurrences::Recurrences;
+use super::recurrences::{Polynomial, Recurrences};
 
 /// Recurrences while they are written.
 pub(in crate::symbolic) struct Expansion<'g> {
@@ -247,7 +247,12 @@ impl Expansion<'_> {
     }
 
     /// The factors, now that all coefficients are known, and what came of it.
-    pub(in crate::symbolic) fn finish(self, coefficients: Vec<Id>, start: Vec<Id>) -> Recurrences {
+    pub(in crate::symbolic) fn finish(
+        self,
+        coefficients: Vec<Id>,
+        polynomials: Vec<(Polynomial, Id)>,
+        start: Vec<Id>,
+    ) -> Recurrences {
         let Self {
             graph,
             number,
@@ -266,15 +271,17 @@ impl Expansion<'_> {
             };
         }
         let mut rates = start.iter().map(|rate| next[rate.index()]).collect();
-        let numbers = [number, inverse];
+        let symbols = coefficients.iter().copied();
+        let symbols = symbols.chain(polynomials.iter().map(|(_, next)| *next));
         let readers = Readers {
             rates: &mut rates,
             results: &mut results,
-            symbols: coefficients.iter().copied().chain(numbers).collect(),
+            symbols: symbols.chain([number, inverse]).collect(),
         };
         let sums = graph.gathered(&products, readers);
         Recurrences {
             coefficients,
+            polynomials,
             order: number,
             inverse,
             results,

@@ -6,4 +6,4 @@ mod recurrence;
 mod recurrences;
 
 pub use convolution::{LANES, Origin, Sum, Term};
-pub use recurrences::{Coordinate, Recurrences};
+pub use recurrences::{Coordinate, Polynomial, Recurrences};

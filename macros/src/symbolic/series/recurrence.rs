@@ -23,7 +23,7 @@ use crate::symbolic::graph::{Graph, Id, Node, Stage};
 use crate::symbolic::number::Function;
 
 use super::expansion::Expansion;
-use super::recurrences::{Coordinate, Recurrences};
+use super::recurrences::{Coordinate, Polynomial, Recurrences};
 
 impl Graph {
     /// The first place in `roots` where there is no Taylor series, if these symbols move.
@@ -40,11 +40,16 @@ impl Graph {
     }
 
     /// The recurrences of a motion without kinks.
-    pub fn recurrences(&mut self, coordinates: &[Coordinate]) -> Recurrences {
-        let symbols: Vec<Id> = coordinates
-            .iter()
-            .filter(|coordinate| !self.is_zero(coordinate.rate))
+    pub fn recurrences(
+        &mut self,
+        coordinates: &[Coordinate],
+        polynomials: &[Polynomial],
+    ) -> Recurrences {
+        let changing = coordinates.iter();
+        let changing = changing.filter(|coordinate| !self.is_zero(coordinate.rate));
+        let symbols: Vec<Id> = changing
             .map(|coordinate| coordinate.symbol)
+            .chain(polynomials.iter().map(|polynomial| polynomial.symbol))
             .collect();
         let written: Vec<Id> = coordinates
             .iter()
@@ -62,6 +67,10 @@ impl Graph {
             .iter()
             .map(|_| self.symbol(Stage::State))
             .collect();
+        let polynomials: Vec<(Polynomial, Id)> = polynomials
+            .iter()
+            .map(|polynomial| (polynomial.clone(), self.symbol(Stage::State)))
+            .collect();
         let mut expansion = Expansion {
             graph: self,
             number,
@@ -73,16 +82,18 @@ impl Graph {
             products: Vec::new(),
             pending: Vec::new(),
         };
-        for (coordinate, coefficient) in coordinates.iter().zip(&coefficients) {
-            let index = coordinate.symbol.index();
-            if expansion.moves.get(index) == Some(&true) {
-                expansion.next[index] = *coefficient;
+        let symbols = coordinates.iter().map(|coordinate| coordinate.symbol);
+        let next = symbols.zip(coefficients.iter().copied());
+        let known = polynomials.iter();
+        for (symbol, next) in next.chain(known.map(|(known, next)| (known.symbol, *next))) {
+            if expansion.moves.get(symbol.index()) == Some(&true) {
+                expansion.next[symbol.index()] = next;
             }
         }
         for id in order {
             expansion.expand(id);
         }
-        expansion.finish(coefficients, start)
+        expansion.finish(coefficients, polynomials, start)
     }
 
     /// What has to be differentiated in `roots`, children first: not the size that guards a

@@ -12,11 +12,20 @@ pub struct Coordinate {
     pub rate: Id,
 }
 
+/// A symbol that goes on by itself, in time: its coefficients from order 1 on, which are held.
+#[derive(Clone, Debug)]
+pub struct Polynomial {
+    pub symbol: Id,
+    pub coefficients: Vec<Id>,
+}
+
 /// The coefficients of a motion, order by order.
 #[derive(Debug)]
 pub struct Recurrences {
     /// The symbols of the n-th coefficients of the coordinates.
     pub coefficients: Vec<Id>,
+    /// What goes on by itself, each with the symbol of its n-th coefficient.
+    pub polynomials: Vec<(Polynomial, Id)>,
     /// The symbols of n, and of 1/n.
     pub order: Id,
     pub inverse: Id,

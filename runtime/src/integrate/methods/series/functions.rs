@@ -7,8 +7,8 @@ use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
 use crate::taylor::{Plain, Series, Taylor, after};
 
-/// The state at the end of a span of time \[s\], from the state at its start, with the input held
-/// and the error of each step below `tolerance`; time may run backwards.
+/// The state at the end of a span of time \[s\], from the state at its start, with the input held,
+/// or moving from there on, and the error of each step below `tolerance`; time may run backwards.
 ///
 /// The tolerance is relative to position, attitude, velocity and angular velocity, each as a whole,
 /// and absolute (m, rad, m/s, rad/s) where these are below 1. The error at the end is that of all
@@ -50,7 +50,8 @@ pub fn taylor<B: Taylor>(
     Ok(run.state())
 }
 
-/// The state one step \[s\] later, by N coefficients, which is of order N - 1; the input is held.
+/// The state one step \[s\] later, by N coefficients, which is of order N - 1; the input is held, or
+/// moves from here on.
 #[must_use]
 pub fn taylor_step<B: Taylor, const N: usize>(
     body: &B,

@@ -8,7 +8,8 @@ use crate::taylor::{Taylor, increment};
 
 impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in
-    /// [`taylor`](crate::integrate::taylor())), with the input held; none if it is reached.
+    /// [`taylor`](crate::integrate::taylor())), with the input that there is from here on; none if
+    /// it is reached.
     ///
     /// # Errors
     /// [`IntegrationError`]; the motion stays where it is.
@@ -21,7 +22,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         // who steps by hand may give another input each time, if there is any
         let is_held = size_of::<B::Input>() == 0;
         if !is_held {
-            self.renew();
+            self.take_input();
         }
         self.advance_towards(end, input, tolerance, is_held)
     }
@@ -65,7 +66,8 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         Ok(Some(self.taken(time, step)))
     }
 
-    /// Takes a step of this length \[s\], with the input held, of whatever error.
+    /// Takes a step of this length \[s\], with the input that there is from here on, of whatever
+    /// error.
     ///
     /// # Errors
     /// [`IntegrationError::NotFinite`]; the motion stays where it is.
@@ -75,10 +77,16 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         input: &B::Input,
     ) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
         let time = self.now.time;
-        self.renew();
+        self.take_input();
         self.expand(input);
         self.advance(step)?;
         Ok(self.taken(time, step))
+    }
+
+    /// Hears that an input is given here.
+    fn take_input(&mut self) {
+        self.within.given = self.now.time;
+        self.renew();
     }
 
     /// The series from here.

@@ -80,6 +80,9 @@ fn write<B: Taylor, const N: usize>(
     input: &B::Input,
     series: &mut Series<B::State, N>,
 ) {
-    let state = now.state();
-    expander.expand(body.body, body.side(now.time), &state, input, series);
+    let (time, state) = (body.side(now.time), now.state());
+    match body.moved(input, now.time) {
+        Some(moved) => expander.expand(body.body, time, &state, &moved, series),
+        None => expander.expand(body.body, time, &state, input, series),
+    }
 }

@@ -4,9 +4,13 @@
     taskset --cpu-list 0 python3 benches/peers/work_precision.py target/measures/peers.csv
     taskset --cpu-list 0 target/release/examples/work_precision --full target/measures/peers.csv
 
+With the word `systems`, those alone; `--systems` tells the same to the example.
+
 heyoka: error control with its default order for each tolerance, `compact_mode` off, one integrator for all runs of a tolerance; building it
 is not timed. In batches each member has its own steps. MuJoCo: fixed steps, what it can describe: bodies that turn freely or on
-a ball joint, and a hinge. What a call from Python costs without a step is taken off. Medians of rounds in which all are run in turn.
+a ball joint, a hinge, and systems. What a call from Python costs without a step is taken off. Medians of rounds in which all are run in
+turn. The equations of systems are those that one would write by hand, of the arm the articulated-body algorithm in symbols, in
+`compact_mode`, which builds sooner and makes slower code.
 """
 
 import itertools
@@ -15,7 +19,7 @@ import sys
 from importlib.metadata import version
 from pathlib import Path
 from statistics import median
-from time import perf_counter
+from time import process_time
 
 import heyoka as hy
 import mujoco
@@ -124,6 +128,128 @@ def satellite():
     return in_units(SATELLITE, flight(loads, mass, inertia))
 
 
+# Systems, of `tests/reference/systems`.
+
+
+def system(name):
+    return json.loads((REFERENCE / "systems" / f"{name}.json").read_text())
+
+
+def double_pendulum():
+    one, two, v, w = hy.make_vars("one", "two", "v", "w")
+    lower, across, gravity = 0.015 + 0.8 * 0.22**2, 0.8 * 0.6 * 0.22, 9.80665
+    swept, mixed = across * hy.sin(two), lower + across * hy.cos(two)
+    outer = 0.8 * 0.22 * gravity * hy.cos(one + two)
+    inner = (1.2 * 0.28 + 0.8 * 0.6) * gravity * hy.cos(one)
+    first, second = swept * w * (2 * v + w) - inner - outer, -swept * v * v - outer
+    whole = 0.04 + 1.2 * 0.28**2 + 0.8 * 0.6**2 + lower + 2 * across * hy.cos(two)
+    divisor = whole * lower - mixed * mixed
+    return [(one, v), (two, w), (v, (lower * first - mixed * second) / divisor), (w, (whole * second - mixed * first) / divisor)]
+
+
+WHEELS = np.repeat([0.02, 1.0, 2e3, 2e-3, 0.05, 200.0], [3, 4, 3, 3, 3, 3])
+
+
+def wheels(drives):
+    """A gyrostat: positions, attitude, angles, then velocities, of the hub and of the wheels."""
+    r, q, angles = hy.make_vars("rx", "ry", "rz"), hy.make_vars(*"sxyz"), hy.make_vars("ax", "ay", "az")
+    v, w, spins = hy.make_vars("vx", "vy", "vz"), hy.make_vars("p", "q", "t"), hy.make_vars("sx", "sy", "sz")
+    spin, mass, wheel = 0.035, 132.0, 4.0
+    center = np.full(3, 0.3 * wheel / mass)
+    about = lambda arm: arm @ arm * np.eye(3) - np.outer(arm, arm)
+    inertia = np.diag([12.0, 14.0, 9.0]) - mass * about(center)
+    for axis in np.eye(3):
+        inertia += np.diag(0.02 + (spin - 0.02) * axis) + wheel * about(0.3 * axis)
+    inverse = np.linalg.inv(inertia - spin * np.eye(3))
+    momentum = [dot(list(map(float, row)), w) + spin * s for row, s in zip(inertia, spins)]
+    moment = [-g - u for g, u in zip(cross(w, momentum), map(float, drives))]
+    angular = [dot(list(map(float, row)), moment) for row in inverse]
+    center = list(map(float, center))
+    swept = [a + b for a, b in zip(cross(angular, center), cross(w, cross(w, center)))]
+    linear = [-dot(row, swept) for row in rotation(q)]
+    driven = [float(u) / spin - a for u, a in zip(drives, angular)]
+    equations = list(zip([*r, *q, *angles, *v, *w, *spins], [*v, *turning(q, w), *spins, *linear, *angular, *driven]))
+    return in_units(WHEELS, equations)
+
+
+def skew(a):
+    x, y, z = a
+    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]], dtype=object)
+
+
+def arm(file, drives):
+    """The articulated-body algorithm (R. Featherstone, Rigid Body Dynamics Algorithms, table 7.1), in blocks of three."""
+    links = file["system"]["joints"]
+    angles = hy.make_vars(*[f"angle_{k}" for k in range(len(links))])
+    rates = hy.make_vars(*[f"rate_{k}" for k in range(len(links))])
+    none = np.zeros(3, dtype=object)
+    w, v, motions, known = none, none, [], []
+    for link, angle, rate in zip(links, angles, rates):
+        axis = np.array(["XYZ".index(link["type"][1]) == k for k in range(3)], dtype=object) * 1.0
+        turn = np.outer(axis, axis) + hy.cos(angle) * (np.eye(3) - np.outer(axis, axis)) + hy.sin(angle) * skew(axis)
+        back = (np.round(np.array(link["R"]), 12).astype(object) @ turn).T
+        arm = np.array(link["p"], dtype=object)
+        v = back @ (v + np.array(cross(w, arm)))
+        w = back @ w
+        spin = rate * axis
+        swept = np.array(cross(w, spin)), np.array(cross(v, spin))
+        w = w + spin
+        mass, center = link["inertia"]["m"], skew(np.round(link["inertia"]["c"], 12).astype(object))
+        a = np.array(link["inertia"]["Ic"], dtype=object) - mass * center @ center
+        b, c = mass * center, mass * np.eye(3).astype(object)
+        angular, linear = a @ w + b @ v, b.T @ w + c @ v
+        bias = np.array(cross(w, angular)) + np.array(cross(v, linear)), np.array(cross(w, linear))
+        motions.append((axis, back, arm, swept))
+        known.append([a, b, c, *bias])
+    solved = []
+    for k in reversed(range(len(links))):
+        axis, back, arm, (swept_w, swept_v) = motions[k]
+        a, b, c, angular, linear = known[k]
+        upper, lower = a @ axis, b.T @ axis
+        inverse = 1.0 / (axis @ upper)
+        rest = float(drives[k]) - axis @ angular
+        solved.append((upper, lower, inverse, rest))
+        if k:
+            a, b, c = (x - inverse * np.outer(y, z) for x, y, z in [(a, upper, upper), (b, upper, lower), (c, lower, lower)])
+            angular = angular + a @ swept_w + b @ swept_v + rest * inverse * upper
+            linear = linear + b.T @ swept_w + c @ swept_v + rest * inverse * lower
+            a, b, c = (back.T @ x @ back for x in [a, b, c])
+            angular, linear, at = back.T @ angular, back.T @ linear, skew(arm)
+            carried = [a + at @ b.T - b @ at - at @ c @ at, b + at @ c, c, angular + at @ linear, linear]
+            known[k - 1] = [x + y for x, y in zip(known[k - 1], carried)]
+    angular, linear, found = none, np.array([-x for x in file["system"]["gravity"]], dtype=object), []
+    for (axis, back, arm, (swept_w, swept_v)), (upper, lower, inverse, rest) in zip(motions, reversed(solved)):
+        linear = back @ (linear + np.array(cross(angular, arm))) + swept_v
+        angular = back @ angular + swept_w
+        found.append(inverse * (rest - upper @ angular - lower @ linear))
+        angular = angular + found[-1] * axis
+    return list(zip([*angles, *rates], [*rates, *found]))
+
+
+def tree(file):
+    """What MuJoCo reads."""
+    links = file["system"]["joints"]
+    words = lambda values: " ".join(repr(float(x)) for x in np.ravel(values))
+
+    def body(k):
+        link, inertia = links[k], links[k]["inertia"]
+        turn, t = np.round(np.array(link["R"]), 12), np.array(inertia["Ic"])
+        axis = words([letter == link["type"][1] for letter in "XYZ"])
+        joint = "<freejoint/>" if link["type"] == "FreeFlyer" else f'<joint type="hinge" axis="{axis}"/>'
+        carried = "".join(body(j) for j, other in enumerate(links) if other["parent"] == k)
+        axes = words([turn[:, 0], turn[:, 1]])
+        center, tensor = words(np.round(inertia["c"], 12)), words([t[0, 0], t[1, 1], t[2, 2]])
+        return (
+            f'<body pos="{words(link["p"])}" xyaxes="{axes}">{joint}'
+            f'<inertial pos="{center}" mass="{inertia["m"]!r}" diaginertia="{tensor}"/>{carried}</body>'
+        )
+
+    return (
+        f'<mujoco><option gravity="{words(file["system"]["gravity"])}"><flag contact="disable" constraint="disable"/></option>'
+        f"<worldbody>{body(0)}</worldbody></mujoco>"
+    )
+
+
 # Starts and ends.
 
 
@@ -136,7 +262,8 @@ class Problem:
 
     def __init__(self, name, equations, seconds, start, end, model=None, units=1.0):
         self.name, self.equations, self.seconds, self.model = name, equations, seconds, model
-        self.start, self.end = numbers(start) / units, numbers(end) / units
+        self.start, self.end, self.units = numbers(start) / units, numbers(end) / units, units
+        self.drives, self.settings, self.tolerances = 0.0, {}, TOLERANCES
 
     def error(self, state):
         if len(state) == 2:
@@ -146,6 +273,51 @@ class Problem:
         q, right = state[attitude], self.end[attitude]
         errors = [np.linalg.norm(state[v] - self.end[v]) / np.linalg.norm(self.end[v]) for v in vectors]
         return max(min(abs(q - right).max(), abs(q + right).max()), *errors)
+
+
+def relative(one, right):
+    return np.linalg.norm(one - right) / np.linalg.norm(right)
+
+
+class System(Problem):
+    """Of hinges, or of a hub and its wheels."""
+
+    # each takes up to half a minute of building
+    def __init__(self, *words, drives=0.0, settings=()):
+        super().__init__(*words)
+        self.drives, self.settings, self.tolerances = drives, dict(settings), TOLERANCES[::4]
+
+    def error(self, state):
+        right = self.end
+        if len(state) == 19:
+            vectors = [slice(0, 3), slice(7, 10), slice(10, 13), slice(13, 16), slice(16, 19)]
+            q = [min(abs(state[3:7] - right[3:7]).max(), abs(state[3:7] + right[3:7]).max())]
+            return max(q + [relative(state[v], right[v]) for v in vectors])
+        half = len(state) // 2
+        return max(abs(state[:half] - right[:half]).max() / 2, relative(state[half:], right[half:]))
+
+
+def systems():
+    listed = lambda file: [float(x) for x in file["q"] + file["v"]]
+    file = system("double_pendulum")
+    last = file["trajectory"]
+    yield System("double_pendulum", double_pendulum(), float(last["T"]), listed(file), listed(last), tree(file))
+
+    def of_world(file):
+        """The scalar first, and the velocity in world axes."""
+        q, v = numbers(file["q"]), numbers(file["v"])
+        attitude = q[[6, 3, 4, 5]]
+        velocity = np.array(rotation(attitude)) @ v[:3]
+        return [*q[:3], *attitude, *q[7:], *velocity, *v[3:]]
+
+    file = system("satellite3w")
+    last, drives = file["trajectory"], numbers(file["drives"])
+    ends = of_world(file), of_world(last)
+    yield System("satellite_wheels", wheels(drives[6:]), float(last["T"]), *ends, tree(file), WHEELS, drives=drives)
+    file, last = system("ur5"), system("ur5_motion")
+    drives = numbers(file["drives"])
+    ends, compact = (listed(file), listed(last)), {"compact_mode": True}
+    yield System("six_axis_arm", arm(file, drives), float(last["T"]), *ends, tree(file), drives=drives, settings=compact)
 
 
 def problems():
@@ -171,7 +343,7 @@ def problems():
 class Heyoka:
     def __init__(self, problem, tolerance):
         self.problem = problem
-        self.integrator = hy.taylor_adaptive(problem.equations, problem.start, tol=tolerance)
+        self.integrator = hy.taylor_adaptive(problem.equations, problem.start, tol=tolerance, **problem.settings)
 
     def run(self, seconds=None):
         self.integrator.time = 0.0
@@ -251,8 +423,9 @@ class MuJoCo:
 
     def set(self):
         self.data.time = 0.0
-        self.data.qpos[:] = self.problem.start[: self.model.nq]
-        self.data.qvel[:] = self.problem.start[self.model.nq :]
+        start = self.problem.start * self.problem.units
+        self.data.qpos[:], self.data.qvel[:] = start[: self.model.nq], start[self.model.nq :]
+        self.data.qfrc_applied[:] = self.problem.drives
 
     def run(self):
         self.set()
@@ -263,17 +436,17 @@ class MuJoCo:
 
     def error(self):
         self.run()
-        return self.problem.error(np.concatenate([self.data.qpos, self.data.qvel]))
+        return self.problem.error(np.concatenate([self.data.qpos, self.data.qvel]) / self.problem.units)
 
 
 # Times.
 
 
 def time(run, repeats):
-    start = perf_counter()
+    start = process_time()
     for _ in range(repeats):
         run()
-    return (perf_counter() - start) / repeats
+    return (process_time() - start) / repeats
 
 
 def swept(method, make, efforts):
@@ -302,15 +475,16 @@ def measured(name, share, runs, write):
         write(f'"{name}","{method}",{effort:e},{median(collected) * 1e9 / share:.3f},{error:.3e}')
 
 
-def main(path):
+def main(path, only=None):
     # of steps that are too long MuJoCo warns; they are left out
     mujoco.set_mju_user_warning(lambda _: None)
     lines = ["problem,method,effort,ns_per_second,error"]
     print(f"heyoka {version('heyoka')}, lanes for doubles here: {hy.recommended_simd_size(float)}; MuJoCo {mujoco.__version__}")
     steps = [s for k in range(2, 22) for s in (1 << k, 3 << (k - 1))]
     integrators = [("MuJoCo, RK4", mujoco.mjtIntegrator.mjINT_RK4), ("MuJoCo, implicitfast", mujoco.mjtIntegrator.mjINT_IMPLICITFAST)]
-    for problem in problems():
-        runs = [swept("heyoka", lambda tolerance: Heyoka(problem, tolerance), TOLERANCES)]
+    bodies = [] if only == "systems" else problems()
+    for problem in itertools.chain(systems(), bodies):
+        runs = [swept("heyoka", lambda tolerance: Heyoka(problem, tolerance), problem.tolerances)]
         if problem.model:
             for name, integrator in integrators:
                 runs.append(swept(name, lambda count, integrator=integrator: MuJoCo(problem, integrator, count), steps))

@@ -11,7 +11,7 @@ pub trait Distance {
     fn distance(&self, right: &Self) -> f64;
 }
 
-fn relative<const N: usize>(vector: &SVector<f64, N>, right: &SVector<f64, N>) -> f64 {
+pub fn relative<const N: usize>(vector: &SVector<f64, N>, right: &SVector<f64, N>) -> f64 {
     (vector - right).norm() / right.norm()
 }
 

@@ -6,11 +6,12 @@
 //! ```sh
 //! cargo run --release --example work_precision                  # a few seconds
 //! cargo run --release --example work_precision -- --full        # a few minutes: smaller errors, more bodies, more rounds
+//! cargo run --release --example work_precision -- --full --systems     # systems of bodies alone
 //! cargo run --release --example work_precision -- --full target/measures/peers.csv
 //! ```
 //!
 //! The last reads what `benches/peers/work_precision.py` has measured. What a method is for (`ours.rs`, `peers/`), and the problems
-//! (`bodies.rs`, `by_hand.rs`; their ends are those of `tests/reference`), is a file each.
+//! (`bodies.rs`, `by_hand.rs`, `systems/`; their ends are those of `tests/reference`), is a file each.
 
 mod bodies;
 mod by_hand;
@@ -33,6 +34,7 @@ mod problem;
 mod problems;
 #[path = "../../tests/reference/mod.rs"]
 mod reference;
+mod systems;
 mod table;
 
 use std::error::Error;
@@ -64,17 +66,23 @@ const MANY: Care = Care {
 fn main() -> Result<(), Box<dyn Error>> {
     let (flags, files): (Vec<String>, Vec<String>) =
         env::args().skip(1).partition(|word| word.starts_with("--"));
-    let is_full = match flags.as_slice() {
-        [] => false,
-        [flag] if flag == "--full" => true,
-        _ => return Err(format!("only --full and files are understood, not {flags:?}").into()),
-    };
+    let [mut is_full, mut only_systems] = [false; 2];
+    for flag in &flags {
+        match flag.as_str() {
+            "--full" => is_full = true,
+            "--systems" => only_systems = true,
+            _ => return Err(format!("only --full, --systems and files, not {flag}").into()),
+        }
+    }
     let care = if is_full { FULL } else { QUICK };
 
-    let mut curves = problems::all(care);
-    curves.extend(ensemble::tops(care, 8));
-    if is_full {
-        curves.extend(ensemble::tops(MANY, 1024));
+    let mut curves = systems::all(care);
+    if !only_systems {
+        curves.extend(problems::all(care));
+        curves.extend(ensemble::tops(care, 8));
+        if is_full {
+            curves.extend(ensemble::tops(MANY, 1024));
+        }
     }
     for file in files {
         curves.extend(table::read(&fs::read_to_string(file)?)?);

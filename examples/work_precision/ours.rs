@@ -25,11 +25,20 @@ pub fn flow<B: Flow>(problem: &Problem<B>) -> Method<'_, B::State> {
 pub fn smooth<B: Taylor<Input = ()> + Integrate>(
     problem: &Problem<B>,
 ) -> Vec<Method<'_, B::State>> {
+    let mut methods = stepping(problem);
+    methods.insert(0, adaptive::<B, TaylorSeries>("Taylor", problem));
+    methods.insert(3, taylor_steps::<B, 17>("Taylor 16, fixed steps", problem));
+    methods
+}
+
+/// All methods for any body.
+pub fn stepping<B>(problem: &Problem<B>) -> Vec<Method<'_, B::State>>
+where
+    B: Integrate<Input = (), State: Coordinates<Scalar = f64>>,
+{
     vec![
-        adaptive::<B, TaylorSeries>("Taylor", problem),
         adaptive::<B, DormandPrince>("DOP853", problem),
         adaptive::<B, Verner>("Verner 9(8)", problem),
-        taylor_steps::<B, 17>("Taylor 16, fixed steps", problem),
         steps("Runge-Kutta 9, fixed steps", Verner9, problem),
         steps("Runge-Kutta 8, fixed steps", DormandPrince8, problem),
         steps("Runge-Kutta 5, fixed steps", Tsitouras5, problem),

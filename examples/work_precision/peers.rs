@@ -5,28 +5,27 @@ mod munthe_kaas;
 mod runge_kutta;
 mod splitting;
 
-use differential_equations::traits::State as Numbers;
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
 
 use crate::by_hand::{Load, Turning};
 use crate::method::Method;
 use crate::problem::Problem;
-use runge_kutta::Renormalised;
+pub use runge_kutta::Renormalised;
 
-/// The peers for any body: `generated` is the one that was described, `by_hand` the same without the macro.
-pub fn general<'p, S, B, C>(
+/// The peers for any body of N coordinates: `generated` is the one that was described, `by_hand` the same without the macro.
+pub fn general<'p, const N: usize, S, B, C>(
     generated: &'p Problem<B>,
     by_hand: &'p Problem<C>,
 ) -> Vec<Method<'p, S>>
 where
-    S: Coordinates<Scalar = f64, Array: Numbers<f64>> + Renormalised,
+    S: Coordinates<Scalar = f64> + Renormalised,
     B: RigidBody<Scalar = f64, State = S, Input = ()>,
     C: RigidBody<Scalar = f64, State = S, Input = ()>,
 {
     vec![
-        dop853::method(DOP853, by_hand),
-        dop853::method("DOP853 of the crate, generated", generated),
+        dop853::method::<_, N>(DOP853, by_hand),
+        dop853::method::<_, N>("DOP853 of the crate, generated", generated),
         runge_kutta::method(by_hand),
     ]
 }

@@ -83,7 +83,7 @@ where
     let methods = [
         vec![ours::flow(&problem)],
         ours::smooth(&problem),
-        peers::general(&problem, &by_hand),
+        peers::general::<7, _, _, _>(&problem, &by_hand),
         peers::turning(&by_hand),
     ];
     measured(care, &problem, methods)
@@ -98,7 +98,7 @@ where
     let by_hand = by_hand_of(&problem, moments, Weight(Vector3::z() * weight));
     let methods = [
         ours::smooth(&problem),
-        peers::general(&problem, &by_hand),
+        peers::general::<7, _, _, _>(&problem, &by_hand),
         peers::turning(&by_hand),
     ];
     measured(care, &problem, methods)
@@ -121,7 +121,7 @@ fn pendulum(care: Care) -> Vec<Curve> {
     let methods = [
         vec![ours::flow(&problem)],
         ours::smooth(&problem),
-        peers::general(&problem, &by_hand),
+        peers::general::<2, _, _, _>(&problem, &by_hand),
     ];
     measured(care, &problem, methods)
 }
@@ -133,11 +133,15 @@ where
 {
     let problem = flying(name, body);
     let by_hand = problem.of(by_hand);
-    let methods = [ours::smooth(&problem), peers::general(&problem, &by_hand)];
+    let methods = [
+        ours::smooth(&problem),
+        peers::general::<13, _, _, _>(&problem, &by_hand),
+    ];
     measured(care, &problem, methods)
 }
 
-fn measured<'p, B, const N: usize>(
+/// All methods on a problem.
+pub fn measured<'p, B, const N: usize>(
     care: Care,
     problem: &'p Problem<B>,
     methods: [Vec<Method<'p, B::State>>; N],

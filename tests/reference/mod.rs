@@ -46,6 +46,20 @@ pub fn squeezer() -> Value {
     file(include_str!("squeezer.json"))
 }
 
+/// A system of bodies, by name.
+pub fn system(name: &str) -> Value {
+    match name {
+        "ball_double" => file(include_str!("systems/ball_double.json")),
+        "cart_pole" => file(include_str!("systems/cart_pole.json")),
+        "double_pendulum" => file(include_str!("systems/double_pendulum.json")),
+        "furuta" => file(include_str!("systems/furuta.json")),
+        "satellite3w" => file(include_str!("systems/satellite3w.json")),
+        "ur5" => file(include_str!("systems/ur5.json")),
+        "ur5_motion" => file(include_str!("systems/ur5_motion.json")),
+        _ => panic!("no system {name}"),
+    }
+}
+
 /// A number, written as one, as a decimal string or as a fraction.
 pub fn number(value: &Value) -> f64 {
     match value {

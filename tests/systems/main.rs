@@ -14,6 +14,9 @@ mod drawings;
 mod driven;
 mod frames;
 mod kinds;
+mod lagrange;
+#[path = "../lagrange_systems/mod.rs"]
+mod lagrange_systems;
 mod large;
 mod laws;
 mod linkages;

@@ -15,12 +15,17 @@ use super::runge_kutta::rates;
 use crate::method::Method;
 use crate::problem::Problem;
 
-pub fn method<'p, B>(name: &'static str, problem: &'p Problem<B>) -> Method<'p, B::State>
+/// N is the number of coordinates.
+pub fn method<'p, B, const N: usize>(
+    name: &'static str,
+    problem: &'p Problem<B>,
+) -> Method<'p, B::State>
 where
-    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64, Array: Numbers<f64>>>,
+    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64>>,
 {
     Method::adaptive(name, |tolerance| {
         let start = black_box(&problem.start).coordinates();
+        let start: [f64; N] = *start.as_ref().as_array()?;
         let pair = ExplicitRungeKutta::dop853().max_steps(usize::MAX);
         let solution = IVP::ode(&Motion(&problem.body), 0.0, problem.seconds, start)
             .solout(Last(problem.seconds))
@@ -28,22 +33,33 @@ where
             .solve();
         let solution = solution.ok()?;
         let (_, end) = solution.last().ok()?;
-        Some(B::State::from_coordinates(end))
+        Some(B::State::from_coordinates(&list::<B, N>(end)))
     })
 }
 
 /// The motion of a body as an equation of plain numbers.
 struct Motion<'p, B>(&'p B);
 
-impl<B, A> ODE<f64, A> for Motion<'_, B>
+impl<B, const N: usize> ODE<f64, [f64; N]> for Motion<'_, B>
 where
-    A: Numbers<f64>,
-    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64, Array = A>>,
+    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64>>,
 {
     #[inline(always)]
-    fn diff(&self, time: f64, numbers: &A, derivatives: &mut A) {
-        *derivatives = rates(self.0, time, numbers);
+    fn diff(&self, time: f64, numbers: &[f64; N], derivatives: &mut [f64; N]) {
+        let rates = rates(self.0, time, &list::<B, N>(numbers));
+        derivatives.copy_from_slice(rates.as_ref());
     }
+}
+
+/// Plain numbers as the coordinates of a state.
+#[inline(always)]
+fn list<B, const N: usize>(numbers: &[f64; N]) -> <B::State as Coordinates>::Array
+where
+    B: RigidBody<State: Coordinates<Scalar = f64>>,
+{
+    let mut list = <B::State as Coordinates>::Array::default();
+    list.as_mut().copy_from_slice(numbers);
+    list
 }
 
 /// Keeps the end and nothing of the way.

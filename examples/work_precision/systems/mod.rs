@@ -1,0 +1,163 @@
+//! Systems of bodies: where they start and end, and how far a state is from that.
+
+mod by_hand;
+mod described;
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use newton_euler::prelude::*;
+use newton_euler::state::Coordinates;
+use serde_json::Value;
+
+use crate::distance::{Distance, relative};
+use crate::measure::{Care, Curve};
+use crate::peers::{self, Renormalised};
+use crate::problem::Problem;
+use crate::reference::{number, numbers, system};
+use crate::{ours, problems};
+use described::{Arm, ArmState, DoublePendulum, DoublePendulumState, Wheels, WheelsState};
+
+/// All of them, measured.
+pub fn all(care: Care) -> Vec<Curve> {
+    let file = system("double_pendulum");
+    let pendulum = Problem {
+        name: "double_pendulum",
+        body: DoublePendulum::default(),
+        start: swinging(&file),
+        seconds: number(&file["trajectory"]["T"]),
+        end: swinging(&file["trajectory"]),
+    };
+    let by_hand = pendulum.of(by_hand::DoublePendulum);
+    let methods = [
+        ours::smooth(&pendulum),
+        peers::general::<4, _, _, _>(&pendulum, &by_hand),
+    ];
+    let mut curves = problems::measured(care, &pendulum, methods);
+
+    let file = system("satellite3w");
+    let wheels = Problem {
+        name: "satellite_wheels",
+        body: Wheels::default(),
+        start: flying(&file),
+        seconds: number(&file["trajectory"]["T"]),
+        end: flying(&file["trajectory"]),
+    };
+    let by_hand = wheels.of(by_hand::Wheels::new());
+    let methods = [
+        ours::smooth(&wheels),
+        peers::general::<19, _, _, _>(&wheels, &by_hand),
+    ];
+    curves.extend(problems::measured(care, &wheels, methods));
+
+    let (file, motion) = (system("ur5"), system("ur5_motion"));
+    let arm = Problem {
+        name: "six_axis_arm",
+        body: Arm::default(),
+        start: swinging(&file),
+        seconds: number(&motion["T"]),
+        end: swinging(&motion),
+    };
+    let by_hand = arm.of(by_hand::Arm::new());
+    let methods = [
+        // series of so many products are slower, and take long to build
+        ours::stepping(&arm),
+        peers::general::<12, _, _, _>(&arm, &by_hand),
+    ];
+    curves.extend(problems::measured(care, &arm, methods));
+    curves
+}
+
+/// Positions, then rates, of a system of hinges.
+fn swinging<S: Coordinates<Scalar = f64> + Default>(file: &Value) -> S {
+    let lists = ["q", "v"].map(|key| file[key].as_array().expect("a list"));
+    let numbers: Vec<f64> = lists.into_iter().flatten().map(number).collect();
+    let mut list = S::default().coordinates();
+    list.as_mut().copy_from_slice(&numbers);
+    S::from_coordinates(&list)
+}
+
+/// A hub and its wheels; the file has its velocity in its own axes, and the scalar of its attitude last.
+fn flying(file: &Value) -> WheelsState {
+    let [px, py, pz, x, y, z, scalar, angles @ ..] = numbers::<10>(&file["q"]);
+    let [u, v, w, p, q, r, rates @ ..] = numbers::<9>(&file["v"]);
+    let attitude = UnitQuaternion::from_quaternion(Quaternion::new(scalar, x, y, z));
+    let spin = |k: usize| Hinge {
+        angle: angles[k],
+        angular_velocity: rates[k],
+    };
+    WheelsState {
+        orbit: Spatial {
+            position: [px, py, pz].into(),
+            attitude,
+            velocity: attitude * Vector3::new(u, v, w),
+            angular_velocity: [p, q, r].into(),
+        },
+        spin_x: spin(0),
+        spin_y: spin(1),
+        spin_z: spin(2),
+    }
+}
+
+/// As of one hinge, rates as one vector.
+fn of_hinges<const N: usize>(hinges: [[Hinge; 2]; N]) -> f64 {
+    let angles = hinges.map(|[state, right]| (0.5 * (state.angle - right.angle)).abs());
+    let rates = [0, 1].map(|k| hinges.map(|pair| pair[k].angular_velocity).into());
+    angles
+        .into_iter()
+        .fold(relative::<N>(&rates[0], &rates[1]), f64::max)
+}
+
+macro_rules! of_hinges {
+    ($one:expr, $other:expr, $($joint:ident),*) => {
+        of_hinges([$([$one.$joint, $other.$joint]),*])
+    };
+}
+
+impl Distance for DoublePendulumState {
+    fn distance(&self, right: &Self) -> f64 {
+        of_hinges!(self, right, shoulder, elbow)
+    }
+}
+
+impl Distance for WheelsState {
+    /// Wheels turn hundreds of times: their angles are relative.
+    fn distance(&self, right: &Self) -> f64 {
+        let angles = [self, right]
+            .map(|state| Vector3::new(state.spin_x.angle, state.spin_y.angle, state.spin_z.angle));
+        let still = |spin: Hinge| Hinge { angle: 0.0, ..spin };
+        let spins = [
+            [self.spin_x, right.spin_x],
+            [self.spin_y, right.spin_y],
+            [self.spin_z, right.spin_z],
+        ];
+        self.orbit
+            .distance(&right.orbit)
+            .max(relative(&angles[0], &angles[1]))
+            .max(of_hinges(spins.map(|pair| pair.map(still))))
+    }
+}
+
+impl Distance for ArmState {
+    fn distance(&self, right: &Self) -> f64 {
+        of_hinges!(self, right, pan, lift, elbow, wrist_1, wrist_2, wrist_3)
+    }
+}
+
+impl Renormalised for DoublePendulumState {
+    fn renormalised(self) -> Self {
+        self
+    }
+}
+
+impl Renormalised for WheelsState {
+    #[inline(always)]
+    fn renormalised(mut self) -> Self {
+        self.orbit = self.orbit.renormalised();
+        self
+    }
+}
+
+impl Renormalised for ArmState {
+    fn renormalised(self) -> Self {
+        self
+    }
+}

@@ -92,6 +92,7 @@ fn solve<S: Listed>(
         finite: [equations.accelerations.clone(), outputs.roots()].concat(),
         switches: equations.switches.iter().flat_map(Switch::roots).collect(),
         tensor: outputs.tensor(),
+        properties: model.properties().to_vec(),
     };
     let bodies = model.substances();
     let known = (&bodies[..], model.defaults());

@@ -13,6 +13,7 @@ mod described;
 mod drawings;
 mod driven;
 mod frames;
+mod hyperstatic;
 mod kinds;
 mod lagrange;
 #[path = "../lagrange_systems/mod.rs"]

@@ -20,7 +20,9 @@ pub use joints::{
 pub use kinematics::{
     Attitude, Axis, Own, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
-pub use system::{Axes, Closing, Holds, JointKind, Kept, Member, Part, System, Tie, TreeJoint};
+pub use system::{
+    Axes, Closing, Holds, JointKind, Kept, Member, Part, Property, System, Tie, TreeJoint,
+};
 pub use words::{
     AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
 };

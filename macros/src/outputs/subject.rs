@@ -13,7 +13,9 @@ use crate::mechanics::{
     sensitivity_of_body, sensitivity_of_system, uniform_field, with_potentials,
     with_system_potentials,
 };
-use crate::model::{Defaults, Frame, Load, Model, Outline, Own, Substance, System, Workspace};
+use crate::model::{
+    Defaults, Frame, Load, Model, Outline, Own, Property, Substance, System, Workspace,
+};
 use crate::symbolic::Id;
 
 /// A body alone, or a system.
@@ -32,6 +34,9 @@ pub trait Subject: Sized + 'static {
 
     /// What its bodies are made of.
     fn substances(&self) -> Vec<Substance>;
+
+    /// What its links and cables are made with.
+    fn properties(&self) -> &[Property];
 
     fn defaults(&self) -> &Defaults;
 
@@ -112,6 +117,10 @@ impl Subject for Model {
 
     fn substances(&self) -> Vec<Substance> {
         vec![self.substance()]
+    }
+
+    fn properties(&self) -> &[Property] {
+        &[]
     }
 
     fn defaults(&self) -> &Defaults {
@@ -217,6 +226,10 @@ impl Subject for System {
             inertia: body.inertia,
         });
         bodies.collect()
+    }
+
+    fn properties(&self) -> &[Property] {
+        &self.properties
     }
 
     fn defaults(&self) -> &Defaults {

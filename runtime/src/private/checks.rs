@@ -41,6 +41,27 @@ pub fn check_planar_inertia<T: Scalar>(value: T) -> Result<(), InvalidBody> {
     }
 }
 
+/// A number that a link or a cable is made with, by its name and the word for it: finite and positive,
+/// or zero where that may be.
+///
+/// # Errors
+/// [`InvalidBody::Property`].
+pub fn check_property<T: Scalar>(
+    (of, property): (&'static str, &'static str),
+    value: T,
+    may_vanish: bool,
+) -> Result<(), InvalidBody> {
+    let is_wrong = |value| !(is_positive(value) || may_vanish && value == 0.0);
+    match find(value, is_wrong) {
+        Some(value) => Err(InvalidBody::Property {
+            of,
+            property,
+            value,
+        }),
+        None => Ok(()),
+    }
+}
+
 /// The entries xx, yy, zz, xy, yz, zx of an inertia tensor \[kg m²\]: that of a possible body, and
 /// invertible.
 ///

@@ -67,7 +67,9 @@ macro_rules! __written {
 pub use crate::__written as written;
 
 pub use crate::mechanics::principal::PrincipalAxes;
-pub use checks::{check_finite, check_inertia, check_mass, check_planar_inertia, lost_load};
+pub use checks::{
+    check_finite, check_inertia, check_mass, check_planar_inertia, check_property, lost_load,
+};
 pub use path::{
     axial_torque, lagrange_top, principal_axes, principal_rotation, rotation_about, rotation_along,
     symmetric_rotation,

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use crate::emit::code::{Fields, Names, PRINCIPAL_AXES, Writer, local, to_text};
-use crate::model::{AXES, Meaning, Outline, Substance, Workspace};
+use crate::model::{AXES, Meaning, Outline, Property, Substance, Workspace};
 use crate::symbolic::{Cost, Id, Stage};
 
 /// All expressions that code is generated for.
@@ -16,6 +16,8 @@ pub struct Roots {
     pub switches: Vec<Id>,
     /// The entries of a tensor of which a body of doubles keeps the principal axes.
     pub tensor: Option<[Id; 6]>,
+    /// What links and cables are made with.
+    pub properties: Vec<Property>,
 }
 
 /// What a body is built from and keeps.
@@ -97,11 +99,22 @@ impl Constructor {
         let inertia = open.concat();
         let tensor = roots.tensor.filter(|_| outline.scalar.is_none());
         let tensor: Vec<Id> = tensor.into_iter().flatten().collect();
+        let properties = roots.properties.iter();
+        let properties = properties.filter(|property| is_open(&property.value));
+        let properties: Vec<&Property> = properties.collect();
+        let made_with = properties.iter().map(|property| property.value).collect();
         let stored = fields.0.iter().map(|(id, _)| *id).collect();
-        let code =
-            writer.function(&[mass.clone(), inertia.clone(), tensor.clone(), stored].concat());
+        let all = [
+            mass.clone(),
+            inertia.clone(),
+            made_with,
+            tensor.clone(),
+            stored,
+        ];
+        let code = writer.function(&all.concat());
         let (mass, values) = code.outputs.split_at(mass.len());
         let (inertia, values) = values.split_at(inertia.len());
+        let (made_with, values) = values.split_at(properties.len());
         let (tensor, values) = values.split_at(tensor.len());
 
         let value_text = &code.facts.output_text[code.outputs.len() - values.len()..];
@@ -111,6 +124,7 @@ impl Constructor {
         let private = &writer.shapes.private;
         let (finite, statements) = (finite_checks(outline), code.statements);
         let possible = check_possible(&open, mass, inertia, private);
+        let made = check_properties(&properties, made_with, private);
         let derived = check_derived(work, roots, fields, private);
         let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
         let set_axes = axes
@@ -120,6 +134,7 @@ impl Constructor {
             #private::check_finite(&[#(#finite),*])?;
             #statements
             #possible
+            #made
             #rest
             #derived
             #(#set_axes)*
@@ -174,6 +189,19 @@ fn check_possible(
         }
     });
     quote!(#(#private::check_mass(#mass)?;)* #(#inertia)*)
+}
+
+/// Whether links and cables can be made with what parameters decide of them.
+fn check_properties(
+    properties: &[&Property],
+    values: &[TokenStream],
+    private: &TokenStream,
+) -> TokenStream {
+    let checks = properties.iter().zip(values).map(|(property, value)| {
+        let (of, word, may_vanish) = (property.of.to_string(), property.word, property.may_vanish);
+        quote!(#private::check_property((#of, #word), #value, #may_vanish)?;)
+    });
+    checks.collect()
 }
 
 /// Whether what is stored is finite, where it has to be.

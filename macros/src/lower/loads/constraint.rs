@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::lower::expressions::{Lowering, Value};
+use crate::lower::loads::link::is_link;
 use crate::model::{AXES, Constraint, Declared, Dimension, Frame, Level, Meaning, Variable};
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Description, Expression};
@@ -62,13 +63,17 @@ impl Lowering<'_> {
         let mut constraints = Vec::new();
         for (scalar, value) in self.kept_at_zero(written)? {
             let Some(level) = self.level(value) else {
-                return self.report(
-                    name.span(),
+                let message = if written.value.as_ref().is_some_and(is_link) {
                     format!(
-                        "`{scalar}` does not depend on where the body is or how it moves: no load \
-                         can keep it at zero"
-                    ),
-                );
+                        "neither end of `{scalar}` moves by itself: nothing determines its tension; leave it out"
+                    )
+                } else {
+                    format!(
+                        "`{scalar}` does not depend on where the body is or how it moves: no load can keep it at \
+                         zero"
+                    )
+                };
+                return self.report(name.span(), message);
             };
             constraints.push(Constraint {
                 name: scalar,

@@ -11,6 +11,11 @@ const FORM: &str = "link(P, Q, length)";
 /// Where an end is, and on which body, if that is not the ground.
 type End = (Option<usize>, Vector);
 
+/// Whether it is written as a link.
+pub fn is_link(written: &Expression) -> bool {
+    call(written).is_some_and(|((word, _), _)| word == LINK)
+}
+
 impl Lowering<'_> {
     /// Of `link(P, Q, length)` what it keeps at zero, in m, if it is one:
     ///

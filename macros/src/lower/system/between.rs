@@ -3,13 +3,14 @@
 use crate::errors::{Errors, every};
 use crate::families::Family;
 use crate::lower::expressions::Lowering;
-use crate::model::{Dimension, Frame, Load, Point, Tie, Vector};
+use crate::model::{Dimension, Frame, Load, Point, Property, Tie, Vector};
 use crate::symbolic::{Comparison, Components, Id, Number};
 use crate::syntax::{Definition, Expression, Kind, call};
 
 use super::drives::behind;
 use super::joints::joint::End;
 use super::reading::reader::Reader;
+use super::ties::{LENGTH_OF_CABLE, STIFFNESS_OF_CABLE};
 
 /// Loads, each with the number of the body that it acts on.
 type Loads = Vec<(usize, Load)>;
@@ -21,6 +22,7 @@ pub struct Between {
     /// The energies of cables.
     pub energies: Vec<Id>,
     pub cables: Vec<Tie>,
+    pub properties: Vec<Property>,
 }
 
 impl Reader<'_> {
@@ -86,14 +88,12 @@ impl Reader<'_> {
             );
         };
         let ends = self.ends([p, q], "a cable", errors);
-        let written = [
-            (length, Dimension::LENGTH, "the length of a cable"),
-            (stiffness, Dimension::STIFFNESS, "the stiffness of a cable"),
-        ];
-        let [length, stiffness] = written.map(|(value, dimension, what)| {
-            self.at_top(errors, |lowering| lowering.property(value, dimension, what))
-        });
-        let ((ends, line), length, stiffness) = (ends?, length?, stiffness?);
+        let written = [(length, LENGTH_OF_CABLE), (stiffness, STIFFNESS_OF_CABLE)];
+        let properties = written.map(|(value, sort)| self.property(cable, value, sort, errors));
+        let [length, stiffness] = properties;
+        let ((ends, line), properties) = (ends?, [length?, stiffness?]);
+        let [length, stiffness] = properties.each_ref().map(|property| property.value);
+        into.properties.extend(properties);
         let graph = &mut self.work.graph;
         let distance = graph.norm(line);
         let distance = graph.quantity(distance);

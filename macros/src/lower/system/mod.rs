@@ -11,6 +11,7 @@ mod joints;
 mod outline;
 mod potentials;
 mod reading;
+mod ties;
 
 use std::collections::HashSet;
 
@@ -18,11 +19,10 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::lower::definitions::unused;
-use crate::model::{Closing, Constraint, Member, Outline, System, Tie, TreeJoint, Workspace};
+use crate::model::{Closing, Constraint, Member, Outline, System, TreeJoint, Workspace};
 use crate::symbolic::Components;
-use crate::syntax::{self, LINK, call};
+use crate::syntax;
 
-use joints::joint::first_name_of;
 use reading::body::{Draft, common_gravity};
 use reading::names::for_copy;
 use reading::reader::Reader;
@@ -58,6 +58,7 @@ pub fn lower_system(
         lowering.states(&system.top, &outline.states)
     });
     outline.unused = reader.unused(&drafts);
+    let (constraints, (links, lengths)) = (constraints?, reader.links(errors)?);
     let (mut bodies, mut joints, mut points, between) = (bodies?, joints?, points?, between?);
     for (body, load) in between.loads {
         bodies[body].loads.push(load);
@@ -71,8 +72,7 @@ pub fn lower_system(
     let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
     let written = tell_frames(outline, &joints);
-    let kept = constraints.iter().flat_map(|kept| &kept.list);
-    outline.kept = kept.map(load_of).collect();
+    outline.kept = constraints.list.iter().map(load_of).collect();
     // a file may have reported the same
     if errors.is_empty() {
         frames::check_frames(&work, &bodies, &joints, errors);
@@ -89,11 +89,12 @@ pub fn lower_system(
         points,
         gravity,
         states: states?,
-        constraints: constraints?,
+        constraints,
         potentials: potentials?,
         energies: between.energies,
         cables: between.cables,
-        links: links(system),
+        links,
+        properties: [lengths, between.properties].concat(),
         derivatives,
         defaults,
     };
@@ -115,24 +116,6 @@ fn check_still(outline: &Outline, errors: &mut Errors) {
         );
         errors.push(asked.place, message);
     }
-}
-
-/// What is written as `link(P, Q, length)`.
-fn links(system: &syntax::System) -> Vec<Tie> {
-    let constraints = system.top.constraints.iter();
-    let links = constraints.filter_map(|one| {
-        let ((word, arguments), _) = one.value.as_ref().and_then(call)?;
-        let [p, q, _] = arguments else { return None };
-        let of_body = |end| {
-            let bodies = system.bodies.iter().map(|body| &body.name);
-            first_name_of(end).filter(|name| bodies.clone().any(|body| body == *name))
-        };
-        (word == LINK).then(|| Tie {
-            name: one.name.clone(),
-            bodies: [p, q].map(|end| of_body(end).cloned()),
-        })
-    });
-    links.collect()
 }
 
 /// What the load is called that keeps a constraint.

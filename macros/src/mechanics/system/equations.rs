@@ -5,7 +5,7 @@ use std::mem::take;
 use crate::errors::Errors;
 use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
-use crate::mechanics::following::takes_inertia;
+use crate::mechanics::following::{takes_inertia, unknowns_in};
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Built, Solved};
 use crate::model::{Own, System, Tie, Workspace};
@@ -111,7 +111,9 @@ impl SystemEquations {
         let Some(closed) = &self.closed else {
             return check_independence(system, work, &self.built, errors);
         };
-        check_kept(system, &closed.unsettled, errors)?;
+        let given = loads(system, work).into_iter().flat_map(|(_, parts)| parts);
+        let followed = unknowns_in(work, &given.collect::<Vec<Id>>());
+        check_kept(system, work, (&closed.unsettled, &followed), errors)?;
         if closed.unsettled.light.is_empty() {
             return Some(());
         }

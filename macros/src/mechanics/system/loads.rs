@@ -5,10 +5,10 @@ use proc_macro2::Ident;
 use crate::errors::Errors;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Pair};
-use crate::model::{System, TreeJoint, Workspace};
+use crate::model::{AXES, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Id};
 
-use super::closed::{moved_in_world, solve_drives};
+use super::closed::{Spare, component, moved_in_world, release, solve_drives};
 use super::equations::SystemEquations;
 
 /// The open drives, in the order of the joints, that make these accelerate as is given. One that
@@ -125,17 +125,52 @@ pub fn derive_system_reactions(
     named(system, &joints, &closed)
 }
 
-/// Loads of joints that balance each other, and that the balances leave open: as many as a system is
-/// held more than it needs.
-pub fn derive_system_spare(
+/// What the balances leave open: the name of the joint, link or constraint, and which part of its load,
+/// in order.
+pub fn derive_system_open(
     system: &System,
+    work: &Workspace,
     equations: &SystemEquations,
-) -> Vec<Vec<(Ident, [Components; 2])>> {
+) -> Vec<(Ident, String)> {
     let closed = equations.closed.iter();
-    let spare = closed.flat_map(|closed| &closed.unsettled.spare);
-    spare
-        .map(|spare| named(system, &spare.joints, &spare.closings))
-        .collect()
+    let spare: Vec<&Spare> = closed.flat_map(|closed| &closed.unsettled.spare).collect();
+    let is_open = |part: &dyn Fn(&Spare) -> Id| {
+        let mut parts = spare.iter().map(|spare| part(spare));
+        parts.any(|part| !work.graph.vanishes(part))
+    };
+    let mut open = Vec::new();
+    let tree = system.joints.iter().map(|joint| &joint.name);
+    let joints = tree.chain(system.closings.iter().map(|joint| &joint.name));
+    for (number, name) in joints.enumerate() {
+        for (part, word) in ["force", "moment"].into_iter().enumerate() {
+            for (axis, letter) in AXES.into_iter().enumerate() {
+                if is_open(&|spare| spare.wrench(number)[part][axis]) {
+                    let said = component(&name.to_string(), (word, letter), system.is_planar);
+                    open.push((name.clone(), said));
+                }
+            }
+        }
+    }
+    for (number, constraint) in system.constraints.list.iter().enumerate() {
+        if is_open(&|spare| spare.loads[number]) {
+            let name = constraint.name.replace('.', "_");
+            let said = format!("`{name}`");
+            open.push((Ident::new(&name, constraint.place.span()), said));
+        }
+    }
+    open
+}
+
+/// What would determine all loads, in words.
+pub fn derive_system_release(
+    system: &System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> String {
+    let closed = equations.closed.as_ref();
+    closed.map_or_else(String::new, |closed| {
+        release(system, work, &closed.unsettled)
+    })
 }
 
 /// What is known of the joints of the tree, and of those that close loops, by name.

@@ -30,6 +30,8 @@ pub struct System {
     pub cables: Vec<Tie>,
     /// Links without mass, which written constraints keep.
     pub links: Vec<Tie>,
+    /// What links and cables are made with.
+    pub properties: Vec<Property>,
     /// States of its own.
     pub states: Vec<Own>,
     pub constraints: Kept,
@@ -89,6 +91,16 @@ pub struct Tie {
     pub name: Ident,
     /// At its ends; none: the ground.
     pub bodies: [Option<Ident>; 2],
+}
+
+/// A number that a link or a cable is made with: finite and not negative.
+#[derive(Clone)]
+pub struct Property {
+    /// Of what.
+    pub of: Ident,
+    pub word: &'static str,
+    pub value: Id,
+    pub may_vanish: bool,
 }
 
 /// A joint between a body and one before it, or the ground.
@@ -164,5 +176,10 @@ impl System {
     /// Nothing but the joints of its tree holds it.
     pub fn is_tree(&self) -> bool {
         self.closings.is_empty() && self.constraints.list.is_empty()
+    }
+
+    /// A constraint is what a link without mass keeps.
+    pub fn is_link(&self, constraint: &Ident) -> bool {
+        self.links.iter().any(|link| link.name == *constraint)
     }
 }

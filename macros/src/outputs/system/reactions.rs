@@ -1,15 +1,16 @@
 //! `reactions`, of some joints `reactions(elbow)`: force and moment of joints on what they carry.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::Ident;
 use quote::quote;
 
 use crate::emit::code::{COMMON, Method, Site};
 use crate::emit::items::Addition;
+use crate::errors::Extent;
 use crate::lower::Offer;
-use crate::mechanics::{derive_system_driving, derive_system_reactions, derive_system_spare};
-use crate::model::{AXES, System};
+use crate::mechanics::{
+    derive_system_driving, derive_system_open, derive_system_reactions, derive_system_release,
+};
+use crate::model::System;
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::{Components, Id};
 
@@ -107,37 +108,40 @@ impl Output<System> for Reactions {
     }
 }
 
-/// Reports components that are asked for and not determined.
+/// Reports what is asked for and not determined, at the name of each joint that is named.
 fn check_determined(basis: &mut Basis<'_, System>) -> Option<()> {
-    let mut open: BTreeSet<String> = BTreeSet::new();
-    let spare = derive_system_spare(basis.model, basis.equations);
-    let asked = spare.into_iter().flatten();
-    for (name, wrench) in asked.filter(|(name, _)| basis.outline.is_held(name)) {
-        for (part, components) in ["force", "moment"].into_iter().zip(wrench) {
-            let axes = components.into_iter().zip(AXES);
-            let there = axes.filter(|(component, _)| !basis.work.graph.vanishes(*component));
-            let is_one = part == "moment" && basis.model.is_planar;
-            open.extend(there.map(|(_, axis)| {
-                let axis = if is_one {
-                    String::new()
-                } else {
-                    format!(".{axis}")
-                };
-                format!("`{name}.{part}{axis}`")
-            }));
-        }
-    }
-    if open.is_empty() {
+    let (system, outline) = (basis.model, basis.outline);
+    let open = derive_system_open(system, basis.work, basis.equations);
+    let parts_of = |name: Option<&Ident>| -> Vec<&str> {
+        let open = open.iter();
+        let own = open.filter(|(other, _)| name.is_none_or(|name| name == other));
+        own.map(|(_, part)| part.as_str()).collect()
+    };
+    let asked: Vec<(Extent, Vec<&str>)> = match &outline.held {
+        None => vec![(outline.place(OFFER.word)?, parts_of(None))],
+        Some(names) => names
+            .iter()
+            .map(|name| (name.span().into(), parts_of(Some(name))))
+            .collect(),
+    };
+    let asked: Vec<_> = asked
+        .iter()
+        .filter(|(_, parts)| !parts.is_empty())
+        .collect();
+    if asked.is_empty() {
         return Some(());
     }
-    let all: Vec<String> = open.into_iter().collect();
-    let message = format!(
-        "the joints hold more than the motion needs, and the balances do not determine {}: let joints of the loop \
-         hold less, one as `spherical` and one as `cylindrical` for instance, or ask for others alone, \
-         `reactions(..)`",
-        all.join(", ")
-    );
-    basis
-        .errors
-        .report(basis.outline.place(OFFER.word)?, message)
+    let release = derive_system_release(system, basis.work, basis.equations);
+    let mut against: Vec<String> = open.iter().map(|(name, _)| format!("`{name}`")).collect();
+    against.dedup();
+    for (place, parts) in asked {
+        let message = format!(
+            "the balances do not determine {}: {} hold against each other; all is determined {release}, or ask \
+             for others alone, `reactions(..)`",
+            parts.join(", "),
+            against.join(", "),
+        );
+        basis.errors.push(*place, message);
+    }
+    None
 }

@@ -25,6 +25,16 @@ pub enum InvalidBody {
         /// What was given \[kg m²\].
         value: f64,
     },
+    /// The length of a link is not a positive finite number, or a property of a cable is negative or not
+    /// finite.
+    Property {
+        /// The name of the link or the cable.
+        of: &'static str,
+        /// `length` or `stiffness`.
+        property: &'static str,
+        /// What was given \[m or N/m\].
+        value: f64,
+    },
     /// No body that can turn has this inertia tensor.
     Inertia(InvalidInertia),
 }
@@ -37,6 +47,11 @@ impl fmt::Display for InvalidBody {
             Self::PlanarInertia { value } => {
                 write!(f, "inertia must be positive and finite, is {value} kg m²")
             }
+            Self::Property {
+                of,
+                property,
+                value,
+            } => write!(f, "the {property} of `{of}` cannot be {value}"),
             Self::Inertia(error) => write!(f, "impossible inertia: {error}"),
         }
     }

@@ -11,9 +11,11 @@
 mod eliminated;
 mod in_plane;
 mod inverse;
+mod release;
 mod solve;
 mod unsettled;
 
 pub use inverse::solve_drives;
+pub use release::{component, release};
 pub use solve::{Closed, close, moved_in_world};
-pub use unsettled::check_kept;
+pub use unsettled::{Spare, check_kept};

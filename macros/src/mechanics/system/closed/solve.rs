@@ -111,11 +111,18 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         links.map(|link| accelerations.by_ref().take(link.open().count()).collect());
     let accelerations = accelerations.collect();
     let (wrenches, loads) = loads_of(system, work, &kept, found.loads.into_iter());
-    for (wrenches, loads) in spare {
+    for (constraint, load) in system.constraints.list.iter().zip(&loads) {
+        let name = format!("{}_load", constraint.name.replace('.', "_"));
+        work.labels.name(*load, name);
+    }
+    if !spare.is_empty() {
+        unsettled.axes = axes(system, work, built, &placed);
+    }
+    for loads in spare {
         let mut tree = bare(&work.graph, built);
-        push_written(system, work, built, &mut tree, &loads);
+        push_written(system, work, built, &mut tree, &loads.1);
         let known = (&tree, &placed[..], &ends[..]);
-        let spare = Spare::new(&mut work.graph, built, known, wrenches);
+        let spare = Spare::new(&mut work.graph, built, known, loads);
         unsettled.spare.push(spare);
     }
     let mut loaded = built.tree.clone();
@@ -196,7 +203,7 @@ fn loads_of(
 ) -> (Vec<[Components; 2]>, Vec<Id>) {
     let mut wrenches = vec![[work.graph.zeros(); 2]; system.closings.len()];
     let mut loads = vec![work.graph.zero(); system.constraints.list.len()];
-    for ((keeper, row), load) in kept.iter().zip(found) {
+    for ((keeper, _), load) in kept.iter().zip(found) {
         match keeper {
             Keeper::Joint(number, unit) => {
                 for (sum, unit) in wrenches[*number].iter_mut().zip(unit) {
@@ -204,15 +211,30 @@ fn loads_of(
                     *sum = work.graph.add_vectors(*sum, part);
                 }
             }
-            Keeper::Written(number) => {
-                let load = work.graph.quantity(load);
-                let name = format!("{}_load", row.name.replace('.', "_"));
-                work.labels.name(load, name);
-                loads[*number] = load;
-            }
+            Keeper::Written(number) => loads[*number] = work.graph.quantity(load),
         }
     }
     (wrenches, loads)
+}
+
+/// The first axis of each joint that has one, world axes.
+fn axes(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+    placed: &[Placed],
+) -> Vec<Option<Components>> {
+    let tree = system
+        .joints
+        .iter()
+        .map(|joint| (joint.carried, &joint.directions));
+    let closings = system.closings.iter();
+    let closings = closings.map(|joint| (joint.carried, &joint.directions));
+    let axes = tree.chain(closings).map(|(body, directions)| {
+        let axis = directions.first()?;
+        Some(placed[built.body(body)].to_world(&mut work.graph, *axis))
+    });
+    axes.collect()
 }
 
 fn ends<'a>(

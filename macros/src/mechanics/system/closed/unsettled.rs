@@ -28,6 +28,9 @@ pub struct Unsettled {
     pub written: Vec<(usize, BTreeSet<String>)>,
     /// Freedoms without inertia.
     pub light: Vec<usize>,
+    /// The first axis of each joint that has one, world axes: of the tree, and then of those that close
+    /// loops. Known where loads are spare.
+    pub axes: Vec<Option<Components>>,
 }
 
 /// Loads that balance each other in all bodies: force and moment of each joint on what it carries, at
@@ -37,6 +40,8 @@ pub struct Spare {
     pub closings: Vec<[Components; 2]>,
     /// Of those of the tree.
     pub joints: Vec<[Components; 2]>,
+    /// The loads of written constraints.
+    pub loads: Vec<Id>,
 }
 
 impl Spare {
@@ -46,7 +51,7 @@ impl Spare {
         graph: &mut Graph,
         built: &Built,
         (tree, placed, ends): (&Tree, &[Placed], &[Ends<'_>]),
-        closings: Vec<[Components; 2]>,
+        (closings, loads): (Vec<[Components; 2]>, Vec<Id>),
     ) -> Self {
         let links = built.links.iter().map(|links| links.end - 1);
         let joints = links.map(|link| {
@@ -82,7 +87,14 @@ impl Spare {
         Self {
             joints: joints.collect(),
             closings,
+            loads,
         }
+    }
+
+    /// That of a joint by number: those that close loops are behind those of the tree.
+    pub fn wrench(&self, joint: usize) -> [Components; 2] {
+        let behind = joint.checked_sub(self.joints.len());
+        behind.map_or_else(|| self.joints[joint], |closing| self.closings[closing])
     }
 }
 
@@ -170,12 +182,27 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
     open.collect()
 }
 
-/// Reports written constraints that say nothing, or nothing new.
-pub fn check_kept(system: &System, unsettled: &Unsettled, errors: &mut Errors) -> Option<()> {
+/// Reports written constraints that say nothing, or nothing new; `followed` are the symbols of loads that
+/// others follow. A link may be one more than is needed, unless its tension matters.
+pub fn check_kept(
+    system: &System,
+    work: &Workspace,
+    (unsettled, followed): (&Unsettled, &[Id]),
+    errors: &mut Errors,
+) -> Option<()> {
+    let before = errors.count();
     for (number, others) in &unsettled.written {
         let constraint = &system.constraints.list[*number];
         let name = &constraint.name;
-        let message = if others.is_empty() {
+        let is_link = system.is_link(&constraint.place);
+        let message = if is_link && others.is_empty() {
+            format!(
+                "the ends of `{name}` are held already, wherever they move: nothing determines its tension; leave \
+                 it out"
+            )
+        } else if is_link {
+            continue;
+        } else if others.is_empty() {
             format!("no acceleration changes `{name}`: no load can keep it at zero")
         } else {
             let others: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
@@ -184,5 +211,22 @@ pub fn check_kept(system: &System, unsettled: &Unsettled, errors: &mut Errors) -
         };
         errors.push(constraint.place.span(), message);
     }
-    unsettled.written.is_empty().then_some(())
+    let kept = system
+        .constraints
+        .list
+        .iter()
+        .zip(&system.constraints.loads);
+    for (number, (constraint, symbol)) in kept.enumerate() {
+        let mut spare = unsettled.spare.iter();
+        let is_reported = errors.count() > before;
+        let is_open = spare.any(|spare| !work.graph.vanishes(spare.loads[number]));
+        if is_open && followed.contains(symbol) && !is_reported {
+            let message = format!(
+                "loads follow that of `{}`, and the balances do not determine it: others can do all that it does",
+                constraint.name
+            );
+            errors.push(constraint.place.span(), message);
+        }
+    }
+    (errors.count() == before).then_some(())
 }

@@ -1,0 +1,274 @@
+//! What determines all loads where more is held than the motion needs: joints of kinds that hold less,
+//! links that are left out, and where these are not enough, directions that are let go.
+//!
+//! What is let go carries nothing. If the parts along it of the loads that balance each other are
+//! independent, and as many as these, none of them is left; and nothing moves that did not before.
+
+use crate::mechanics::proofs::samples;
+use crate::model::{AXES, System, Workspace};
+use crate::symbolic::{Components, Graph, Id, Residue};
+
+use super::unsettled::{Spare, Unsettled};
+
+/// So many joints are tried together.
+const MOST: usize = 3;
+/// Of no more ways to let go than this.
+const FEW: usize = 60;
+
+/// A way to let go, and what is let go of: as many rows, or more that say the same, as directions, each
+/// with its part of all spare loads.
+struct Way<T> {
+    holder: usize,
+    said: String,
+    count: usize,
+    rows: Vec<Vec<T>>,
+}
+
+/// What a joint of another kind does not hold.
+#[derive(Clone, Copy)]
+enum Free {
+    ForceAlong,
+    MomentAlong,
+    Moment,
+}
+
+/// The kinds that hold less, each with the number of directions that it lets go.
+fn instead(kind: &str, is_planar: bool) -> &'static [(&'static str, Free, usize)] {
+    match (kind, is_planar) {
+        ("revolute", false) => &[
+            ("spherical", Free::Moment, 2),
+            ("cylindrical", Free::ForceAlong, 1),
+        ],
+        ("prismatic", false) => &[("cylindrical", Free::MomentAlong, 1)],
+        ("screw", false) => &[("cylindrical", Free::ForceAlong, 1)],
+        ("universal", false) => &[("spherical", Free::Moment, 1)],
+        ("weld", false) => &[("spherical", Free::Moment, 3)],
+        ("weld", true) => &[("revolute", Free::Moment, 1)],
+        _ => &[],
+    }
+}
+
+/// Ways to let go after which all loads are determined, in words: ``with `a` as `spherical` ``.
+pub fn release(system: &System, work: &mut Workspace, unsettled: &Unsettled) -> String {
+    let spare = &unsettled.spare;
+    let ways = sampled(work, |graph| ways(graph, system, unsettled));
+    let (mut span, mut chosen) = (Span::default(), Vec::new());
+    let is_found = ways.len() <= FEW
+        && (1..=MOST).any(|most| search(&ways, (0, most), &mut span, (&mut chosen, spare.len())));
+    let mut said: Vec<String> = chosen.iter().map(|way| ways[*way].said.clone()).collect();
+    if !is_found {
+        let single = sampled(work, |graph| components(graph, system, spare));
+        let mut holders = Vec::new();
+        for (way, is_whole) in ways
+            .iter()
+            .map(|way| (way, true))
+            .chain(single.iter().map(|way| (way, false)))
+        {
+            if is_whole && holders.contains(&way.holder) {
+                continue;
+            }
+            if let Some(larger) = span.with(way) {
+                span = larger;
+                holders.push(way.holder);
+                said.push(way.said.clone());
+            }
+        }
+    }
+    said.join(" and ")
+}
+
+/// Those by other kinds of joints, and by links that are left out.
+fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
+    let spare = &unsettled.spare;
+    let mut ways = Vec::new();
+    for (holder, joint) in holders(system).enumerate() {
+        let kinds = instead(joint.kind, system.is_planar).iter();
+        for (kind, free, count) in kinds.filter(|_| !joint.is_driven) {
+            ways.push(Way {
+                holder,
+                said: format!("with `{}` as `{kind}`", joint.name),
+                count: *count,
+                rows: rows(graph, spare, holder, (*free, unsettled.axes[holder])),
+            });
+        }
+    }
+    let links = system.constraints.list.iter().enumerate();
+    for (number, link) in links.filter(|(_, one)| system.is_link(&one.place)) {
+        ways.push(Way {
+            holder: unsettled.axes.len() + number,
+            said: format!("without `{}`", link.name),
+            count: 1,
+            rows: vec![spare.iter().map(|spare| spare.loads[number]).collect()],
+        });
+    }
+    ways
+}
+
+/// A joint, as far as it matters here.
+struct Holder {
+    name: String,
+    kind: &'static str,
+    is_driven: bool,
+}
+
+/// The joints of the tree, and then those that close loops.
+fn holders(system: &System) -> impl Iterator<Item = Holder> {
+    let tree = system.joints.iter().map(|joint| Holder {
+        name: joint.name.to_string(),
+        kind: joint.kind.word,
+        is_driven: joint.is_driven(),
+    });
+    let closings = system.closings.iter().map(|joint| Holder {
+        name: joint.name.to_string(),
+        kind: joint.kind.word,
+        is_driven: false,
+    });
+    tree.chain(closings)
+}
+
+/// The parts of all spare loads that a joint lets go.
+fn rows(
+    graph: &mut Graph,
+    spare: &[Spare],
+    holder: usize,
+    (free, axis): (Free, Option<Components>),
+) -> Vec<Vec<Id>> {
+    let wrenches = spare.iter().map(|spare| spare.wrench(holder));
+    let along = |graph: &mut Graph, part: usize| {
+        let axis = axis.unwrap_or_else(|| graph.zeros());
+        let all = wrenches.clone().map(|wrench| graph.dot(axis, wrench[part]));
+        vec![all.collect()]
+    };
+    match free {
+        Free::ForceAlong => along(graph, 0),
+        Free::MomentAlong => along(graph, 1),
+        Free::Moment => {
+            let axes = 0..AXES.len();
+            axes.map(|axis| wrenches.clone().map(|wrench| wrench[1][axis]).collect())
+                .collect()
+        }
+    }
+}
+
+/// Each component of what each joint carries, those that close loops first.
+fn components(graph: &Graph, system: &System, spare: &[Spare]) -> Vec<Way<Id>> {
+    let mut ways = Vec::new();
+    for (holder, joint) in holders(system)
+        .enumerate()
+        .collect::<Vec<_>>()
+        .into_iter()
+        .rev()
+    {
+        for (part, word) in ["force", "moment"].into_iter().enumerate() {
+            for (axis, letter) in AXES.into_iter().enumerate() {
+                let all = spare.iter().map(|spare| spare.wrench(holder)[part][axis]);
+                let row: Vec<Id> = all.collect();
+                if row.iter().all(|one| graph.is_zero(*one)) {
+                    continue;
+                }
+                let component = component(&joint.name, (word, letter), system.is_planar);
+                ways.push(Way {
+                    holder,
+                    said: format!("without {component}"),
+                    count: 1,
+                    rows: vec![row],
+                });
+            }
+        }
+    }
+    ways
+}
+
+/// `` `a.force.x` ``
+pub fn component(joint: &str, (part, axis): (&str, &str), is_planar: bool) -> String {
+    if is_planar && part == "moment" {
+        format!("`{joint}.{part}`")
+    } else {
+        format!("`{joint}.{part}.{axis}`")
+    }
+}
+
+/// At a random state.
+fn sampled(
+    work: &mut Workspace,
+    ways: impl FnOnce(&mut Graph) -> Vec<Way<Id>>,
+) -> Vec<Way<Residue>> {
+    let ways = ways(&mut work.graph);
+    let all: Vec<Id> = ways.iter().flat_map(|way| way.rows.concat()).collect();
+    let mut values = samples(work, &all).into_iter();
+    let mut next = || {
+        let known = values
+            .next()
+            .and_then(|sample| sample.0.into_iter().flatten().next());
+        known.unwrap_or(Residue::ZERO)
+    };
+    let ways = ways.into_iter().map(|way| Way {
+        holder: way.holder,
+        said: way.said,
+        count: way.count,
+        rows: way
+            .rows
+            .into_iter()
+            .map(|row| row.into_iter().map(|_| next()).collect())
+            .collect(),
+    });
+    ways.collect()
+}
+
+/// Finds as many ways, of different joints, that leave nothing of so many spare loads.
+fn search(
+    ways: &[Way<Residue>],
+    (from, most): (usize, usize),
+    span: &mut Span,
+    (chosen, wanted): (&mut Vec<usize>, usize),
+) -> bool {
+    if span.0.len() == wanted {
+        return true;
+    }
+    if most == 0 {
+        return false;
+    }
+    for (number, way) in ways.iter().enumerate().skip(from) {
+        if chosen.iter().any(|other| ways[*other].holder == way.holder) {
+            continue;
+        }
+        let Some(mut larger) = span.with(way) else {
+            continue;
+        };
+        chosen.push(number);
+        if search(ways, (number + 1, most - 1), &mut larger, (chosen, wanted)) {
+            *span = larger;
+            return true;
+        }
+        chosen.pop();
+    }
+    false
+}
+
+/// Independent rows, each without the leading parts of those before it.
+#[derive(Clone, Default)]
+struct Span(Vec<(usize, Vec<Residue>)>);
+
+impl Span {
+    /// With what a way lets go; nothing if that is not all independent.
+    fn with(&self, way: &Way<Residue>) -> Option<Self> {
+        let mut larger = self.clone();
+        let count = way.rows.iter().filter(|row| larger.take(row)).count();
+        (count == way.count).then_some(larger)
+    }
+
+    /// Whether a row is independent; it then belongs to it.
+    fn take(&mut self, row: &[Residue]) -> bool {
+        let mut row = row.to_vec();
+        for (lead, known) in &self.0 {
+            let inverse = known[*lead].reciprocal().unwrap_or(Residue::ZERO);
+            let factor = -(row[*lead] * inverse);
+            for (entry, part) in row.iter_mut().zip(known) {
+                *entry = *entry + factor * *part;
+            }
+        }
+        let lead = row.iter().position(|entry| !entry.is_zero());
+        self.0.extend(lead.map(|lead| (lead, row)));
+        lead.is_some()
+    }
+}

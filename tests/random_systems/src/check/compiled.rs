@@ -8,7 +8,7 @@ use fuzz::mechanics::{
     Balance, Consistency, Energy, Inertias, Jacobian, Linearization, Momentum, SystemEquations,
     derive_inertias, derive_jacobians, derive_system, derive_system_balances,
     derive_system_consistency, derive_system_driving, derive_system_energy, derive_system_inverse,
-    derive_system_momentum, derive_system_reactions, derive_system_spare, describe_system,
+    derive_system_momentum, derive_system_open, derive_system_reactions, describe_system,
     linearize_system, with_system_potentials,
 };
 use fuzz::model::{Meaning, Outline, System, Variable, Workspace};
@@ -114,7 +114,7 @@ impl Compiled {
         let mut system = with_system_potentials(system, &mut work);
         let equations = derive_system(&system, &mut work);
         let is_tree = system.is_tree();
-        let is_determined = derive_system_spare(&system, &equations).is_empty();
+        let is_determined = derive_system_open(&system, &work, &equations).is_empty();
         let reactions = is_determined.then(|| {
             let named = derive_system_reactions(&system, &mut work, &equations);
             let zeros = work.graph.zeros();

@@ -25,6 +25,7 @@ examples! {
     dipole "../../examples/dipole.rs";
     double_pendulum "../../examples/double_pendulum.rs";
     engine "../../examples/engine.rs";
+    four_bar "../../examples/four_bar.rs";
     furuta "../../examples/furuta.rs";
     hover "../../examples/hover.rs";
     lagrange_top "../../examples/lagrange_top.rs";
@@ -38,6 +39,7 @@ examples! {
     rotor "../../examples/rotor.rs";
     satellite "../../examples/satellite.rs";
     shuttlecock "../../examples/shuttlecock.rs";
+    stance "../../examples/stance.rs";
     suspension "../../examples/suspension.rs";
     swarm "../../examples/swarm.rs";
     t_handle "../../examples/t_handle.rs";
@@ -70,6 +72,7 @@ pub const BODIES: &[Body] = bodies![
     dipole::cancelled::Quadrupole,
     double_pendulum::DoublePendulum,
     engine::Engine,
+    four_bar::FourBar,
     furuta::Furuta,
     hover::Hover,
     lagrange_top::Top,
@@ -85,6 +88,8 @@ pub const BODIES: &[Body] = bodies![
     rotor::Rotor,
     satellite::Satellite,
     shuttlecock::Shuttlecock,
+    stance::Driven,
+    stance::Standing,
     suspension::Car,
     swarm::CubeSat<f64>,
     t_handle::Handle,
@@ -208,10 +213,13 @@ systems! {
     crane::CraneState { rail, hang, rope }
     double_pendulum::DoublePendulumState { shoulder, elbow }
     engine::EngineState { big_end, small_end }
+    four_bar::FourBarState { a, b }
     furuta::FurutaState { yaw, swing }
     planetary_gear::PlanetaryState { input, output, pin, outer }
     reaction_wheels::SatelliteState { orbit, spin_x, spin_y, spin_z }
     robot_arm::ArmState { pan, lift, elbow, roll_1, roll_2, roll_3 }
+    stance::DrivenState { base, hip_fl, hip_fr, hip_hl, hip_hr, knee_fl, knee_fr, knee_hl, knee_hr }
+    stance::StandingState { base, hip_fl, hip_fr, hip_hl, hip_hr, knee_fl, knee_fr, knee_hl, knee_hr }
     suspension::CarState { heave, pitch, strut_front, strut_rear }
     urdf_arm::ArmState { pan, lift, elbow, roll }
 }

@@ -28,6 +28,7 @@ examples! {
     four_bar "../../examples/four_bar.rs";
     furuta "../../examples/furuta.rs";
     hover "../../examples/hover.rs";
+    identification "../../examples/identification.rs";
     lagrange_top "../../examples/lagrange_top.rs";
     level_turn "../../examples/level_turn.rs";
     planetary_gear "../../examples/planetary_gear.rs";
@@ -75,6 +76,8 @@ pub const BODIES: &[Body] = bodies![
     four_bar::FourBar,
     furuta::Furuta,
     hover::Hover,
+    identification::Craft,
+    identification::Hull,
     lagrange_top::Top,
     level_turn::Navion,
     planetary_gear::Planetary,

@@ -3,7 +3,7 @@
 #[doc(no_inline)]
 pub use crate::body::{
     Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, InvalidBody, Inverse, Jacobian,
-    MassMatrix, Momentum, Reactions, RigidBody, Singular,
+    MassMatrix, Momentum, Reactions, Regressor, RigidBody, Singular,
 };
 #[doc(no_inline)]
 pub use crate::constrained::{Constrained, Inconsistent, Violation};

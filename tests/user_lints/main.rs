@@ -66,7 +66,14 @@ pub mod motions {
             ],
             fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
             pole: nozzle,
-            outputs: [linearization, sensitivity, energy, momentum, balance],
+            outputs: [
+                linearization,
+                sensitivity,
+                regressor,
+                energy,
+                momentum,
+                balance
+            ],
         });
     }
 
@@ -157,7 +164,14 @@ pub mod motions {
             inputs: [twist = body(_, _, _)[N * m]],
             inertia: principal(0.015, 0.015, polar),
             moments: [motor = twist, damped = -1e-3 * angular_velocity],
-            outputs: [linearization, sensitivity, energy, momentum, balance],
+            outputs: [
+                linearization,
+                sensitivity,
+                regressor,
+                energy,
+                momentum,
+                balance
+            ],
         });
     }
 

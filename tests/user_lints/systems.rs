@@ -43,7 +43,14 @@ pub mod spatial {
         locals: [L = torque_z * spin_x.angle],
         moments: [M = moment(hub.body(0, 0, L)).on(Boom)],
         forces: [spring = (2[N]).between(hub.P, Boom.G)],
-        outputs: [linearization, sensitivity, energy, momentum, reactions],
+        outputs: [
+            linearization,
+            sensitivity,
+            regressor,
+            energy,
+            momentum,
+            reactions
+        ],
     });
 }
 

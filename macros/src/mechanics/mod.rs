@@ -17,8 +17,9 @@ mod unknowns;
 mod variation;
 
 pub use answers::{
-    Axes, Balance, Energy, LoadExpressions, Momentum, Partial, Resultant, Switch, Taylor,
-    derive_balance, derive_energy, derive_momentum, derive_taylor,
+    Axes, Balance, Energy, LoadExpressions, Momentum, Partial, Regressor, Resultant, Switch,
+    Taylor, derive_balance, derive_energy, derive_momentum, derive_regressor, derive_taylor,
+    inertial_parameters,
 };
 pub use balances::uniform_field;
 pub use closed_forms::{Flow, Free, Rotation, derive_flow};
@@ -31,7 +32,8 @@ pub use system::{
     Inertias, Jacobian, SystemEquations, check_followers, derive_inertias, derive_jacobians,
     derive_system, derive_system_balances, derive_system_consistency, derive_system_driving,
     derive_system_energy, derive_system_inverse, derive_system_momentum, derive_system_open,
-    derive_system_reactions, derive_system_release, derive_system_taylor, describe_system,
+    derive_system_reactions, derive_system_regressors, derive_system_release, derive_system_taylor,
+    describe_system,
 };
 pub use unknowns::{Consistency, Reach, derive_inverse, derive_reach};
 pub use variation::{with_potentials, with_system_potentials};

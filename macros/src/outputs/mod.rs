@@ -10,6 +10,7 @@ mod linearization;
 mod loads;
 mod momentum;
 mod output;
+mod regressor;
 mod subject;
 mod system;
 mod taylor;

@@ -5,13 +5,13 @@ use crate::emit::items::Equated;
 use crate::errors::{Errors, Extent};
 use crate::families::Family;
 use crate::mechanics::{
-    Balance, Consistency, Energy, Equations, Linearization, Momentum, Reach, Report,
+    Balance, Consistency, Energy, Equations, Linearization, Momentum, Reach, Regressor, Report,
     SystemEquations, Taylor, check_followers, derive_balance, derive_energy, derive_equations,
-    derive_momentum, derive_reach, derive_system, derive_system_balances,
-    derive_system_consistency, derive_system_energy, derive_system_momentum, derive_system_taylor,
-    derive_taylor, describe_equations, describe_system, linearize_body, linearize_system,
-    sensitivity_of_body, sensitivity_of_system, uniform_field, with_potentials,
-    with_system_potentials,
+    derive_momentum, derive_reach, derive_regressor, derive_system, derive_system_balances,
+    derive_system_consistency, derive_system_energy, derive_system_momentum,
+    derive_system_regressors, derive_system_taylor, derive_taylor, describe_equations,
+    describe_system, linearize_body, linearize_system, sensitivity_of_body, sensitivity_of_system,
+    uniform_field, with_potentials, with_system_potentials,
 };
 use crate::model::{
     Defaults, Frame, Load, Model, Outline, Own, Property, Substance, System, Workspace,
@@ -85,6 +85,14 @@ pub trait Subject: Sized + 'static {
         work: &mut Workspace,
         equations: &Self::Equations,
     ) -> Linearization;
+
+    /// Those of each body, in the order in which the outline has them.
+    fn regressors(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &Self::Equations,
+    ) -> Vec<Regressor>;
 
     /// Whether the coordinates of a joint, by its number in the state, are in world axes.
     fn is_in_world(&self, joint: usize) -> bool;
@@ -189,6 +197,10 @@ impl Subject for Model {
         sensitivity_of_body(outline, self, work, equations.accelerations)
     }
 
+    fn regressors(&self, _: &Outline, work: &mut Workspace, _: &Equations) -> Vec<Regressor> {
+        vec![derive_regressor(self, work)]
+    }
+
     fn is_in_world(&self, _: usize) -> bool {
         true
     }
@@ -258,9 +270,7 @@ impl Subject for System {
         outline: &Outline,
     ) -> Vec<Balance> {
         let all = derive_system_balances(self, work, equations, &outline.holding);
-        let mut named: Vec<_> = self.bodies.iter().map(|body| &body.name).zip(all).collect();
-        named.sort_by_key(|(name, _)| outline.bodies.iter().position(|body| body == *name));
-        named.into_iter().map(|(_, balance)| balance).collect()
+        self.as_written(outline, all)
     }
 
     fn constraints(
@@ -299,9 +309,27 @@ impl Subject for System {
         sensitivity_of_system(outline, self, work, equations)
     }
 
+    fn regressors(
+        &self,
+        outline: &Outline,
+        work: &mut Workspace,
+        equations: &SystemEquations,
+    ) -> Vec<Regressor> {
+        self.as_written(outline, derive_system_regressors(self, work, equations))
+    }
+
     fn is_in_world(&self, joint: usize) -> bool {
         let joint = self.written.get(joint);
         joint.is_some_and(|joint| self.joints[*joint].is_in_world())
+    }
+}
+
+impl System {
+    /// What there is of each body, in the order in which the outline has them.
+    fn as_written<T>(&self, outline: &Outline, all: Vec<T>) -> Vec<T> {
+        let mut named: Vec<_> = self.bodies.iter().map(|body| &body.name).zip(all).collect();
+        named.sort_by_key(|(name, _)| outline.bodies.iter().position(|body| body == *name));
+        named.into_iter().map(|(_, one)| one).collect()
     }
 }
 

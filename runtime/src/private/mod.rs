@@ -5,7 +5,7 @@ pub use newton_euler_macros::{rigid_body, rigid_system};
 
 pub use crate::bodies::body::{
     Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, InvalidBody, Inverse, Jacobian,
-    MassMatrix, Momentum, Reactions, RigidBody, Singular,
+    MassMatrix, Momentum, Reactions, Regressor, RigidBody, Singular,
 };
 pub use crate::bodies::columns::{Columns, Generic, Sink, Source};
 pub use crate::bodies::constrained::{Constrained, Inconsistent, Violation};

@@ -5,6 +5,7 @@ mod balance;
 mod energy;
 mod momentum;
 mod partial;
+mod regressor;
 mod switches;
 mod taylor;
 
@@ -13,5 +14,6 @@ pub use balance::{Balance, LoadExpressions, Resultant, derive_balance};
 pub use energy::{Energy, derive_energy, done_by_field};
 pub use momentum::{Momentum, derive_momentum};
 pub use partial::{Partial, list_partial, loads, parts};
+pub use regressor::{Regressor, derive_regressor, inertial_parameters, told};
 pub use switches::{Switch, derive_switches};
 pub use taylor::{Moving, Taylor, derive_taylor, polynomials, quaternion_rate};

@@ -13,6 +13,7 @@ mod motion;
 mod plane;
 mod rates;
 mod reduced;
+mod regressor;
 mod response;
 mod series;
 mod totals;
@@ -28,6 +29,7 @@ pub use loads::{
 };
 pub use matrix::{Inertias, derive_inertias};
 pub use motion::unit_motion;
+pub use regressor::derive_system_regressors;
 pub use response::Response;
 pub use series::derive_system_taylor;
 pub use totals::{derive_system_energy, derive_system_momentum};

@@ -5,6 +5,7 @@ use crate::symbolic::{Components, Graph, Id};
 
 use super::link::{Link, Tree};
 use super::pair::Pair;
+use super::properties::Properties;
 
 /// The motion of a link, in its axes.
 #[derive(Clone, Copy)]
@@ -18,6 +19,14 @@ pub struct Moving {
 }
 
 impl Moving {
+    pub fn new(graph: &mut Graph, w: Components, acceleration: Pair) -> Self {
+        Self {
+            w,
+            acceleration,
+            sweep: sweep(graph, w, acceleration.angular),
+        }
+    }
+
     pub fn ground(graph: &mut Graph, gravity: Components) -> Self {
         Self {
             w: graph.zeros(),
@@ -69,11 +78,7 @@ impl Moving {
             graph.add_vectors(origin, given.linear)
         };
         let linear = graph.quantities(linear);
-        Self {
-            w,
-            acceleration: Pair { angular, linear },
-            sweep: sweep(graph, w, angular),
-        }
+        Self::new(graph, w, Pair { angular, linear })
     }
 
     /// The same when the freedoms of the link accelerate; of one that is free these are what they are,
@@ -90,16 +95,12 @@ impl Moving {
             acceleration.linear = link.turning.to_link(graph, fall);
         }
         let acceleration = acceleration.quantities(graph);
-        Self {
-            w: self.w,
-            acceleration,
-            sweep: sweep(graph, self.w, acceleration.angular),
-        }
+        Self::new(graph, self.w, acceleration)
     }
 
-    /// The moment and the force that this motion takes, about the origin.
-    pub fn taken_by(&self, graph: &mut Graph, link: &Link) -> Pair {
-        let properties = &link.properties;
+    /// The moment and the force that this motion takes, about the origin: linear in mass, first moment
+    /// and inertia.
+    pub fn taken_by(&self, graph: &mut Graph, properties: &Properties) -> Pair {
         let (h, rows, a) = (
             properties.first,
             &properties.inertia,
@@ -172,7 +173,7 @@ pub fn derive_bias(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Vec<(
         labels.vector_or_one("w", &link.name, moving.w);
         moving.acceleration.name(labels, ["alpha", "a"], &link.name);
         labels.matrix(&format!("sweep_{}", link.name), &moving.sweep);
-        let taken = moving.taken_by(graph, link);
+        let taken = moving.taken_by(graph, &link.properties);
         let lacking = taken.minus(graph, link.load());
         all.push((moving, lacking));
     }

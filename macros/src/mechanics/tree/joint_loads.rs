@@ -35,7 +35,7 @@ fn loads(
     let motions = motions(graph, tree, accelerations);
     let links = tree.links.iter().zip(&motions);
     let taken = links.map(|(link, moving)| {
-        let taken = moving.taken_by(graph, link);
+        let taken = moving.taken_by(graph, &link.properties);
         taken.minus(graph, link.load())
     });
     let mut loads: Vec<Pair> = taken.collect();
@@ -86,6 +86,25 @@ pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: Pair, acceleration: Id)
     let own = graph.multiply(freedom.armature, acceleration);
     let needed = graph.add(carried, own);
     graph.subtract(needed, freedom.drive)
+}
+
+/// What a load on a link puts on each open freedom, link by link.
+pub fn along_freedoms(graph: &mut Graph, tree: &Tree, link: usize, load: Pair) -> Vec<Id> {
+    let mut loads: Vec<Option<Pair>> = vec![None; tree.links.len()];
+    loads[link] = Some(load);
+    let mut at = link;
+    while let (Some(carrier), Some(load)) = (tree.links[at].carrier, loads[at]) {
+        let passed = wrench_on_carrier(graph, &tree.links[at], load);
+        loads[carrier] = Some(passed.quantities(graph));
+        at = carrier;
+    }
+    let links = tree.links.iter().zip(loads);
+    let freedoms = links.flat_map(|(link, load)| link.open().map(move |freedom| (freedom, load)));
+    let along = freedoms.map(|(freedom, load)| match load {
+        Some(load) => freedom.twist.dot(graph, load),
+        None => graph.zero(),
+    });
+    along.collect()
 }
 
 /// In world axes.

@@ -20,7 +20,7 @@ pub mod turning;
 
 pub use bias::Moving;
 pub use build::{Built, build, wrench};
-pub use joint_loads::{in_world, joint_loads, lacking, lacks, motions};
+pub use joint_loads::{along_freedoms, in_world, joint_loads, lacking, lacks, motions};
 pub use mass_matrix::MassMatrix;
 pub use pair::Pair;
 pub use properties::Properties;

@@ -1,5 +1,6 @@
 //! Mass, first moment and inertia of links.
 
+use crate::model::ENTRIES;
 use crate::symbolic::{Components, Graph, Id};
 
 use super::turning::Turning;
@@ -31,6 +32,30 @@ impl Properties {
             first,
             inertia: crate::model::displaced(graph, mass, c, inertia),
         }
+    }
+
+    /// One of each of the ten numbers, and nothing else.
+    pub fn units(graph: &Graph) -> [Self; 10] {
+        let (one, none) = (graph.one(), Self::none(graph));
+        core::array::from_fn(|number| {
+            let mut unit = none;
+            match number {
+                0 => unit.mass = one,
+                1..4 => unit.first[number - 1] = one,
+                _ => {
+                    let (_, row, column) = ENTRIES[number - 4];
+                    (unit.inertia[row][column], unit.inertia[column][row]) = (one, one);
+                }
+            }
+            unit
+        })
+    }
+
+    /// The ten numbers.
+    pub fn entries(&self) -> [Id; 10] {
+        let [x, y, z] = self.first;
+        let [xx, yy, zz, xy, yz, zx] = ENTRIES.map(|(_, row, column)| self.inertia[row][column]);
+        [self.mass, x, y, z, xx, yy, zz, xy, yz, zx]
     }
 
     pub fn plus(self, graph: &mut Graph, other: &Self) -> Self {

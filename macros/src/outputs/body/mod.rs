@@ -13,10 +13,11 @@ use super::energy::Energy;
 use super::linearization::{Linearization, Sensitivity};
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
+use super::regressor::Regressor;
 use super::taylor::Taylor;
 
 /// What is solved for, or looked for.
-fn solved() -> [Box<dyn Output<Model>>; 6] {
+fn solved() -> [Box<dyn Output<Model>>; 7] {
     [
         Box::<inverse::Inverse>::default(),
         Box::<flow::Flow>::default(),
@@ -24,6 +25,7 @@ fn solved() -> [Box<dyn Output<Model>>; 6] {
         Box::<Taylor>::default(),
         Box::<Linearization>::default(),
         Box::<Sensitivity>::default(),
+        Box::<Regressor>::default(),
     ]
 }
 

@@ -13,6 +13,7 @@ use super::energy::Energy;
 use super::linearization::{Linearization, Sensitivity};
 use super::momentum::Momentum;
 use super::output::{Listed, Output};
+use super::regressor::Regressor;
 use super::taylor::Taylor;
 
 impl Listed for System {
@@ -28,6 +29,7 @@ impl Listed for System {
             Box::<Taylor>::default(),
             Box::<Linearization>::default(),
             Box::<Sensitivity>::default(),
+            Box::<Regressor>::default(),
             Box::<Constrained>::default(),
         ]
     }

@@ -269,6 +269,87 @@ pub trait Jacobian: RigidBody {
     ) -> Self::Jacobians;
 }
 
+/// What a motion takes of each inertial parameter, `outputs: [regressor]`: the equations of motion
+/// are linear in mass, first moment and inertia.
+///
+/// ```text
+/// Y (m, m c, J) = what the loads give, but that of uniform fields
+/// ```
+///
+/// A motion takes these loads of a body, in its axes, about a point P of it,
+///
+/// ```text
+/// f = m a + (w' x + w x w x) m c               a: acceleration of P less that of free fall
+/// n = m c x a + J w' + w x J w                 c: from P to the center of mass, J: about P
+/// ```
+///
+/// (C. Atkeson, C. An, J. Hollerbach, "Estimation of inertial parameters of manipulator loads and
+/// links", 1986.) P is G, the origin of points, or the point that is held; the accelerations that are
+/// handed in are those of G as the description has it. In systems P is where the joint that carries a body holds it, of
+/// a free body G. [`Self::PARAMETERS`] are the columns, J by the entries of its matrix, so that
+/// `J_xy` is minus the integral of xy.
+///
+/// | motion | rows | columns |
+/// |---|---|---|
+/// | `spatial` | force, moment, body axes \[N, N m\] | m \[kg\], m c \[kg m\], J \[kg m²\]: ten |
+/// | `fixed_point`, `fixed_axis` | moment, body axes; about the axis | ten: that of m is zero |
+/// | `rotation` | moment, body axes | J: six |
+/// | `planar`, `pivot` | force, body axes, and moment; moment | m, m c in x and y, `J_zz` |
+/// | `translation`, `planar_translation` | force | m |
+/// | `rod` | force, moment, world axes | m, m c along the axis, J across it |
+/// | systems | for each body: N or N m along each rate, in the order of the acceleration's [`Columns`](crate::columns::Columns) | ten, in the plane four |
+///
+/// A uniform field at G, such as `mass * world(0, 0, -9.81)`, makes free fall. All other loads are
+/// what the rows are compared with: in systems the sum over all bodies is what drives and loads give
+/// along each rate, less what armatures take. Where loops are closed or constraints are written,
+/// what keeps these is among the loads; it does no work, so multiply the rows with rates that
+/// the system can have.
+///
+/// ```
+/// use newton_euler::prelude::*;
+///
+/// rigid_body!(Pendulum {
+///     motion: pivot(hinge),
+///     mass: 2[kg],
+///     inertia: 0.1[kg * m ^ 2],
+///     points: [hinge = (0, 0.5)],
+///     inputs: [torque[N * m]],
+///     moments: [motor = torque],
+///     fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+///     outputs: [regressor],
+/// });
+///
+/// let pendulum = Pendulum::default();
+/// let (state, input) = (Hinge { angle: 0.3, angular_velocity: 2.0 }, PendulumInput { torque: 1.5 });
+/// let acceleration = pendulum.acceleration(0.0, &state, &input);
+/// let rows = pendulum.regressor(0.0, &state, &acceleration, &input);
+/// let parameters = pendulum.inertial_parameters();
+/// assert_eq!(Pendulum::PARAMETERS, ["m", "m c_x", "m c_y", "J_zz"]);
+/// assert_eq!(parameters.as_slice(), [2.0, 0.0, -1.0, 0.1 + 2.0 * 0.25]);
+/// assert!(((rows * parameters).x - 1.5).abs() < 1e-14);
+/// ```
+pub trait Regressor: RigidBody {
+    /// A matrix; of a system a field with a matrix for each body.
+    type Regressor;
+    /// A column; of a system a field with a column for each body.
+    type Parameters;
+
+    /// The names of the inertial parameters, in the order of the columns.
+    const PARAMETERS: &'static [&'static str];
+
+    /// What each parameter takes, in the motion with this acceleration.
+    fn regressor(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        acceleration: &<Self::State as State>::Acceleration,
+        input: &Self::Input,
+    ) -> Self::Regressor;
+
+    /// The parameters of the description, about the same points.
+    fn inertial_parameters(&self) -> Self::Parameters;
+}
+
 /// Motion in closed form, `outputs: [flow]`: the state at any time, in one step.
 ///
 /// ```

@@ -24,7 +24,7 @@ mod singular;
 
 pub use answers::{
     Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, Inverse, Jacobian, MassMatrix, Momentum,
-    Reactions,
+    Reactions, Regressor,
 };
 pub use invalid::InvalidBody;
 pub use rigid_body::RigidBody;

@@ -1,0 +1,155 @@
+//! Regressors: what a motion takes of each inertial parameter.
+//!
+//! ```text
+//! f = m a + ([w']x + w w - w^2 1) h            a: acceleration of a point P of the body, less that
+//! n = J w' + w x J w + h x a                      of free fall; h = m c: first moment about P
+//! ```
+//!
+//! Both are linear in m, h and J about P (Atkeson, An and Hollerbach, Estimation of inertial
+//! parameters of manipulator loads and links, 1986): the columns are what one of each takes.
+
+use crate::mechanics::balances::uniform_field;
+use crate::mechanics::tree::{Moving, Pair, Properties};
+use crate::model::{Frame, Meaning, Model, Motion, Variable, Vector, Workspace};
+use crate::symbolic::Id;
+
+/// Of one body.
+pub struct Regressor {
+    /// For each parameter the rows of the balances.
+    pub columns: Vec<Vec<Id>>,
+    /// What the body has of each.
+    pub parameters: Vec<Id>,
+}
+
+impl Regressor {
+    pub fn roots(&self) -> Vec<Id> {
+        [self.columns.concat(), self.parameters.clone()].concat()
+    }
+}
+
+/// All parameters, in the order of [`Properties::entries`].
+const ALL: [&str; 10] = [
+    "m", "m c_x", "m c_y", "m c_z", "J_xx", "J_yy", "J_zz", "J_xy", "J_yz", "J_zx",
+];
+
+/// The parameters that a motion may tell, by their numbers among all; a rod has other ones.
+pub fn told(motion: Motion) -> &'static [usize] {
+    const NUMBERS: [usize; 10] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9];
+    if !motion.has_attitude() {
+        &NUMBERS[..1]
+    } else if !motion.knows_position() {
+        &NUMBERS[4..]
+    } else if motion.is_planar {
+        &[0, 1, 2, 6]
+    } else {
+        &NUMBERS
+    }
+}
+
+/// Their names.
+pub fn inertial_parameters(motion: Motion) -> Vec<&'static str> {
+    if motion.is_line() {
+        return vec!["m", "m c", "J"];
+    }
+    told(motion).iter().map(|number| ALL[*number]).collect()
+}
+
+/// About the point that is held, or G.
+pub fn derive_regressor(model: &Model, work: &mut Workspace) -> Regressor {
+    if model.motion.is_line() {
+        return of_rod(model, work);
+    }
+    let state = model.state;
+    let mut linear = fall_against(model, work);
+    if state.support.is_none() {
+        linear = work.add(linear, state.acceleration);
+    }
+    let linear = work.components(linear, state.body);
+    let linear = work.graph.quantities(linear);
+    let angular = state.angular_acceleration;
+    let graph = &mut work.graph;
+    let moving = Moving::new(graph, state.angular_velocity, Pair { angular, linear });
+    let units = Properties::units(graph);
+    let columns = told(model.motion).iter().map(|number| {
+        let taken = moving.taken_by(&mut work.graph, &units[*number]);
+        rows(model, work, taken)
+    });
+    let columns = columns.collect();
+    let graph = &mut work.graph;
+    let offset = state.support.map_or(graph.zeros(), |held| held.offset);
+    let center = graph.negate_vector(offset);
+    let inertia = model.inertia.rows(graph);
+    let mass = model.mass.unwrap_or(graph.zero());
+    let entries = Properties::of_body(graph, mass, center, &inertia).entries();
+    let parameters = told(model.motion).iter();
+    let parameters = parameters.map(|number| graph.result(entries[*number]));
+    Regressor {
+        columns,
+        parameters: parameters.collect(),
+    }
+}
+
+/// Along its axis u there is one first moment, and across it one inertia.
+fn of_rod(model: &Model, work: &mut Workspace) -> Regressor {
+    let state = model.state;
+    let fall = fall_against(model, work);
+    let linear = work.add(fall, state.acceleration);
+    let linear = work.components(linear, Frame::WORLD);
+    let linear = work.graph.quantities(linear);
+    let unit = state.axis.map_or(work.graph.zeros(), |axis| axis.unit);
+    let rate = [0, 1, 2].map(|part| {
+        let meaning = Meaning::Of(state.body, Variable::AxisAcceleration, part);
+        work.symbol_of(meaning).unwrap_or(work.graph.zero())
+    });
+    let zeros = work.graph.zeros();
+    let lever = work.graph.cross(unit, linear);
+    let columns = [
+        (linear, zeros),
+        (rate, lever),
+        (zeros, state.angular_acceleration),
+    ];
+    let columns = columns.map(|(linear, angular)| rows(model, work, Pair { angular, linear }));
+    let zero = work.graph.zero();
+    let mass = model.mass.unwrap_or(zero);
+    let moments = model.inertia_entries();
+    let moment = moments.first().copied().unwrap_or(zero);
+    Regressor {
+        columns: columns.into(),
+        parameters: [mass, zero, moment]
+            .map(|one| work.graph.result(one))
+            .into(),
+    }
+}
+
+/// Minus the acceleration of free fall, in the uniform fields that act at G.
+fn fall_against(model: &Model, work: &mut Workspace) -> Vector {
+    let turns = model.motion.has_attitude();
+    let mut weights = Vec::new();
+    for load in &model.loads {
+        let offset = uniform_field(work, model.state.body, turns, load);
+        if offset.is_some_and(|offset| work.graph.is_zero_vector(&offset)) {
+            weights.push(load.force);
+        }
+    }
+    let weight = work.sum(weights);
+    match model.mass {
+        Some(mass) => work.map(weight, |graph, part| {
+            let fall = part.map(|part| graph.divide(part, mass));
+            graph.negate_vector(fall)
+        }),
+        None => Vector::ZERO,
+    }
+}
+
+/// The components along which the body moves.
+fn rows(model: &Model, work: &mut Workspace, taken: Pair) -> Vec<Id> {
+    let graph = &mut work.graph;
+    if let Some(direction) = model.hinge(graph) {
+        let along = graph.dot(direction, taken.angular);
+        return vec![graph.result(along)];
+    }
+    let motion = model.motion;
+    let linear = taken.linear[motion.linear_axes()].iter();
+    let all = linear.chain(&taken.angular[motion.angular_axes()]);
+    all.map(|row| graph.result(*row)).collect()
+}

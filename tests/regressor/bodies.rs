@@ -139,7 +139,7 @@ fn taken(
 
 fn parameters(random: &mut Random) -> SVector<f64, 10> {
     let mut parameters = SVector::from_fn(|_, _| random.number());
-    parameters[0] = 2.0 + parameters[0];
+    parameters[0] += 2.0;
     parameters
 }
 

@@ -159,7 +159,6 @@ fn of_a_free_base_they_are_what_acts_on_it() {
         let input = FreedInput {
             torque: 1.7,
             thrust: 11.0,
-            ..FreedInput::default()
         };
         let motion = freed.acceleration(0.0, &state, &input);
         let rows = freed.regressor(0.0, &state, &motion, &input);

@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 
+use crate::checks::check_claims;
 use crate::emit::items::Roots;
 use crate::emit::{Sound, emit_body, emit_tracked};
 use crate::errors::Errors;
@@ -87,6 +88,9 @@ fn solve<S: Listed>(
         report.skipped.extend(told.skipped.iter().cloned());
     }
     outputs.describe(outline, (&model, &work), &mut report);
+    let answers = model.answers(&mut work, &equations);
+    let claimed = (model.checks(), model.defaults());
+    check_claims(claimed, &answers, (outline, &work), errors);
     let equations = model.equated(outline, equations);
     let roots = Roots {
         finite: [equations.accelerations.clone(), outputs.roots()].concat(),

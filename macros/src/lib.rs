@@ -3,6 +3,7 @@
 
 #![forbid(unsafe_code)]
 
+mod checks;
 mod emit;
 mod errors;
 mod expand;

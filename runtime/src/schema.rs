@@ -68,7 +68,8 @@ pub struct Body {
     pub locals: (),
     /// What to generate beyond the acceleration: `[energy, balance, reactions, linearization]`, ..
     pub outputs: (),
-    /// Statements about this body that fail the build if they are false.
+    /// Claims of this body, which fail the build if they are false:
+    /// `[hover = (acceleration.norm() == 0).given(thrust = mass * g)]`.
     pub checks: (),
 }
 
@@ -127,4 +128,7 @@ pub struct System {
     pub constraints: (),
     /// What is generated beyond the accelerations: `[energy, momentum, reactions, inverse]`.
     pub outputs: (),
+    /// Claims of this system, which fail the build if they are false:
+    /// `[rest = (elbow.angular_acceleration == 0).given(shoulder.angle = 90[deg])]`.
+    pub checks: (),
 }

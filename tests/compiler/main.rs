@@ -5,6 +5,8 @@
     reason = "a description is consumed by its expansion"
 )]
 
+#[path = "../../macros/src/checks.rs"]
+mod checks;
 #[path = "../../macros/src/emit/mod.rs"]
 mod emit;
 #[path = "../../macros/src/errors.rs"]

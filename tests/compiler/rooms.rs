@@ -8,7 +8,7 @@ use syn::punctuated::Punctuated;
 use syn::visit::Visit;
 
 /// What each room may import of the others.
-const ROOMS: [(&str, &[&str]); 12] = [
+const ROOMS: [(&str, &[&str]); 13] = [
     ("errors", &[]),
     ("families", &[]),
     ("fraction", &[]),
@@ -23,6 +23,7 @@ const ROOMS: [(&str, &[&str]); 12] = [
     ),
     ("mechanics", &["errors", "families", "symbolic", "model"]),
     ("range", &["errors", "symbolic", "model"]),
+    ("checks", &["errors", "symbolic", "model"]),
     ("emit", &["families", "symbolic", "model", "mechanics"]),
     (
         "outputs",
@@ -45,6 +46,7 @@ const ROOMS: [(&str, &[&str]); 12] = [
             "lower",
             "mechanics",
             "range",
+            "checks",
             "emit",
             "outputs",
         ],

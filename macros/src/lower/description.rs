@@ -48,6 +48,12 @@ pub fn lower_description(
     lowering.name_reactions(description, &reactions);
     let loads = every(known.into_iter().map(|load| lowering.load(load)));
     let pole = lowering.pole(description.pole.as_ref());
+    // what is claimed of the motion may ask for all that is solved for
+    lowering.is_constrained = true;
+    if !description.checks.is_empty() {
+        lowering.name_reactions(description, &reactions);
+    }
+    let checks = lowering.checks(description);
 
     outline.unused = unused(description, &scope);
     let motion = outline.motion;
@@ -67,6 +73,7 @@ pub fn lower_description(
         drives: drives?,
         constraints: constraints?,
         pole: pole?,
+        checks: checks?,
         defaults,
     };
     name_properties(&model, &mut work.labels);

@@ -48,8 +48,8 @@ use structure::derive_structure;
 use unknowns::{derive_consistency, derive_constrained, derive_reactions};
 
 use crate::errors::Errors;
-use crate::model::{Model, Pair, Workspace};
-use crate::symbolic::Components;
+use crate::model::{Frame, Meaning, Model, Pair, Variable, Workspace};
+use crate::symbolic::{Components, Id};
 
 /// The equations of motion, and what is known of them.
 pub struct Equations {
@@ -128,6 +128,30 @@ fn settled(
 }
 
 impl Equations {
+    /// The symbols of accelerations and reactions, and what is found for them.
+    pub fn solved(&self, model: &Model, work: &Workspace) -> Vec<(Id, Id)> {
+        let Pair { linear, angular } = self.accelerations;
+        let turning = if model.motion.is_line() {
+            Variable::AxisAcceleration
+        } else {
+            Variable::AngularAcceleration
+        };
+        let by_variable = [(Variable::LinearAcceleration, linear), (turning, angular)];
+        let accelerations = by_variable.into_iter().flat_map(|(variable, found)| {
+            let parts = found.into_iter().enumerate();
+            parts.filter_map(move |(axis, value)| {
+                let meaning = Meaning::Of(model.state.body, variable, axis);
+                Some((work.symbol_of(meaning)?, value))
+            })
+        });
+        let reactions = model.reactions.iter().zip(&self.reactions);
+        let reactions = reactions.flat_map(|(reaction, found)| {
+            let symbols = work.part(reaction.symbols, Frame::WORLD);
+            symbols.into_iter().zip(*found)
+        });
+        accelerations.chain(reactions).collect()
+    }
+
     /// What integrators can make use of; looked for once.
     pub fn structure(&self, model: &Model, work: &mut Workspace) -> &Structure {
         let derive = || derive_structure(model, work, self.accelerations);

@@ -24,7 +24,8 @@ pub use system::{
     Axes, Closing, Holds, JointKind, Kept, Member, Part, Property, System, Tie, TreeJoint,
 };
 pub use words::{
-    AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
+    AXES, Answers, Check, Checks, Claim, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning,
+    Variable, shown, why_not,
 };
 
 use crate::symbolic::{Components, Graph, Id};
@@ -58,6 +59,7 @@ pub struct Model {
     pub pole: Point,
     /// The values of the parameters that have a default.
     pub defaults: Defaults,
+    pub checks: Checks,
 }
 
 impl Model {

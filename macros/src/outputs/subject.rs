@@ -14,7 +14,7 @@ use crate::mechanics::{
     uniform_field, with_potentials, with_system_potentials,
 };
 use crate::model::{
-    Defaults, Frame, Load, Model, Outline, Own, Property, Substance, System, Workspace,
+    Checks, Defaults, Frame, Load, Model, Outline, Own, Property, Substance, System, Workspace,
 };
 use crate::symbolic::Id;
 
@@ -39,6 +39,28 @@ pub trait Subject: Sized + 'static {
     fn properties(&self) -> &[Property];
 
     fn defaults(&self) -> &Defaults;
+
+    /// What it claims of its motion.
+    fn checks(&self) -> &Checks;
+
+    /// Symbols of accelerations and loads that are solved for, and what is found for them.
+    fn solved(&self, work: &Workspace, equations: &Self::Equations) -> Vec<(Id, Id)>;
+
+    /// What checks may ask of the motion: symbols, and what these stand for.
+    fn answers(&self, work: &mut Workspace, equations: &Self::Equations) -> Vec<(Id, Id)> {
+        let Some(asked) = self.checks().answers else {
+            return Vec::new();
+        };
+        let (energy, momentum) = (self.energy(work), self.momentum(work));
+        let linear = asked.linear_momentum.into_iter().zip(momentum.linear);
+        let angular = asked.angular_momentum.into_iter().zip(momentum.angular);
+        let energies = [
+            (asked.kinetic, energy.kinetic),
+            (asked.potential, energy.potential),
+        ];
+        let all = self.solved(work, equations).into_iter().chain(energies);
+        all.chain(linear).chain(angular).collect()
+    }
 
     fn energy(&self, work: &mut Workspace) -> Energy;
 
@@ -133,6 +155,14 @@ impl Subject for Model {
 
     fn defaults(&self) -> &Defaults {
         &self.defaults
+    }
+
+    fn checks(&self) -> &Checks {
+        &self.checks
+    }
+
+    fn solved(&self, work: &Workspace, equations: &Equations) -> Vec<(Id, Id)> {
+        equations.solved(self, work)
     }
 
     fn energy(&self, work: &mut Workspace) -> Energy {
@@ -246,6 +276,14 @@ impl Subject for System {
 
     fn defaults(&self) -> &Defaults {
         &self.defaults
+    }
+
+    fn checks(&self) -> &Checks {
+        &self.checks
+    }
+
+    fn solved(&self, _: &Workspace, equations: &SystemEquations) -> Vec<(Id, Id)> {
+        equations.solved(self)
     }
 
     fn energy(&self, work: &mut Workspace) -> Energy {

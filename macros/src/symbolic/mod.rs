@@ -13,7 +13,7 @@ mod number;
 mod series;
 mod zeros;
 
-pub use algebra::{Algebra, Tape};
+pub use algebra::{Algebra, Exact, Tape};
 pub use graph::{Comparison, Components, Cost, Graph, Id, Node, Program, Stage, Symbol};
 pub use linear::{Elimination, Equation, Size, Undetermined};
 pub use number::{Function, Number, PrincipalAxes, Residue, Spectrum, Symmetry, Table, scaled};

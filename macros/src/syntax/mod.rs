@@ -5,6 +5,7 @@
 //! looked up here and nothing has a meaning yet.
 
 mod charges;
+mod checks;
 mod composition;
 mod entries;
 mod expression;
@@ -68,6 +69,7 @@ pub struct Description {
     pub loads: Vec<Load>,
     pub potentials: Vec<Definition>,
     pub constraints: Vec<Definition>,
+    pub checks: Vec<Check>,
     pub pole: Option<Written>,
     pub outputs: Vec<Ident>,
 }
@@ -97,6 +99,7 @@ impl Description {
             loads: Vec::new(),
             potentials: Vec::new(),
             constraints: Vec::new(),
+            checks: Vec::new(),
             pole: None,
             outputs: Vec::new(),
         }
@@ -175,6 +178,29 @@ pub struct Load {
     pub point: Option<Value>,
     /// What `.on([..])` says, if it is there: the vector is a field, and no force.
     pub charges: Option<Vec<Charge>>,
+}
+
+/// `name = left < right`, joined by `&&`, and behind it `.given(..)`.
+#[derive(Clone)]
+pub struct Check {
+    pub name: Ident,
+    pub claims: Vec<Claim>,
+    pub given: Vec<Given>,
+}
+
+/// One comparison.
+#[derive(Clone)]
+pub struct Claim {
+    pub left: Expression,
+    pub step: Step,
+    pub extent: Extent,
+}
+
+/// `target = value`
+#[derive(Clone)]
+pub struct Given {
+    pub target: Expression,
+    pub value: Expression,
 }
 
 /// `charge.at(point)`

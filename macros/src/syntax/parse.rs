@@ -4,8 +4,9 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent, similar};
 
+use super::checks::parse_check;
 use super::composition::Composition;
-use super::entries::parse_entry;
+use super::entries::{parse_entry, parse_name};
 use super::expression::Expression;
 use super::head::parse_head;
 use super::motion::parse_motion;
@@ -16,7 +17,7 @@ use super::words::is_keyword;
 use super::{Description, Written};
 
 /// Keys whose value is a list, each with an entry to show.
-const LISTS: [(&str, &str); 15] = [
+const LISTS: [(&str, &str); 16] = [
     ("params", "arm = 0.2[m]"),
     ("inputs", "thrust[N]"),
     ("states", "speed[rad / s]"),
@@ -32,11 +33,10 @@ const LISTS: [(&str, &str); 15] = [
     ("fields", "weight = mass * world(0, 0, -9.80665[m / s ^ 2])"),
     ("potentials", "spring = 20[N / m] * position.norm_squared()"),
     ("outputs", "energy"),
+    ("checks", "light = mass < 3[kg]"),
 ];
 /// All other keys.
 const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
-/// Keys of the language that are not there yet.
-const LATER: [&str; 1] = ["checks"];
 /// Tokens that a description may have: a stated limit instead of minutes of waiting.
 const TOKENS: usize = 50_000;
 
@@ -70,7 +70,7 @@ pub fn parse_keys(description: &mut Description, body: TokenStream, errors: &mut
             ([TokenTree::Ident(name), equals, ..], Some(list))
                 if is_punct(equals, '=') && key_meant(&name.to_string()).is_none() =>
             {
-                parse_entry(description, list, entry, errors);
+                parse_one(description, list, entry, errors);
             }
             _ => open_list = parse_key(description, entry, errors),
         }
@@ -79,7 +79,7 @@ pub fn parse_keys(description: &mut Description, body: TokenStream, errors: &mut
 
 /// The key that `word` is, or was probably meant to be.
 pub fn key_meant(word: &str) -> Option<&'static str> {
-    let known = || LISTS.iter().map(|(key, _)| *key).chain(VALUES).chain(LATER);
+    let known = || LISTS.iter().map(|(key, _)| *key).chain(VALUES);
     known()
         .find(|key| *key == word)
         .or_else(|| similar(word, known()))
@@ -112,18 +112,6 @@ pub fn parse_key(
         into.lost.extend(names_in(value, errors));
         return None;
     };
-    if LATER.contains(&meant) {
-        if exact && !repeated {
-            errors.push(
-                key.span(),
-                format!(
-                    "`{word}` are part of the language, but this version does not have them yet"
-                ),
-            );
-        }
-        into.lost.extend(names_in(value, errors));
-        return None;
-    }
     let Some((list, example)) = LISTS.iter().find(|(list, _)| *list == meant) else {
         parse_single(into, meant, value, errors);
         return None;
@@ -217,7 +205,7 @@ fn parse_list(
             );
             let is_entry = rest.first().is_some_and(|token| is_punct(token, '='));
             if is_entry {
-                parse_entry(into, list, value, errors);
+                parse_one(into, list, value, errors);
             }
             return is_entry.then_some(list);
         }
@@ -233,9 +221,18 @@ fn parse_list(
         _ => Entry::Defined,
     };
     for entry in split(group.stream(), form, errors) {
-        parse_entry(into, list, without_attributes(&entry, errors), errors);
+        parse_one(into, list, without_attributes(&entry, errors), errors);
     }
     None
+}
+
+/// One entry of a list.
+fn parse_one(into: &mut Description, list: &str, entry: &[TokenTree], errors: &mut Errors) {
+    if list != "checks" {
+        parse_entry(into, list, entry, errors);
+    } else if let Some((name, rest)) = parse_name(into, list, entry, errors) {
+        into.checks.push(parse_check(name, rest, errors));
+    }
 }
 
 /// The value of a key that is not a list; the first one given counts.

@@ -14,6 +14,8 @@
     reason = "the package is a command, and nobody's library"
 )]
 
+#[path = "../../../macros/src/checks.rs"]
+mod checks;
 #[path = "../../../macros/src/emit/mod.rs"]
 mod emit;
 #[path = "../../../macros/src/errors.rs"]

@@ -15,7 +15,7 @@ use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
 /// Outputs of later versions.
-const LATER: [&str; 4] = ["regressor", "mass_matrix", "jacobian", "flow"];
+const LATER: [&str; 3] = ["mass_matrix", "jacobian", "flow"];
 
 /// The output that solves for drives: without it, none may be unknown.
 pub const INVERSE: &str = "inverse";

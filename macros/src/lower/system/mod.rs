@@ -57,6 +57,7 @@ pub fn lower_system(
     let states = reader.at_top(errors, |lowering| {
         lowering.states(&system.top, &outline.states)
     });
+    let checks = reader.at_top(errors, |lowering| lowering.checks(&system.top));
     outline.unused = reader.unused(&drafts);
     let (constraints, (links, lengths)) = (constraints?, reader.links(errors)?);
     let (mut bodies, mut joints, mut points, between) = (bodies?, joints?, points?, between?);
@@ -97,6 +98,7 @@ pub fn lower_system(
         properties: [lengths, between.properties].concat(),
         derivatives,
         defaults,
+        checks: checks?,
     };
     errors.is_empty().then_some((system, work))
 }

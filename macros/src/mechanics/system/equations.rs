@@ -93,6 +93,18 @@ impl SystemEquations {
         closed.map_or(&self.built.tree, |closed| &closed.loaded)
     }
 
+    /// The symbols of accelerations, and of what keeps constraints, and what is found for them.
+    pub fn solved(&self, system: &System) -> Vec<(Id, Id)> {
+        let joints = system.joints.iter().zip(&self.accelerations);
+        let accelerations = joints.flat_map(|(joint, found)| {
+            let symbols = joint.accelerations().into_iter();
+            symbols.zip(found.iter().copied())
+        });
+        let kept = system.constraints.loads.iter().copied();
+        let kept = kept.zip(self.kept_loads().iter().copied());
+        accelerations.chain(kept).collect()
+    }
+
     /// What is found for the symbols that loads follow.
     pub fn values(&self) -> Vec<(Id, Id)> {
         let closed = self.closed.as_ref();

@@ -11,7 +11,7 @@ use crate::symbolic::{Components, Id};
 use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials};
 use super::joints::Rates;
 use super::kinematics::{Own, State};
-use super::words::{Frame, Variable};
+use super::words::{Checks, Frame, Variable};
 
 /// A description of a system, understood.
 pub struct System {
@@ -41,6 +41,7 @@ pub struct System {
     /// How many derivatives of each input are given.
     pub derivatives: Vec<usize>,
     pub defaults: Defaults,
+    pub checks: Checks,
 }
 
 /// A body of a system.

@@ -1,5 +1,6 @@
 //! What symbols stand for, what expressions are called, and in which units.
 
+mod check;
 mod dimension;
 mod doubtful;
 mod frame;
@@ -7,6 +8,7 @@ mod labels;
 mod meanings;
 pub mod shown;
 
+pub use check::{Answers, Check, Checks, Claim};
 pub use dimension::Dimension;
 pub use doubtful::{Doubtful, why_not};
 pub use frame::{Frame, FrameWord};

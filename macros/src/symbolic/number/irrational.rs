@@ -177,8 +177,9 @@ impl Number {
             return Some(rational);
         }
         if ball.may_be_zero() {
-            // nobody knows, and it may be as large as this
+            // nobody knows, and it may be as large as this, and of either sign
             ball.value = power_of_two(ball.error);
+            ball.error += 4;
         }
         Some(Self::known_by(ball, residue, term).condensed())
     }

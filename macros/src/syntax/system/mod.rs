@@ -79,9 +79,9 @@ const OF_BODIES: [&str; 6] = [
     "pole",
 ];
 /// Keys that stand in the system alone.
-const OF_SYSTEMS: [&str; 14] = [
+const OF_SYSTEMS: [&str; 15] = [
     "motion", "params", "inputs", "states", "rates", "outputs", "doc", "bodies", "joints",
-    "drives", "drawing", "urdf", "mjcf", "locked",
+    "drives", "drawing", "urdf", "mjcf", "locked", "checks",
 ];
 /// Keys of the language of systems that are not there yet.
 const LATER: [&str; 2] = ["reactions", "independent"];

@@ -1,0 +1,228 @@
+//! Checks: what a description claims of the motion, decided at exact numbers while it is expanded.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::model::{Check, Checks, Claim, Defaults, Meaning, Outline, Workspace, shown};
+use crate::symbolic::{Comparison, Exact, Id, Number};
+
+use super::errors::Errors;
+
+/// Values of symbols.
+type Known = BTreeMap<Id, Number>;
+
+/// Reports all that does not hold, or is not decided; `answers` are what stands for symbols that
+/// follow from the motion.
+pub fn check_claims(
+    (checks, defaults): (&Checks, &Defaults),
+    answers: &[(Id, Id)],
+    (outline, work): (&Outline, &Workspace),
+    errors: &mut Errors,
+) {
+    for check in &checks.list {
+        if let Some(known) = given(check, defaults, (outline, work), errors) {
+            decide(check, &known, answers, (outline, work), errors);
+        }
+    }
+}
+
+/// What is given; of the params that are not, the defaults.
+fn given(
+    check: &Check,
+    defaults: &Defaults,
+    (outline, work): (&Outline, &Workspace),
+    errors: &mut Errors,
+) -> Option<Known> {
+    let graph = &work.graph;
+    let is_given = |symbol: &Id| check.given.iter().any(|(other, ..)| other == symbol);
+    let mut known: Known = defaults
+        .iter()
+        .filter(|(symbol, _)| !is_given(symbol))
+        .filter_map(|(symbol, value)| Some((*symbol, graph.as_number(*value)?.clone())))
+        .collect();
+    // each may depend on others
+    let mut left: Vec<_> = check.given.iter().collect();
+    loop {
+        let count = left.len();
+        let mut open = None;
+        left.retain(|(symbol, value, place)| {
+            match evaluate(work, *value, &known) {
+                Exact::Number(number) => {
+                    known.insert(*symbol, number);
+                    return false;
+                }
+                other => open = open.take().or(Some((*place, other))),
+            }
+            true
+        });
+        let Some((place, found)) = open else {
+            return Some(known);
+        };
+        if left.len() == count {
+            let message = match found {
+                Exact::Open(symbols) if symbols.iter().all(is_given) => {
+                    "what is given here follows from each other: give a number to one of it"
+                        .to_owned()
+                }
+                Exact::Open(symbols) => format!("this {}", lacking(&symbols, (outline, work))),
+                Exact::Undecided => UNDECIDED.to_owned(),
+                _ => "this has no value in this state".to_owned(),
+            };
+            return errors.report(place, message);
+        }
+    }
+}
+
+const UNDECIDED: &str =
+    "whether something in this is zero is not told by thousands of bits, nor proved";
+
+/// Decides all that one check claims.
+fn decide(
+    check: &Check,
+    known: &Known,
+    answers: &[(Id, Id)],
+    (outline, work): (&Outline, &Workspace),
+    errors: &mut Errors,
+) {
+    let graph = &work.graph;
+    let sides: Vec<Id> = check.claims.iter().flat_map(|claim| claim.sides).collect();
+    let needed = graph.reachable(&sides, |_| true);
+    let answers = answers.iter().filter(|(symbol, _)| needed.contains(symbol));
+    let (symbols, roots): (Vec<Id>, Vec<Id>) = answers.copied().unzip();
+    let found = graph.exact(&roots, |id| known.get(&id).cloned());
+    let mut values = known.clone();
+    let mut without = BTreeMap::new();
+    for (symbol, value) in symbols.into_iter().zip(found) {
+        match value {
+            Exact::Number(number) => {
+                values.insert(symbol, number);
+            }
+            other => {
+                without.insert(symbol, other);
+            }
+        }
+    }
+    for claim in &check.claims {
+        let found = graph.exact(&claim.sides, |id| values.get(&id).cloned());
+        let found = found.into_iter().map(|value| followed(value, &without));
+        let found: Vec<Exact> = found.collect();
+        if let Some(why) = refuted(claim, &found, (outline, work)) {
+            errors.push(claim.place, format!("`{}` {why}", check.name));
+        }
+    }
+}
+
+/// What a value lacks, where that follows from the motion.
+fn followed(value: Exact, without: &BTreeMap<Id, Exact>) -> Exact {
+    let Exact::Open(symbols) = value else {
+        return value;
+    };
+    let mut open = BTreeSet::new();
+    for symbol in symbols {
+        match without.get(&symbol) {
+            None => {
+                open.insert(symbol);
+            }
+            Some(Exact::Open(others)) => open.extend(others),
+            Some(other) => return other.clone(),
+        }
+    }
+    Exact::Open(open)
+}
+
+fn evaluate(work: &Workspace, id: Id, known: &Known) -> Exact {
+    let mut values = work.graph.exact(&[id], |id| known.get(&id).cloned());
+    values.pop().unwrap_or(Exact::Absent)
+}
+
+/// Why a claim is not true, or not known to be.
+fn refuted(claim: &Claim, found: &[Exact], context: (&Outline, &Workspace)) -> Option<String> {
+    let (a, b) = match found {
+        [Exact::Number(a), Exact::Number(b)] => (a, b),
+        [Exact::Open(symbols), other] | [other, Exact::Open(symbols)] => {
+            let mut all = symbols.clone();
+            if let Exact::Open(more) = other {
+                all.extend(more);
+            }
+            return Some(lacking(&all, context));
+        }
+        _ if found.iter().any(|one| matches!(one, Exact::Absent)) => {
+            let message = "has no value in this state: something is divided by zero, or outside of the domain of its function";
+            return Some(message.to_owned());
+        }
+        _ => return Some(format!("is not decided: {UNDECIDED}")),
+    };
+    let [left, right] = if claim.is_turned { [b, a] } else { [a, b] };
+    match Exact::compare(claim.comparison, a, b) {
+        Exact::Number(holds) if holds.is_one() => None,
+        Exact::Number(_) => {
+            let (first, second) = told_apart(left, right);
+            Some(match claim.comparison {
+                Comparison::NotEqual => format!("does not hold: both sides are {first}"),
+                _ => {
+                    format!("does not hold: the left side is {first}, and the right side {second}")
+                }
+            })
+        }
+        _ => Some(format!(
+            "is not decided: the left side is {}, and the right side the same in thousands of bits, and nothing \
+             proves them equal",
+            shown(left)
+        )),
+    }
+}
+
+/// Two numbers in words; what doubles do not tell apart, by its difference.
+fn told_apart(left: &Number, right: &Number) -> (String, String) {
+    let (first, second) = (shown(left), shown(right));
+    let difference = right.clone() - left.clone();
+    if first != second || difference.is_zero() {
+        return (first, second);
+    }
+    let sign = if difference.is_negative() {
+        "less"
+    } else {
+        "more"
+    };
+    let beyond = format!("{} {sign}", shown(&difference.abs()));
+    (first, beyond)
+}
+
+/// Names of what is not given.
+fn lacking(symbols: &BTreeSet<Id>, (outline, work): (&Outline, &Workspace)) -> String {
+    let names = symbols.iter().map(|symbol| name(*symbol, outline, work));
+    let names: BTreeSet<String> = names.collect();
+    let first = names.first().cloned().unwrap_or_default();
+    let list: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    let is = if list.len() == 1 { "is" } else { "are" };
+    format!(
+        "depends on {}, which {is} not given: write `.given({first} = ..)` behind the condition",
+        list.join(", ")
+    )
+}
+
+fn name(symbol: Id, outline: &Outline, work: &Workspace) -> String {
+    let declared = |list: &[crate::model::Declared], number: usize| {
+        let found = list.get(number);
+        found.map_or_else(String::new, |one| one.name.to_string())
+    };
+    match work.meaning(symbol) {
+        Some(Meaning::Time) => "t".to_owned(),
+        Some(Meaning::Param(number, _)) => declared(&outline.params, number),
+        Some(Meaning::Input(number, _)) => declared(&outline.inputs, number),
+        Some(Meaning::Own(number)) => declared(&outline.states, number),
+        Some(meaning @ Meaning::Of(frame, ..)) => {
+            let joint = outline
+                .joints
+                .iter()
+                .find(|joint| joint.frame == Some(frame));
+            let shape = joint.map_or(outline.motion.shape, |joint| joint.shape);
+            let mut fields = shape.fields.iter();
+            let field = fields.find(|field| field.component(meaning).is_some());
+            let path = field.map_or("acceleration", |field| field.path);
+            // a quaternion is given as an attitude
+            let path = path.split('.').next().unwrap_or(path);
+            joint.map_or(path.to_owned(), |joint| format!("{}.{path}", joint.name))
+        }
+        _ => "what follows from the motion".to_owned(),
+    }
+}

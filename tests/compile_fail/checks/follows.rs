@@ -1,0 +1,18 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Drone {
+    motion: spatial,
+    params: [pull = 9.81[m / s ^ 2], spare[N]],
+    inputs: [thrust[N], push[N]],
+    mass: 1.2[kg],
+    inertia: principal(0.01, 0.01, 0.02)[kg * m ^ 2],
+    fields: [weight = mass * world(0, 0, -pull)],
+    forces: [lift = body(0, 0, thrust), wind = world(push, 0, 0)],
+    checks: [
+        hover = (thrust < 1[N]).given(acceleration = world(0, 0, 0), thrust = 2[N]),
+        other = (thrust < 1[N]).given(kinetic_energy = 1[J]),
+        third = (thrust < 1[N]).given(mass = 1[kg]),
+    ],
+});
+
+fn main() {}

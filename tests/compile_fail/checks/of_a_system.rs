@@ -1,0 +1,19 @@
+use newton_euler::rigid_system;
+
+rigid_system!(Arms {
+    motion: planar,
+    inputs: [torque[N * m]],
+    bodies: [
+        upper { mass: 1.2[kg], inertia: 0.04[kg * m ^ 2], points: [hinge = (-0.3, 0), tip = (0.3, 0)] },
+        lower { mass: 0.8[kg], inertia: 0.015[kg * m ^ 2], points: [hinge = (-0.2, 0)] },
+    ],
+    joints: [shoulder = revolute(world(0, 0), upper.hinge), elbow = revolute(upper.tip, lower.hinge)],
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+    drives: [motor = torque.on(shoulder)],
+    checks: [
+        hangs = (shoulder.angular_acceleration == 0[rad / s ^ 2]).given(shoulder.angle = -89[deg], elbow.angle = 0, torque = 0[N * m]),
+        open = (elbow.angular_acceleration == 0[rad / s ^ 2]).given(shoulder.angle = -90[deg]),
+    ],
+});
+
+fn main() {}

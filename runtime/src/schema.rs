@@ -27,6 +27,12 @@ pub struct Body {
     /// `.turned(axis, angle)`. `compose([cylinder(r, h).mass(m).at(P), point(m).at(Q)])` gives
     /// mass, G and inertia together.
     pub inertia: (),
+    /// Constants of the Rust around it, of type `f64`: `[area = crate::AREA[m ^ 2]]`.
+    pub constants: (),
+    /// Functions of the Rust around it, with the units of their arguments and of their value, and with
+    /// derivatives where they are given:
+    /// `[lift(alpha) = crate::lift[N].derivatives(crate::lift_by_alpha)]`.
+    pub functions: (),
     /// Constants of a run, with or without a default: `[arm = 0.17[m], gain]`.
     pub params: (),
     /// Quantities given at each evaluation: `[thrust[N], wind = world(_, _, _)[m / s]]`.
@@ -82,6 +88,12 @@ pub struct System {
     pub motion: (),
     /// `zero_pose`: all bodies and joints are drawn in one frame, where all coordinates are zero.
     pub drawing: (),
+    /// Constants of the Rust around it, of type `f64`: `[area = crate::AREA[m ^ 2]]`.
+    pub constants: (),
+    /// Functions of the Rust around it, with the units of their arguments and of their value, and with
+    /// derivatives where they are given:
+    /// `[lift(alpha) = crate::lift[N].derivatives(crate::lift_by_alpha)]`.
+    pub functions: (),
     /// Constants of a run, with or without a default: `[arm = 0.17[m], gain]`.
     pub params: (),
     /// Quantities given at each evaluation: `[torque[N * m]]`.

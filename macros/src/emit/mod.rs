@@ -50,7 +50,7 @@ pub fn emit_body(
     let acceleration = items::write_acceleration(&site, equations);
     let addition = add(&site);
     let (constructor, documentation) = match sound {
-        None => (Constructor::stub(), Documentation::stub(outline)),
+        None => (Constructor::stub(outline), Documentation::stub(outline)),
         Some(sound) => {
             let built =
                 Constructor::write(outline, (&sound.bodies, &sound.work), &sound.roots, &fields);
@@ -67,5 +67,6 @@ pub fn emit_body(
     let checks = items::emit_checks(outline);
     let all = quote!(#items #rigid_body #integrate #added #columns);
     let all = items::with_private_fields(outline, all, &addition.structs);
-    quote!(#all #checks)
+    let foreign = sound.map(|sound| items::emit_foreign(outline, &sound.work));
+    quote!(#all #foreign #checks)
 }

@@ -22,7 +22,8 @@ pub use kinematics::{
 };
 pub use system::{Axes, Closing, Holds, JointKind, Kept, Member, Part, System, Tie, TreeJoint};
 pub use words::{
-    AXES, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
+    AXES, Dimension, Doubtful, ForeignConstant, ForeignFunction, Frame, FrameWord, Labels, Meaning,
+    Variable, shown, why_not,
 };
 
 use crate::symbolic::{Components, Graph, Id};

@@ -8,6 +8,7 @@ mod charges;
 mod composition;
 mod entries;
 mod expression;
+mod foreign;
 mod head;
 mod mjcf;
 mod motion;
@@ -29,6 +30,7 @@ use crate::families::Family;
 use crate::families::LoadKind;
 pub use composition::{Composition, Part};
 pub use expression::{Called, Expression, Kind, Operator, Prefix, Step, call};
+pub use foreign::{Constant, Function};
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
 pub use system::{CABLE, Center, File, LINK, System, parse_system};
@@ -58,6 +60,9 @@ pub struct Description {
     pub inertia: Option<Written>,
     /// `inertia: compose([..])`, which is mass, G and inertia together.
     pub composition: Option<Composition>,
+    /// Constants and functions that stand in the Rust of the user.
+    pub constants: Vec<Constant>,
+    pub functions: Vec<Function>,
     pub params: Vec<Declaration>,
     pub inputs: Vec<Declaration>,
     /// States of its own, and the rate of each.
@@ -88,6 +93,8 @@ impl Description {
             mass: None,
             inertia: None,
             composition: None,
+            constants: Vec::new(),
+            functions: Vec::new(),
             params: Vec::new(),
             inputs: Vec::new(),
             states: Vec::new(),
@@ -100,6 +107,15 @@ impl Description {
             pole: None,
             outputs: Vec::new(),
         }
+    }
+}
+
+impl Description {
+    /// The names of what stands in the Rust of the user, and what it is.
+    pub fn foreign(&self) -> impl Iterator<Item = (&Ident, &'static str)> {
+        let constants = self.constants.iter().map(|one| (&one.name, "constant"));
+        let functions = self.functions.iter().map(|one| (&one.name, "function"));
+        constants.chain(functions)
     }
 }
 

@@ -16,7 +16,9 @@ use super::words::is_keyword;
 use super::{Description, Written};
 
 /// Keys whose value is a list, each with an entry to show.
-const LISTS: [(&str, &str); 15] = [
+const LISTS: [(&str, &str); 17] = [
+    ("constants", "area = crate::AREA[m ^ 2]"),
+    ("functions", "lift(alpha) = crate::lift[N]"),
     ("params", "arm = 0.2[m]"),
     ("inputs", "thrust[N]"),
     ("states", "speed[rad / s]"),

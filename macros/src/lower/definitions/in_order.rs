@@ -15,6 +15,7 @@ use super::outline;
 impl Lowering<'_> {
     pub fn declarations(&mut self, description: &Description, outline: &mut Outline) -> Defaults {
         let mut defaults = HashMap::new();
+        self.foreign_definitions(description);
         for (index, param) in outline::distinct(&description.params).enumerate() {
             let value = self.param(index, param, &mut outline.params[index], &mut defaults);
             self.scope.define(&param.name.to_string(), value);

@@ -1,5 +1,6 @@
 //! Parameters, inputs, points and locals, in the order of what they refer to.
 
+mod foreign;
 mod in_order;
 mod names;
 mod order;

@@ -52,7 +52,7 @@ impl Lowering<'_> {
             Value::Scalar(id, _) | Value::Condition(id) => undefined(id),
             Value::Components(_, components, _) => components.iter().any(undefined),
             Value::Vector(vector, _) => self.work.entries(&[*vector]).iter().any(undefined),
-            Value::Point(_) | Value::Carried(..) | Value::Attitude => false,
+            Value::Point(_) | Value::Carried(..) | Value::Attitude | Value::Function(_) => false,
         };
         if is_undefined {
             return self.report(

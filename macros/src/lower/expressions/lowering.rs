@@ -199,6 +199,12 @@ impl Lowering<'_> {
                         _ => word.span().into(),
                     };
                 }
+                // in its own unit, whatever its arguments are
+                Kind::Call(word, _)
+                    if matches!(self.scope.peek(&word.to_string()), Some(Value::Function(_))) =>
+                {
+                    return word.span().into();
+                }
                 Kind::Call(_, parts) | Kind::Tuple(parts) => {
                     let wrong = parts.iter().filter(|part| match self.value(part) {
                         Some(Value::Scalar(_, found)) => !found.fits(expected),

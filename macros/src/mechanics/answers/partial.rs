@@ -6,6 +6,7 @@ use crate::model::{Load, Meaning, Model, Own, Workspace};
 use crate::symbolic::{Function, Graph, Id, Node};
 
 /// A load, and all of its components that are not zero.
+#[derive(Clone)]
 pub struct Partial {
     pub name: String,
     pub parts: Vec<Id>,
@@ -91,6 +92,7 @@ fn has_no_value_somewhere(graph: &Graph, node: &Node) -> bool {
             is_partial && !graph.is_early(operand)
         }
         Node::Binary(function, ..) => function == Function::Powf,
+        Node::Foreign(..) => true,
         _ => false,
     }
 }

@@ -2,6 +2,7 @@
 
 mod dimension;
 mod doubtful;
+mod foreign;
 mod frame;
 mod labels;
 mod meanings;
@@ -9,6 +10,7 @@ pub mod shown;
 
 pub use dimension::Dimension;
 pub use doubtful::{Doubtful, why_not};
+pub use foreign::{ForeignConstant, ForeignFunction};
 pub use frame::{Frame, FrameWord};
 pub use labels::{AXES, Labels};
 pub use meanings::{Meaning, Meanings, Variable};

@@ -28,6 +28,8 @@ impl Graph {
                     table.map_or(f64::NAN, |table| table.rounded(value(a)))
                 }
                 Node::Binary(function, a, b) => binary(function, value(a), value(b)),
+                // not known here
+                Node::Foreign(..) => f64::NAN,
                 Node::Compare(comparison, a, b) => truth(compare(comparison, value(a), value(b))),
                 Node::And(a, b) => truth(value(a) != 0.0 && value(b) != 0.0),
                 Node::Or(a, b) => truth(value(a) != 0.0 || value(b) != 0.0),

@@ -9,7 +9,7 @@
 //! `x - x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, `x` being
 //! zero or not a number, it may be given one.
 
-use crate::symbolic::number::{Function, Number, ORDERS, Table};
+use crate::symbolic::number::{Foreign, Function, Number, ORDERS, Table};
 
 use super::nodes::{Comparison, Graph, Id, Node, ONE, Stage, ZERO};
 
@@ -218,6 +218,17 @@ impl Graph {
             (_, &[a]) => self.apply_unary(function, a),
             _ => self.undefined(),
         }
+    }
+
+    /// A function from outside.
+    pub fn foreign(&mut self, function: Foreign, arguments: [Id; Foreign::ARGUMENTS]) -> Id {
+        if arguments
+            .iter()
+            .any(|argument| self.is_undefined(*argument))
+        {
+            return self.undefined();
+        }
+        self.intern(Node::Foreign(function, arguments))
     }
 
     fn apply_unary(&mut self, function: Function, a: Id) -> Id {

@@ -79,9 +79,23 @@ const OF_BODIES: [&str; 6] = [
     "pole",
 ];
 /// Keys that stand in the system alone.
-const OF_SYSTEMS: [&str; 14] = [
-    "motion", "params", "inputs", "states", "rates", "outputs", "doc", "bodies", "joints",
-    "drives", "drawing", "urdf", "mjcf", "locked",
+const OF_SYSTEMS: [&str; 16] = [
+    "motion",
+    "constants",
+    "functions",
+    "params",
+    "inputs",
+    "states",
+    "rates",
+    "outputs",
+    "doc",
+    "bodies",
+    "joints",
+    "drives",
+    "drawing",
+    "urdf",
+    "mjcf",
+    "locked",
 ];
 /// Keys of the language of systems that are not there yet.
 const LATER: [&str; 2] = ["reactions", "independent"];

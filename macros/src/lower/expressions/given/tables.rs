@@ -8,9 +8,9 @@ use crate::model::Dimension;
 use crate::symbolic::{Function, Id, Number, Table};
 use crate::syntax::{Expression, Kind};
 
-use super::lowering::Lowering;
-use super::scope::Value;
-use super::unit::lower_unit;
+use crate::lower::expressions::lowering::Lowering;
+use crate::lower::expressions::scope::Value;
+use crate::lower::expressions::unit::lower_unit;
 
 const FORM: &str = "write `table(x, [0, 1, 2], [0, 1, 4])`: a scalar, where the values are, and these; of two scalars \
      `table(x, y, [0, 1], [0, 1, 2], [[0, 1, 4], [1, 2, 5]])`, a list of values for each x";

@@ -68,5 +68,7 @@ pub fn emit_body(
     let all = quote!(#items #rigid_body #integrate #added #columns);
     let all = items::with_private_fields(outline, all, &addition.structs);
     let foreign = sound.map(|sound| items::emit_foreign(outline, &sound.work));
-    quote!(#all #foreign #checks)
+    let files = sound.iter().flat_map(|sound| &sound.work.files);
+    let files = files.map(|path| emit_tracked(Some(path)));
+    quote!(#all #foreign #checks #(#files)*)
 }

@@ -33,7 +33,7 @@ pub use expression::{Called, Expression, Kind, Operator, Prefix, Step, call};
 pub use foreign::{Constant, Function};
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
-pub use system::{CABLE, Center, File, LINK, System, parse_system};
+pub use system::{CABLE, Center, File, LINK, System, file_beside, parse_system};
 pub use unit::UnitExpression;
 pub use words::BUILT_IN;
 

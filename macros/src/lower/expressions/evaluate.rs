@@ -23,6 +23,7 @@ impl Lowering<'_> {
             Kind::Name(name) => self.name(name),
             Kind::Poisoned => None,
             Kind::Placeholder => self.report(extent, UNKNOWN),
+            Kind::Text(_) => self.report(extent, "expected a number"),
             Kind::Tuple(_) => self.report(extent, AXES),
             Kind::List(_) => self.report(extent, CHARGES),
             Kind::Unit(operand, unit) => self.unit(operand, unit),

@@ -42,7 +42,7 @@ impl Lowering<'_> {
                 };
                 Some(Value::Vector(vector, dimension))
             }
-            "table" => self.table(function, arguments, extent),
+            "table" => self.table(function, arguments),
             "moment" => self.report(
                 function.span(),
                 "`moment(..)` stands alone behind the name of a reaction or a field",

@@ -21,6 +21,8 @@ pub struct Workspace {
     /// What stands in the Rust of the user, by the numbers that the graph has of them.
     pub constants: Vec<ForeignConstant>,
     pub functions: Vec<ForeignFunction>,
+    /// The files of tables, where they are on this machine.
+    pub files: Vec<String>,
     /// Of each frame.
     pub(super) attitudes: Vec<Attitude>,
     /// The frame that each is turned against.

@@ -13,7 +13,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, similar};
 
-pub use file::File;
+pub use file::{File, file_beside};
 
 use super::entries::{parse_name, parse_value};
 use super::expression::{Expression, call};

@@ -8,7 +8,16 @@ rigid_body!(FromFiles {
     mass: 1[kg],
     inputs: [alpha[rad], x, speed[m / s]],
     forces: [
-        column = world(table(alpha / 1[deg], "tests/tables/files/polar.csv", "drag"[kN], cubic), 0, 0),
+        column = world(
+            table(
+                alpha / 1[deg],
+                "tests/tables/files/polar.csv",
+                "drag"[kN],
+                cubic
+            ),
+            0,
+            0
+        ),
         plain = world(0, table(x, "tests/tables/files/plain.csv"[N]), 0),
         grid = world(0, 0, table(x, speed, "tests/tables/files/grid.csv"[N])),
     ],
@@ -19,7 +28,16 @@ rigid_body!(Written {
     mass: 1[kg],
     inputs: [alpha[rad], x, speed[m / s]],
     forces: [
-        column = world(table(alpha / 1[deg], [-10, 0, 10, 14], [0.04, 0.01, 0.03, 0.09][kN], cubic), 0, 0),
+        column = world(
+            table(
+                alpha / 1[deg],
+                [-10, 0, 10, 14],
+                [0.04, 0.01, 0.03, 0.09][kN],
+                cubic
+            ),
+            0,
+            0
+        ),
         plain = world(0, table(x, [0, 1, 3], [1, 3, 2.5][N]), 0),
         grid = world(
             0,
@@ -29,7 +47,12 @@ rigid_body!(Written {
                 speed,
                 [0, 0.1, 0.3, 0.4],
                 [10, 20, 50][m / s],
-                [[0.1, 0.5, 0.6], [0.2, 1.5, 1], [0.9, 1.6, 2.5], [1, 1.7, 2.5]][N]
+                [
+                    [0.1, 0.5, 0.6],
+                    [0.2, 1.5, 1],
+                    [0.9, 1.6, 2.5],
+                    [1, 1.7, 2.5]
+                ][N]
             )
         ),
     ],
@@ -62,11 +85,18 @@ rigid_body!(Smooth {
 
 const X: [f64; 4] = [0.0, 0.1, 0.3, 0.4];
 const Y: [f64; 3] = [10.0, 20.0, 50.0];
-const Z: [[f64; 3]; 4] = [[0.1, 0.5, 0.6], [0.2, 1.5, 1.0], [0.9, 1.6, 2.5], [1.0, 1.7, 2.5]];
+const Z: [[f64; 3]; 4] = [
+    [0.1, 0.5, 0.6],
+    [0.2, 1.5, 1.0],
+    [0.9, 1.6, 2.5],
+    [1.0, 1.7, 2.5],
+];
 
 fn smooth(x: f64, y: f64) -> f64 {
     let input = SmoothInput { x, y };
-    Smooth::default().acceleration(0.0, &Translation::default(), &input).x
+    Smooth::default()
+        .acceleration(0.0, &Translation::default(), &input)
+        .x
 }
 
 /// The slopes of a monotone cubic by the rule as it is printed, in doubles.
@@ -104,7 +134,12 @@ fn hermite([a, b]: [f64; 2], [p, q]: [f64; 2], [d, e]: [f64; 2], x: f64) -> f64 
 fn curve(x: &[f64], z: &[f64], at: f64) -> f64 {
     let slopes = slopes(x, z);
     let i = (1..x.len() - 1).filter(|i| x[*i] <= at).count();
-    hermite([x[i], x[i + 1]], [z[i], z[i + 1]], [slopes[i], slopes[i + 1]], at)
+    hermite(
+        [x[i], x[i + 1]],
+        [z[i], z[i + 1]],
+        [slopes[i], slopes[i + 1]],
+        at,
+    )
 }
 
 /// In x between the rows Hermite's cubic, of values and slopes that are cubics in y.

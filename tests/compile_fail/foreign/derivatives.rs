@@ -13,6 +13,15 @@ rigid_body!(Wing {
     outputs: [taylor, linearization, sensitivity],
 });
 
+rigid_body!(Tail {
+    motion: translation,
+    mass: 12[kg],
+    params: [gain],
+    functions: [lift(alpha, speed[m / s]) = lift[N].derivatives(_, lift)],
+    forces: [lift = lift(gain, velocity.norm()) * world(1, 0, 0)],
+    outputs: [linearization, sensitivity],
+});
+
 rigid_body!(Bowl {
     motion: translation,
     mass: 12[kg],

@@ -52,7 +52,7 @@ impl<'t> File<'t> {
             if count == expected {
                 return Some(());
             }
-            let message = format!("here are {count} cells, and in the first row {expected}");
+            let message = format!("cells: {count} here, and {expected} in the first row");
             let place = self.at(row, errors);
             errors.report(place, message)
         }))?;

@@ -13,7 +13,7 @@ pub struct Body {
     /// `fixed_axis(P, direction)`, at the world's origin or `.at(world(..))`; of a slender rod,
     /// `rod(direction)` with the direction of its axis in the body, such as `rod(body(1, 0, 0))`.
     pub motion: (),
-    /// The mass: `1.2[kg]`, or an expression of params. The parts of `inertia: compose([..])` have
+    /// The mass: `1.2[kg]`, or an expression of params, of time and of states of its own. The parts of `inertia: compose([..])` have
     /// it already.
     pub mass: (),
     /// The moments of inertia, about G in body axes unless `.about(P)` follows. In the plane and of

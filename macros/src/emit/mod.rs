@@ -60,7 +60,8 @@ pub fn emit_body(
         }
     };
     let items = items::emit_items(outline, &constructor, &documentation);
-    let rigid_body = items::emit_rigid_body(&site, &acceleration, equations);
+    let bodies = sound.map_or(&[][..], |sound| &sound.bodies);
+    let rigid_body = items::emit_rigid_body(&site, &acceleration, equations, bodies);
     let integrate = items::emit_integrate(&site, addition.best);
     let added = &addition.implementations;
     let columns = items::emit_columns(outline, &constructor);

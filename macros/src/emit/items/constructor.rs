@@ -95,7 +95,7 @@ impl Constructor {
         let mass: Vec<Id> = mass.filter(is_open).collect();
         let inertia = bodies.iter().map(Substance::inertia_entries);
         let open: Vec<Vec<Id>> = inertia
-            .filter(|entries| entries.iter().any(is_open))
+            .filter(|entries| entries.iter().any(is_open) && work.graph.are_early(entries))
             .collect();
         let inertia = open.concat();
         let tensor = roots.tensor.filter(|_| outline.scalar.is_none());

@@ -233,7 +233,7 @@ impl Lowering<'_> {
     fn mass(&mut self, written: Option<&Expression>, defaults: &Defaults) -> Option<Id> {
         let value = written?;
         let mass = self.scalar(value, Dimension::MASS, "a mass")?;
-        self.check_early(value, &[mass], "the mass is constant")?;
+        self.check_course(value, &[mass], "the mass is constant")?;
         match self.known(mass, defaults) {
             Some(number) if !number.is_positive() => {
                 let number = shown(&number);

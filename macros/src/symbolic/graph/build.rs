@@ -122,6 +122,21 @@ impl Graph {
         self.intern(Node::Pivot(divisor, scale))
     }
 
+    /// `1 / divisor` of what is positive: checked in the constructor where it is known early, and
+    /// elsewhere not a number where it is not. Then `|x| - x` is not zero, and with a factor beyond
+    /// all rounding takes the place of the size of its terms.
+    pub fn inverse_of_positive(&mut self, divisor: Id) -> Id {
+        if self.is_early(divisor) {
+            let one = self.one();
+            return self.divide(one, divisor);
+        }
+        let size = self.apply(Function::Abs, &[divisor]);
+        let below = self.subtract(size, divisor);
+        let factor = self.integer(1 << 60);
+        let scale = self.multiply(factor, below);
+        self.intern(Node::Pivot(divisor, scale))
+    }
+
     /// The negative of `a`, if anybody made it.
     pub fn negation_of(&self, a: Id) -> Option<Id> {
         self.find(&Node::Negate(a))

@@ -70,7 +70,7 @@ fn emit_generic(outline: &Outline) -> TokenStream {
     let (name, private) = (&outline.name, private(outline));
     let with = format_ident!("{name}Scalar");
     let (params, argument, build, parameters) = if outline.params.is_empty() {
-        let build = if outline.is_foreign {
+        let build = if outline.is_foreign() {
             quote!(Self::new())
         } else {
             quote!(::core::result::Result::Ok(

@@ -9,7 +9,7 @@ use crate::model::{Outline, Workspace};
 
 /// `impl Body { fn given_lift(alpha: f64) -> f64 { curves::lift(alpha) } }`
 pub fn emit_foreign(outline: &Outline, work: &Workspace) -> TokenStream {
-    if !outline.is_foreign {
+    if !outline.is_foreign() {
         return TokenStream::new();
     }
     let scalar = Scalar::of(outline);

@@ -75,7 +75,7 @@ fn is_sum_of_squares(graph: &Graph, sum: Id) -> bool {
 fn has_no_value_somewhere(graph: &Graph, node: &Node) -> bool {
     match *node {
         Node::Divide(_, divisor) => !graph.is_early(divisor),
-        Node::Pivot(..) => true,
+        Node::Pivot(..) | Node::Foreign(..) => true,
         Node::Unary(Function::Sqrt, operand) if is_sum_of_squares(graph, operand) => false,
         Node::Unary(function, operand) => {
             let is_partial = matches!(
@@ -92,7 +92,6 @@ fn has_no_value_somewhere(graph: &Graph, node: &Node) -> bool {
             is_partial && !graph.is_early(operand)
         }
         Node::Binary(function, ..) => function == Function::Powf,
-        Node::Foreign(..) => true,
         _ => false,
     }
 }

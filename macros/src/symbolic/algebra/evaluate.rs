@@ -14,7 +14,8 @@ impl Graph {
             values[id.index()] = match *self.node(id) {
                 Node::Number(ref number) => number.to_f64(),
                 Node::Truth(holds) => truth(holds),
-                Node::Undefined => f64::NAN,
+                // what comes from outside is not known here
+                Node::Undefined | Node::Foreign(..) => f64::NAN,
                 Node::Symbol(_) => symbol(id),
                 Node::Quantity(a) => value(a),
                 Node::Negate(a) => -value(a),
@@ -28,8 +29,6 @@ impl Graph {
                     table.map_or(f64::NAN, |table| table.rounded(value(a)))
                 }
                 Node::Binary(function, a, b) => binary(function, value(a), value(b)),
-                // not known here
-                Node::Foreign(..) => f64::NAN,
                 Node::Compare(comparison, a, b) => truth(compare(comparison, value(a), value(b))),
                 Node::And(a, b) => truth(value(a) != 0.0 && value(b) != 0.0),
                 Node::Or(a, b) => truth(value(a) != 0.0 || value(b) != 0.0),

@@ -103,6 +103,10 @@ impl Lowering<'_> {
         }
     }
 
+    #[allow(
+        clippy::option_option,
+        reason = "outer: reported; inner: none is written"
+    )]
     fn unit_of_values(&mut self, last: &Expression) -> Option<Option<(Number, Dimension)>> {
         match &last.kind {
             Kind::Unit(_, unit) => Some(Some(lower_unit(unit, self.errors)?)),

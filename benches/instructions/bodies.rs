@@ -35,7 +35,6 @@ examples! {
     reaction_wheels "../../examples/reaction_wheels.rs";
     rigid_body_benchmarks "../../examples/rigid_body_benchmarks.rs";
     robot_arm "../../examples/robot_arm.rs";
-    rocket "../../examples/rocket.rs";
     rotor "../../examples/rotor.rs";
     satellite "../../examples/satellite.rs";
     shuttlecock "../../examples/shuttlecock.rs";
@@ -83,7 +82,6 @@ pub const BODIES: &[Body] = bodies![
     rigid_body_benchmarks::Driven,
     rigid_body_benchmarks::Turning,
     robot_arm::Arm,
-    rocket::Rocket,
     rotor::Rotor,
     satellite::Satellite,
     shuttlecock::Shuttlecock,

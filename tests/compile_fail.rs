@@ -9,13 +9,17 @@ use std::path::{Path, PathBuf};
 
 /// Files that cases name are read from the folder of the crate that they are compiled in.
 fn hand_over_files() {
-    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compile_fail/urdf");
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap();
     let to = target.join("tests/trybuild").join(env!("CARGO_PKG_NAME"));
     fs::create_dir_all(&to).unwrap();
-    for file in fs::read_dir(from).unwrap() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compile_fail");
+    let folders = ["urdf", "tables"].map(|folder| fs::read_dir(cases.join(folder)).unwrap());
+    for file in folders.into_iter().flatten() {
         let file = file.unwrap().path();
-        if file.extension().is_some_and(|end| end == "urdf") {
+        if file
+            .extension()
+            .is_some_and(|end| end == "urdf" || end == "csv")
+        {
             fs::copy(&file, to.join(file.file_name().unwrap())).unwrap();
         }
     }

@@ -241,6 +241,7 @@ fn expression(whole: &Expression) -> TokenStream {
     match &whole.kind {
         Kind::Number(digits) => number(digits),
         Kind::Name(name) => quote!(#name),
+        Kind::Text(text) => quote!(#text),
         Kind::Placeholder | Kind::Poisoned => quote!(_),
         Kind::Tuple(parts) => {
             let parts = all(parts);

@@ -8,7 +8,7 @@ use crate::emit::{Sound, emit_body, emit_tracked};
 use crate::errors::Errors;
 use crate::mechanics::Switch;
 use crate::model::{Model, Outline, System, Workspace};
-use crate::outputs::{Listed, Outputs, derive_outputs, offers, wanted};
+use crate::outputs::{Listed, Outputs, check_equations, derive_outputs, offers, wanted};
 use crate::range::check_range;
 use crate::syntax::File;
 use crate::{lower, syntax};
@@ -80,6 +80,8 @@ fn solve<S: Listed>(
     errors: &mut Errors,
 ) -> Option<Solved<S>> {
     let (model, equations) = model.derive(&mut work, errors)?;
+    let equated = model.equated(outline, &equations);
+    check_equations(&work, &equated.accelerations, errors)?;
     let outputs = derive_outputs(outline, &model, &mut work, &equations, errors)?;
     let mut report = model.describe(&mut work, &equations);
     if let Some(file) = file {
@@ -91,7 +93,7 @@ fn solve<S: Listed>(
     let answers = model.answers(&mut work, &equations);
     let claimed = (model.checks(), model.defaults());
     check_claims(claimed, &answers, (outline, &work), errors);
-    let equations = model.equated(outline, equations);
+    let equations = equated;
     let roots = Roots {
         finite: [equations.accelerations.clone(), outputs.roots()].concat(),
         switches: equations.switches.iter().flat_map(Switch::roots).collect(),

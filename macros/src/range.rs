@@ -87,7 +87,7 @@ fn check_rounded(
     let is_open = entries
         .iter()
         .any(|id| graph.stage(*id) == Stage::Parameter);
-    if !is_open || !outline.has_default() {
+    if !is_open || !graph.are_early(entries) || !outline.has_default() {
         return;
     }
     let default = |symbol: Id| graph.as_number(*defaults.get(&symbol)?);
@@ -119,7 +119,10 @@ fn overflows(
         .copied()
         .chain(bodies.iter().flat_map(Substance::inertia_entries));
     let mass = bodies.iter().filter_map(|body| body.mass);
-    let wanted: Vec<Id> = wanted.chain(mass).collect();
+    let wanted: Vec<Id> = wanted
+        .chain(mass)
+        .filter(|id| graph.is_early(*id))
+        .collect();
     let default = |symbol: Id| graph.as_number(*defaults.get(&symbol)?);
     let values = graph.evaluate(&wanted, |symbol| {
         default(symbol).map_or(f64::NAN, Number::to_f64)

@@ -13,7 +13,7 @@ pub struct Body {
     /// `fixed_axis(P, direction)`, at the world's origin or `.at(world(..))`; of a slender rod,
     /// `rod(direction)` with the direction of its axis in the body, such as `rod(body(1, 0, 0))`.
     pub motion: (),
-    /// The mass: `1.2[kg]`, or an expression of params. The parts of `inertia: compose([..])` have
+    /// The mass: `1.2[kg]`, or an expression of params, of time and of states of its own. The parts of `inertia: compose([..])` have
     /// it already.
     pub mass: (),
     /// The moments of inertia, about G in body axes unless `.about(P)` follows. In the plane and of
@@ -27,6 +27,12 @@ pub struct Body {
     /// `.turned(axis, angle)`. `compose([cylinder(r, h).mass(m).at(P), point(m).at(Q)])` gives
     /// mass, G and inertia together.
     pub inertia: (),
+    /// Constants of the Rust around it, of type `f64`: `[area = crate::AREA[m ^ 2]]`.
+    pub constants: (),
+    /// Functions of the Rust around it, with the units of their arguments and of their value, and with
+    /// derivatives where they are given:
+    /// `[lift(alpha) = crate::lift[N].derivatives(crate::lift_by_alpha)]`.
+    pub functions: (),
     /// Constants of a run, with or without a default: `[arm = 0.17[m], gain]`.
     pub params: (),
     /// Quantities given at each evaluation: `[thrust[N], wind = world(_, _, _)[m / s]]`.
@@ -83,6 +89,12 @@ pub struct System {
     pub motion: (),
     /// `zero_pose`: all bodies and joints are drawn in one frame, where all coordinates are zero.
     pub drawing: (),
+    /// Constants of the Rust around it, of type `f64`: `[area = crate::AREA[m ^ 2]]`.
+    pub constants: (),
+    /// Functions of the Rust around it, with the units of their arguments and of their value, and with
+    /// derivatives where they are given:
+    /// `[lift(alpha) = crate::lift[N].derivatives(crate::lift_by_alpha)]`.
+    pub functions: (),
     /// Constants of a run, with or without a default: `[arm = 0.17[m], gain]`.
     pub params: (),
     /// Quantities given at each evaluation: `[torque[N * m]]`.

@@ -1,5 +1,7 @@
 //! Tables in descriptions: between their values, at them and beyond, of one scalar and of two.
 
+mod files;
+
 use nalgebra::Vector3;
 use newton_euler::ensemble::Ensemble;
 use newton_euler::integrate::{Classical4, Fixed};

@@ -50,7 +50,7 @@ pub fn emit_body(
     let acceleration = items::write_acceleration(&site, equations);
     let addition = add(&site);
     let (constructor, documentation) = match sound {
-        None => (Constructor::stub(), Documentation::stub(outline)),
+        None => (Constructor::stub(outline), Documentation::stub(outline)),
         Some(sound) => {
             let built =
                 Constructor::write(outline, (&sound.bodies, &sound.work), &sound.roots, &fields);
@@ -60,12 +60,16 @@ pub fn emit_body(
         }
     };
     let items = items::emit_items(outline, &constructor, &documentation);
-    let rigid_body = items::emit_rigid_body(&site, &acceleration, equations);
+    let bodies = sound.map_or(&[][..], |sound| &sound.bodies);
+    let rigid_body = items::emit_rigid_body(&site, &acceleration, equations, bodies);
     let integrate = items::emit_integrate(&site, addition.best);
     let added = &addition.implementations;
     let columns = items::emit_columns(outline, &constructor);
     let checks = items::emit_checks(outline);
     let all = quote!(#items #rigid_body #integrate #added #columns);
     let all = items::with_private_fields(outline, all, &addition.structs);
-    quote!(#all #checks)
+    let foreign = sound.map(|sound| items::emit_foreign(outline, &sound.work));
+    let files = sound.iter().flat_map(|sound| &sound.work.files);
+    let files = files.map(|path| emit_tracked(Some(path)));
+    quote!(#all #foreign #checks #(#files)*)
 }

@@ -24,8 +24,8 @@ pub use system::{
     Axes, Closing, Holds, JointKind, Kept, Member, Part, Property, System, Tie, TreeJoint,
 };
 pub use words::{
-    AXES, Answers, Check, Checks, Claim, Dimension, Doubtful, Frame, FrameWord, Labels, Meaning,
-    Variable, shown, why_not,
+    AXES, Answers, Check, Checks, Claim, Dimension, Doubtful, ForeignConstant, ForeignFunction,
+    Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
 };
 
 use crate::symbolic::{Components, Graph, Id};

@@ -6,6 +6,7 @@ mod body;
 mod by_name;
 mod constrained;
 mod energy;
+mod foreign;
 mod linearization;
 mod loads;
 mod momentum;
@@ -25,6 +26,7 @@ use crate::symbolic::Id;
 
 use output::{Basis, Output, Place};
 
+pub use foreign::check_equations;
 pub use output::Listed;
 
 /// What a description may ask for.
@@ -64,6 +66,10 @@ pub fn derive_outputs<S: Listed>(
     };
     for output in &mut outputs.0 {
         output.derive(&mut basis)?;
+    }
+    let Basis { work, errors, .. } = basis;
+    for output in &outputs.0 {
+        foreign::check_output(&**output, outline, work, errors)?;
     }
     Some(outputs)
 }

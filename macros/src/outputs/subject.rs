@@ -30,7 +30,7 @@ pub trait Subject: Sized + 'static {
     fn describe(&self, work: &mut Workspace, equations: &Self::Equations) -> Report;
 
     /// Its accelerations, in the order in which the state has them, and when they change.
-    fn equated(&self, outline: &Outline, equations: Self::Equations) -> Equated;
+    fn equated(&self, outline: &Outline, equations: &Self::Equations) -> Equated;
 
     /// What its bodies are made of.
     fn substances(&self) -> Vec<Substance>;
@@ -133,15 +133,15 @@ impl Subject for Model {
         describe_equations(self, work, equations)
     }
 
-    fn equated(&self, outline: &Outline, equations: Equations) -> Equated {
+    fn equated(&self, outline: &Outline, equations: &Equations) -> Equated {
         Equated {
             accelerations: [
                 Shapes::of(outline).pair_part(&equations.accelerations),
                 rates(&self.states),
             ]
             .concat(),
-            switches: equations.switches,
-            partial: equations.partial,
+            switches: equations.switches.clone(),
+            partial: equations.partial.clone(),
         }
     }
 
@@ -251,14 +251,14 @@ impl Subject for System {
         describe_system(self, work, equations)
     }
 
-    fn equated(&self, _: &Outline, equations: SystemEquations) -> Equated {
+    fn equated(&self, _: &Outline, equations: &SystemEquations) -> Equated {
         // the state has the joints as they are written, the tree each after its carrier
         let written = self.written.iter();
         let accelerations = written.flat_map(|joint| equations.accelerations[*joint].clone());
         Equated {
             accelerations: accelerations.chain(rates(&self.states)).collect(),
-            switches: equations.switches,
-            partial: equations.partial,
+            switches: equations.switches.clone(),
+            partial: equations.partial.clone(),
         }
     }
 

@@ -16,6 +16,8 @@ mod zeros;
 pub use algebra::{Algebra, Exact, Tape};
 pub use graph::{Comparison, Components, Cost, Graph, Id, Node, Program, Stage, Symbol};
 pub use linear::{Elimination, Equation, Size, Undetermined};
-pub use number::{Function, Number, PrincipalAxes, Residue, Spectrum, Symmetry, Table, scaled};
+pub use number::{
+    Foreign, Function, Number, PrincipalAxes, Residue, Spectrum, Symmetry, Table, scaled,
+};
 pub use series::{Coordinate, LANES, Origin, Polynomial, Recurrences, Sum, Term};
 pub use zeros::{Residues, Sample, free, on_branches};

@@ -11,6 +11,7 @@ use super::Load;
 use super::Value;
 use super::charges::parse_charges;
 use super::expression::{Expression, Kind};
+use super::foreign::{parse_constant, parse_function};
 use super::tokens::{after_sign, bracketed, is_punct, start, stream};
 use super::unit::UnitExpression;
 use super::words::check_name;
@@ -20,10 +21,15 @@ use crate::families::LoadKind;
 /// Reads one entry of the list `key`. Without a name there is none; without a value it stays
 /// known, and silent.
 pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], errors: &mut Errors) {
+    if key == "functions" {
+        parse_function(into, entry, errors);
+        return;
+    }
     let Some((name, rest)) = parse_name(into, key, entry, errors) else {
         return;
     };
     match key {
+        "constants" => into.constants.push(parse_constant(name, rest, errors)),
         "params" => {
             let param = parse_declaration(name, rest, errors);
             if let Some(word) = &param.moving {

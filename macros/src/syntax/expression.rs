@@ -19,6 +19,8 @@ pub enum Kind {
     /// The digits of a literal.
     Number(String),
     Name(Ident),
+    /// A string: the name of a file, or of a column of it.
+    Text(String),
     /// `_`
     Placeholder,
     /// What could not be read, which is reported: it has no value, and what is around it is still
@@ -125,7 +127,11 @@ impl Expression {
             show(part);
             let shown = pending.len();
             match &part.kind {
-                Kind::Number(_) | Kind::Name(_) | Kind::Placeholder | Kind::Poisoned => {}
+                Kind::Number(_)
+                | Kind::Name(_)
+                | Kind::Text(_)
+                | Kind::Placeholder
+                | Kind::Poisoned => {}
                 Kind::Tuple(parts) | Kind::List(parts) | Kind::Call(_, parts) => {
                     pending.extend(parts);
                 }

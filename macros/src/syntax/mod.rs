@@ -9,6 +9,7 @@ mod checks;
 mod composition;
 mod entries;
 mod expression;
+mod foreign;
 mod head;
 mod mjcf;
 mod motion;
@@ -30,9 +31,10 @@ use crate::families::Family;
 use crate::families::LoadKind;
 pub use composition::{Composition, Part};
 pub use expression::{Called, Expression, Kind, Operator, Prefix, Step, call};
+pub use foreign::{Constant, Function};
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
-pub use system::{CABLE, Center, File, LINK, System, parse_system};
+pub use system::{CABLE, Center, File, LINK, System, file_beside, parse_system};
 pub use unit::UnitExpression;
 pub use words::BUILT_IN;
 
@@ -59,6 +61,9 @@ pub struct Description {
     pub inertia: Option<Written>,
     /// `inertia: compose([..])`, which is mass, G and inertia together.
     pub composition: Option<Composition>,
+    /// Constants and functions that stand in the Rust of the user.
+    pub constants: Vec<Constant>,
+    pub functions: Vec<Function>,
     pub params: Vec<Declaration>,
     pub inputs: Vec<Declaration>,
     /// States of its own, and the rate of each.
@@ -90,6 +95,8 @@ impl Description {
             mass: None,
             inertia: None,
             composition: None,
+            constants: Vec::new(),
+            functions: Vec::new(),
             params: Vec::new(),
             inputs: Vec::new(),
             states: Vec::new(),
@@ -103,6 +110,15 @@ impl Description {
             pole: None,
             outputs: Vec::new(),
         }
+    }
+}
+
+impl Description {
+    /// The names of what stands in the Rust of the user, and what it is.
+    pub fn foreign(&self) -> impl Iterator<Item = (&Ident, &'static str)> {
+        let constants = self.constants.iter().map(|one| (&one.name, "constant"));
+        let functions = self.functions.iter().map(|one| (&one.name, "function"));
+        constants.chain(functions)
     }
 }
 

@@ -17,7 +17,9 @@ use super::words::is_keyword;
 use super::{Description, Written};
 
 /// Keys whose value is a list, each with an entry to show.
-const LISTS: [(&str, &str); 16] = [
+const LISTS: [(&str, &str); 18] = [
+    ("constants", "area = crate::AREA[m ^ 2]"),
+    ("functions", "lift(alpha) = crate::lift[N]"),
     ("params", "arm = 0.2[m]"),
     ("inputs", "thrust[N]"),
     ("states", "speed[rad / s]"),

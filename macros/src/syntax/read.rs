@@ -174,6 +174,7 @@ impl Reader<'_> {
                 let message = "there are no literal conditions here: write a comparison";
                 return self.refuse(value, message);
             }
+            Lit::Str(text) => return Some(Kind::Text(text.value())),
             other => return self.refuse(other, "expected a number"),
         };
         if suffix.is_empty() {

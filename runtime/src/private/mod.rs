@@ -76,4 +76,4 @@ pub use path::{
 };
 pub use pivots::{determined, reciprocal};
 pub use projection::{Row, Size, check, project};
-pub use tables::table;
+pub use tables::{constant, table};

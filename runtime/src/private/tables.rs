@@ -1,4 +1,4 @@
-//! Tables that stand in a description.
+//! Tables and constants that stand in a description.
 
 use crate::numbers::scalar::Scalar;
 
@@ -34,4 +34,15 @@ pub fn table<T: Scalar, const N: usize>(x: T, pieces: &[(f64, [f64; N])]) -> T {
     let zero = number(0.0);
     let powers = coefficients.into_iter().rev();
     powers.fold(zero, |sum, one| sum * beyond + one)
+}
+
+/// A constant of the user, in the precision of the scalar.
+#[inline(always)]
+#[must_use]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounded to the precision of the scalar"
+)]
+pub fn constant<T: Scalar>(value: f64) -> T {
+    T::default().constant(value, value as f32)
 }

@@ -98,6 +98,10 @@ impl Block<'_> {
             }
             Node::Divide(..) => (None, "ratio"),
             Node::Pivot(..) => (None, "reciprocal"),
+            Node::Foreign(function, _) => {
+                let functions = &self.writer.work.functions;
+                (functions[function.number()].word(function), "value")
+            }
             Node::Select(..) => (None, "choice"),
             Node::Number(_) => (None, "constant"),
             _ => (None, "condition"),

@@ -3,9 +3,10 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-use crate::symbolic::{Comparison, Function, Id, Node, Number};
+use crate::symbolic::{Comparison, Foreign, Function, Id, Node, Number};
 
 use super::block::Block;
+use super::naming::given;
 use super::scalar::number_literal;
 
 /// How tightly an expression binds, from the loosest to the tightest.
@@ -79,6 +80,9 @@ impl Block<'_> {
             Node::Not(a) => prefix(quote!(!), a, Precedence::Atom),
             Node::Unary(function, a) => (self.call(function, &[a]), Precedence::Atom),
             Node::Binary(function, a, b) => (self.call(function, &[a, b]), Precedence::Atom),
+            Node::Foreign(function, arguments) => {
+                (self.foreign_call(function, &arguments), Precedence::Atom)
+            }
             Node::Pivot(divisor, scale) => (self.guarded(id, divisor, scale), Precedence::Atom),
             Node::Select(condition, a, b) => {
                 let [condition, a, b] = [condition, a, b].map(|id| self.value(id));
@@ -225,6 +229,15 @@ impl Block<'_> {
         });
         let (private, argument) = (&self.writer.shapes.private, self.value(argument));
         quote!(#private::table(#argument, &[#(#rows),*]))
+    }
+
+    /// `Self::given_lift(alpha)`
+    fn foreign_call(&self, which: Foreign, arguments: &[Id]) -> TokenStream {
+        let function = &self.writer.work.functions[which.number()];
+        let word = function.word(which).unwrap_or_default();
+        let name = given(&word);
+        let arguments = self.arguments(&arguments[..function.arguments.len()]);
+        quote!(Self::#name(#(#arguments),*))
     }
 
     /// A method of the scalar, `x.sin()`.

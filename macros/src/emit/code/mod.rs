@@ -16,7 +16,7 @@ mod writer;
 pub use block::Block;
 pub use lints::allow_constants;
 pub use method::Method;
-pub use naming::{Names, PRINCIPAL_AXES, local, local_name};
+pub use naming::{Names, PRINCIPAL_AXES, given, local, local_name};
 pub use scalar::{Scalar, number_literal, private};
 pub use shapes::{Shapes, Values};
 pub use site::Site;

@@ -7,6 +7,11 @@ use proc_macro2::{Ident, Span};
 /// The field of principal axes.
 pub const PRINCIPAL_AXES: &str = "principal_axes";
 
+/// The associated function that has what stands in the Rust of the user under this name.
+pub fn given(word: &str) -> Ident {
+    Ident::new(&format!("given_{word}"), Span::call_site())
+}
+
 /// A local of generated code: it does not see, and is not seen by, the names of the user.
 pub fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())

@@ -11,7 +11,7 @@ use crate::model::{AXES, Declared, Field, Jointed, Meaning, Motion, Outline, Var
 use crate::symbolic::{Id, Number, Program, Stage};
 
 use super::block::Block;
-use super::naming::local;
+use super::naming::{given, local};
 use super::writer::Source;
 
 /// Which component of something a symbol is, if it is one.
@@ -161,6 +161,7 @@ impl Block<'_> {
             self.reads.push(Source::Time);
             self.names.insert(id, local("time"));
         }
+        tokens.extend(self.read_constants(&symbols));
         tokens.extend(self.read_reactions(&symbols));
         for (source, path, names, component) in places(outline) {
             let found = found(&symbols, component);
@@ -199,6 +200,10 @@ impl Block<'_> {
         let (motion, state) = (outline.motion, local("state"));
         if self.writer.stage == Stage::Parameter {
             let params = Ident::new("params", Span::call_site());
+            if outline.params.is_empty() {
+                let kind = self.writer.shapes.scalar.kind();
+                return quote!(<#kind as ::core::default::Default>::default());
+            }
             return component_at_hand(&params, outline.params.first());
         }
         if outline.is_still() {
@@ -229,6 +234,29 @@ impl Block<'_> {
         } else {
             quote!(#state.angular_velocity.x)
         }
+    }
+
+    /// `let area = Self::given_area();` of constants that are not stored.
+    fn read_constants(&mut self, symbols: &[(Id, Meaning)]) -> TokenStream {
+        let component = |meaning: Meaning| match meaning {
+            Meaning::Constant(number) => Some(number),
+            _ => None,
+        };
+        let mut tokens = TokenStream::new();
+        for (number, id) in found(symbols, component) {
+            if self.writer.fields.get(id).is_some() {
+                continue;
+            }
+            let word = self.writer.work.constants[number].name.to_string();
+            let (name, given) = (self.statement_name(id), given(&word));
+            let (private, kind) = (
+                &self.writer.shapes.private,
+                self.writer.shapes.scalar.kind(),
+            );
+            tokens.extend(quote!(let #name: #kind = #private::constant(Self::#given());));
+            self.names.insert(id, name);
+        }
+        tokens
     }
 
     /// `let [pin_x, pin_y]: [f64; 2] = reactions.pin.into();`

@@ -70,9 +70,13 @@ fn emit_generic(outline: &Outline) -> TokenStream {
     let (name, private) = (&outline.name, private(outline));
     let with = format_ident!("{name}Scalar");
     let (params, argument, build, parameters) = if outline.params.is_empty() {
-        let build = quote!(::core::result::Result::Ok(
-            ::core::default::Default::default()
-        ));
+        let build = if outline.is_foreign() {
+            quote!(Self::new())
+        } else {
+            quote!(::core::result::Result::Ok(
+                ::core::default::Default::default()
+            ))
+        };
         (quote!(()), quote!((): ()), build, None)
     } else {
         let params = format_ident!("{name}Params");

@@ -41,11 +41,12 @@ pub fn stored_fields(outline: &Outline, work: &Workspace, roots: &Roots) -> Fiel
     if outline.scalar.is_some() {
         all.extend(roots.tensor.into_iter().flatten());
     }
-    let hoisted = Writer::new(outline, work, Fields::NONE)
-        .schedule(&all)
-        .hoisted;
+    let program = Writer::new(outline, work, Fields::NONE).schedule(&all);
+    let is_constant = |id: &Id| matches!(work.meaning(*id), Some(Meaning::Constant(_)));
+    let constants = program.symbols.into_iter().filter(is_constant);
+    let hoisted = program.hoisted.into_iter().chain(constants);
     let mut taken: Names = ["params", PRINCIPAL_AXES].into_iter().collect();
-    let fields = hoisted.into_iter().map(|id| {
+    let fields = hoisted.map(|id| {
         let label = |id: Id| work.labels.get(id).map(str::to_owned);
         let opposite = || Some(format!("minus_{}", label(work.graph.negation_of(id)?)?));
         let wanted = label(id).or_else(opposite);
@@ -66,8 +67,10 @@ fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
     let graph = &work.graph;
     let mut words: Vec<String> = Vec::new();
     for symbol in graph.reachable(&[id], |_| true) {
-        if let Some(Meaning::Param(index, _)) = work.meaning(symbol) {
-            words.push(outline.params[index].name.to_string());
+        match work.meaning(symbol) {
+            Some(Meaning::Param(index, _)) => words.push(outline.params[index].name.to_string()),
+            Some(Meaning::Constant(index)) => words.push(work.constants[index].name.to_string()),
+            _ => {}
         }
     }
     words.dedup();
@@ -94,7 +97,7 @@ impl Constructor {
         let mass: Vec<Id> = mass.filter(is_open).collect();
         let inertia = bodies.iter().map(Substance::inertia_entries);
         let open: Vec<Vec<Id>> = inertia
-            .filter(|entries| entries.iter().any(is_open))
+            .filter(|entries| entries.iter().any(is_open) && work.graph.are_early(entries))
             .collect();
         let inertia = open.concat();
         let tensor = roots.tensor.filter(|_| outline.scalar.is_none());
@@ -120,7 +123,7 @@ impl Constructor {
         let value_text = &code.facts.output_text[code.outputs.len() - values.len()..];
         let stored: Vec<Ident> = fields.0.iter().map(|(_, name)| name.clone()).collect();
         let (rest, text_of_rest) = let_fields(&stored, values, value_text);
-        let text = [code.facts.text, text_of_rest].concat();
+        let text = [constants_text(work), code.facts.text, text_of_rest].concat();
         let private = &writer.shapes.private;
         let (finite, statements) = (finite_checks(outline), code.statements);
         let possible = check_possible(&open, mass, inertia, private);
@@ -130,15 +133,18 @@ impl Constructor {
         let set_axes = axes
             .iter()
             .map(|axes| quote!(let #axes = #private::principal_axes([#(#tensor),*]);));
+        let own = own_fields(outline);
+        let check_params =
+            (!finite.is_empty()).then(|| quote!(#private::check_finite(&[#(#finite),*])?;));
         let body = quote! {
-            #private::check_finite(&[#(#finite),*])?;
+            #check_params
             #statements
             #possible
             #made
             #rest
             #derived
             #(#set_axes)*
-            ::core::result::Result::Ok(Self { params, #(#stored,)* #axes })
+            ::core::result::Result::Ok(Self { #own #(#stored,)* #axes })
         };
         Self {
             stored,
@@ -149,12 +155,30 @@ impl Constructor {
         }
     }
 
-    pub fn stub() -> Self {
+    pub fn stub(outline: &Outline) -> Self {
+        let own = own_fields(outline);
         Self {
-            body: quote!(::core::result::Result::Ok(Self { params })),
+            body: quote!(::core::result::Result::Ok(Self { #own })),
             ..Self::default()
         }
     }
+}
+
+/// The parameters, or what holds the scalar of a body without them.
+fn own_fields(outline: &Outline) -> TokenStream {
+    match (outline.params.is_empty(), &outline.scalar) {
+        (false, _) => quote!(params,),
+        (true, Some(_)) => quote!(scalar: ::core::marker::PhantomData,),
+        (true, None) => TokenStream::new(),
+    }
+}
+
+/// `area = crate::AREA` of each constant of the user.
+fn constants_text(work: &Workspace) -> Vec<String> {
+    let constants = work.constants.iter();
+    constants
+        .map(|constant| format!("{} = {}", constant.name, to_text(&constant.value)))
+        .collect()
 }
 
 /// `let arm = ..;` of each field, but of what is a statement and has its name already; and as text.

@@ -5,6 +5,7 @@ use quote::{format_ident, quote};
 
 use crate::emit::code::{COMMON, Method, Site, Source, Writer, local, number_literal};
 use crate::mechanics::{Partial, Switch};
+use crate::model::Substance;
 use crate::symbolic::{Id, Number};
 
 /// The accelerations, and when they change; in the order in which the state has them.
@@ -48,6 +49,7 @@ pub fn emit_rigid_body(
     site: &Site<'_>,
     acceleration: &Method,
     equations: Option<&Equated>,
+    bodies: &[Substance],
 ) -> TokenStream {
     let (shapes, header) = (&site.shapes, site.header("RigidBody"));
     let (state, input, scalar) = (shapes.state_type(), site.input_type(), shapes.scalar.kind());
@@ -59,6 +61,7 @@ pub fn emit_rigid_body(
     let switches = equations.map(|equations| emit_switches(site, &equations.switches));
     let input_after = emit_input_after(site);
     let lost_load = equations.map(|equations| emit_lost_load(site, &equations.partial));
+    let possible = emit_possible(site, bodies);
     // in lanes, all of it has to be compiled for the register
     let inline = if shapes.scalar.is_generic() {
         quote!(#[allow(clippy::inline_always)] #[inline(always)])
@@ -75,6 +78,7 @@ pub fn emit_rigid_body(
             #switches
             #input_after
             #lost_load
+            #possible
         }
     }
 }
@@ -102,6 +106,46 @@ fn emit_lost_load(site: &Site<'_>, partial: &[Partial]) -> Option<TokenStream> {
     });
     let name = quote!(::core::option::Option<&'static str>);
     let method = method.declared("lost_load", &site.arguments(&method, &COMMON), &name);
+    Some(quote!(#[cold] #method))
+}
+
+/// `check_mass(mass)?; check_inertia([xx, ..])?;` of what changes in the course of a motion.
+fn emit_possible(site: &Site<'_>, bodies: &[Substance]) -> Option<TokenStream> {
+    let method = site.method(Some(bodies), |writer, bodies| {
+        let graph = &writer.work.graph;
+        let changes = |ids: &[Id]| !graph.are_early(ids);
+        let mass = bodies.iter().filter_map(|body| body.mass);
+        let mass: Vec<Id> = mass.filter(|mass| changes(&[*mass])).collect();
+        let inertia = bodies.iter().map(Substance::inertia_entries);
+        let inertia: Vec<Vec<Id>> = inertia.filter(|entries| changes(entries)).collect();
+        if mass.is_empty() && inertia.is_empty() {
+            return Method::default();
+        }
+        let outputs = [mass.clone(), inertia.concat()].concat();
+        let writer = Writer {
+            is_whole: true,
+            ..writer.clone()
+        };
+        let private = &writer.shapes.private;
+        Method::write(&writer, &outputs, |values| {
+            let mass: Vec<_> = values.take(mass.len()).collect();
+            let inertia = inertia.iter().map(|entries| {
+                let entries: Vec<_> = values.take(entries.len()).collect();
+                match &entries[..] {
+                    [moment] => quote!(#private::check_planar_inertia(#moment)?;),
+                    entries => quote!(#private::check_inertia([#(#entries),*])?;),
+                }
+            });
+            let inertia: Vec<TokenStream> = inertia.collect();
+            quote!(#(#private::check_mass(#mass)?;)* #(#inertia)* ::core::result::Result::Ok(()))
+        })
+    });
+    if method.body.is_empty() || bodies.is_empty() {
+        return None;
+    }
+    let private = &site.shapes.private;
+    let result = quote!(::core::result::Result<(), #private::InvalidBody>);
+    let method = method.declared("possible", &site.arguments(&method, &COMMON), &result);
     Some(quote!(#[cold] #method))
 }
 

@@ -64,7 +64,7 @@ pub fn emit_items(
     let beside = records(outline).map(|record| record.declared(outline));
     let beside: TokenStream = beside.chain(emit_state(outline)).collect();
     let (declared, applied, kind) = (scalar.declared(), scalar.applied(), scalar.kind());
-    if !outline.params.is_empty() {
+    if outline.is_built() {
         return emit_built(outline, constructor, documentation, &beside);
     }
     let marker = scalar.is_generic();
@@ -168,15 +168,25 @@ fn emit_built(
         fields: declared_fields(outline, &outline.params),
         has_default: false,
     };
-    let (params, axes) = (record.name(outline), axes.iter());
-    let param_struct = record.declared(outline);
+    let (has_params, axes) = (!outline.params.is_empty(), axes.iter());
+    let params = has_params.then(|| {
+        let name = record.name(outline);
+        quote!(#name #applied)
+    });
+    let param_struct = has_params.then(|| record.declared(outline));
+    let marker = (!has_params && scalar.is_generic())
+        .then(|| quote!(scalar: ::core::marker::PhantomData<#kind>,));
+    let params: Vec<TokenStream> = params.into_iter().collect();
     let constants_of_new = allow_constants(body);
-    let default = outline.has_default().then(|| emit_default(outline));
-    let new_doc = " Checks the parameters, and computes what depends on them alone.";
+    let default = emit_default(outline);
+    let what = if has_params { "parameter" } else { "constant" };
+    let new_doc = format!(" Checks the {what}s, and computes what depends on them alone.");
+    let error_doc =
+        format!(" A {what} is not finite, or no body has the mass or inertia they make.");
     quote! {
         #lines
         #[derive(Clone, Debug)]
-        pub struct #name #declared { params: #params #applied, #(#stored: #kind,)* #(#axes: #private::PrincipalAxes)* }
+        pub struct #name #declared { #(params: #params,)* #marker #(#stored: #kind,)* #(#axes: #private::PrincipalAxes)* }
         #param_struct
         #beside
         impl #declared #name #applied {
@@ -184,12 +194,14 @@ fn emit_built(
             #[doc = #new_doc]
             #[doc = ""]
             #[doc = " # Errors"]
-            #[doc = " A parameter is not finite, or no body has the mass or inertia they make."]
+            #[doc = #error_doc]
             #constants_of_new
-            pub fn new(params: #params #applied) -> ::core::result::Result<Self, #private::InvalidBody> { #body }
-            /// The parameters this body was built from.
-            #[must_use]
-            pub fn params(&self) -> &#params #applied { &self.params }
+            pub fn new(#(params: #params)*) -> ::core::result::Result<Self, #private::InvalidBody> { #body }
+            #(
+                /// The parameters this body was built from.
+                #[must_use]
+                pub fn params(&self) -> &#params { &self.params }
+            )*
         }
         #default
     }
@@ -198,7 +210,7 @@ fn emit_built(
 /// What a body stores goes together: where there is something, its items stand in a module of their
 /// own, and nobody beside the call can change a part of it. `added` are structs of outputs.
 pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident]) -> TokenStream {
-    if outline.params.is_empty() {
+    if !outline.is_built() {
         return items;
     }
     let name = &outline.name;
@@ -206,7 +218,7 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident
     let others = [
         ("State", outline.has_parts()),
         ("Acceleration", outline.has_parts()),
-        ("Params", true),
+        ("Params", !outline.params.is_empty()),
     ];
     let others = others.iter().filter(|(_, is_there)| *is_there);
     let others = others.map(|(suffix, _)| format_ident!("{name}{suffix}"));
@@ -220,7 +232,11 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident
     }
 }
 
-fn emit_default(outline: &Outline) -> TokenStream {
+/// Defaults of the parameters, and of a body that is known to be possible with them.
+fn emit_default(outline: &Outline) -> Option<TokenStream> {
+    if outline.params.is_empty() || !outline.has_default_params() {
+        return None;
+    }
     let name = &outline.name;
     let params = format_ident!("{name}Params");
     let names = outline.params.iter().map(|param| &param.name);
@@ -237,17 +253,20 @@ fn emit_default(outline: &Outline) -> TokenStream {
     } else {
         "the defaults were checked at expansion"
     };
-    quote! {
-        impl #declared ::core::default::Default for #params #applied {
-            #constants
-            fn default() -> Self { Self { #values } }
-        }
+    let of_body = outline.has_default().then(|| quote! {
         impl #declared ::core::default::Default for #name #applied {
             fn default() -> Self {
                 Self::new(<#params #applied as ::core::default::Default>::default()).expect(#checked)
             }
         }
-    }
+    });
+    Some(quote! {
+        impl #declared ::core::default::Default for #params #applied {
+            #constants
+            fn default() -> Self { Self { #values } }
+        }
+        #of_body
+    })
 }
 
 /// What lets the compiler and editors see the words of the description: its keys, and the names

@@ -15,6 +15,7 @@ use super::outline;
 impl Lowering<'_> {
     pub fn declarations(&mut self, description: &Description, outline: &mut Outline) -> Defaults {
         let mut defaults = HashMap::new();
+        self.foreign_definitions(description);
         for (index, param) in outline::distinct(&description.params).enumerate() {
             let value = self.param(index, param, &mut outline.params[index], &mut defaults);
             self.scope.define(&param.name.to_string(), value);
@@ -235,7 +236,7 @@ impl Lowering<'_> {
     fn mass(&mut self, written: Option<&Expression>, defaults: &Defaults) -> Option<Id> {
         let value = written?;
         let mass = self.scalar(value, Dimension::MASS, "a mass")?;
-        self.check_early(value, &[mass], "the mass is constant")?;
+        self.check_course(value, &[mass], "the mass is constant")?;
         match self.known(mass, defaults) {
             Some(number) if !number.is_positive() => {
                 let number = shown(&number);

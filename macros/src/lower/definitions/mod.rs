@@ -1,6 +1,7 @@
 //! Parameters, inputs, points and locals, in the order of what they refer to.
 
 mod checks;
+mod foreign;
 mod in_order;
 mod names;
 mod order;

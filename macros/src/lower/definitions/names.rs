@@ -39,6 +39,9 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
         errors.push(name.span(), message.replace("a input", "an input"));
         repeated.insert(word);
     };
+    for (name, what) in description.foreign() {
+        check(name, what, errors);
+    }
     for param in &description.params {
         check(&param.name, "param", errors);
     }
@@ -88,8 +91,9 @@ pub fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
     let inputs = description.inputs.iter().filter(|input| input.order == 0);
     let declared = description.params.iter().chain(inputs);
     let defined = description.points.iter().chain(&description.locals);
-    declared
-        .map(|declaration| &declaration.name)
+    let foreign = description.foreign().map(|(name, _)| name);
+    foreign
+        .chain(declared.map(|declaration| &declaration.name))
         .chain(defined.map(|definition| &definition.name))
         .filter(|name| !scope.is_used(name))
         .cloned()

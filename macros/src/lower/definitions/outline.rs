@@ -84,6 +84,10 @@ pub fn outline(
         points: Vec::new(),
         driving: Vec::new(),
         kept: Vec::new(),
+        foreign: description
+            .foreign()
+            .map(|(name, _)| name.clone())
+            .collect(),
         params: distinct(&description.params).map(declared).collect(),
         inputs: distinct(&description.inputs).map(declared).collect(),
         states: distinct(&description.states).map(declared).collect(),

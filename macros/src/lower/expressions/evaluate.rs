@@ -23,6 +23,7 @@ impl Lowering<'_> {
             Kind::Name(name) => self.name(name),
             Kind::Poisoned => None,
             Kind::Placeholder => self.report(extent, UNKNOWN),
+            Kind::Text(_) => self.report(extent, "expected a number"),
             Kind::Tuple(_) => self.report(extent, AXES),
             Kind::List(_) => self.report(extent, CHARGES),
             Kind::Unit(operand, unit) => self.unit(operand, unit),
@@ -52,7 +53,7 @@ impl Lowering<'_> {
             Value::Scalar(id, _) | Value::Condition(id) => undefined(id),
             Value::Components(_, components, _) => components.iter().any(undefined),
             Value::Vector(vector, _) => self.work.entries(&[*vector]).iter().any(undefined),
-            Value::Point(_) | Value::Carried(..) | Value::Attitude => false,
+            Value::Point(_) | Value::Carried(..) | Value::Attitude | Value::Function(_) => false,
         };
         if is_undefined {
             return self.report(

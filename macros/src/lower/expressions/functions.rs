@@ -42,7 +42,7 @@ impl Lowering<'_> {
                 };
                 Some(Value::Vector(vector, dimension))
             }
-            "table" => self.table(function, arguments, extent),
+            "table" => self.table(function, arguments),
             "moment" => self.report(
                 function.span(),
                 "`moment(..)` stands alone behind the name of a reaction or a field",
@@ -62,15 +62,29 @@ impl Lowering<'_> {
             _ if VECTOR_METHODS.contains(&word.as_str()) => {
                 self.report(function.span(), format!("write `a.{word}(..)`"))
             }
-            _ => {
-                self.visit(arguments);
-                let known = ["body", "world", "table"];
-                self.report(
-                    function.span(),
-                    format!("there is no function `{word}` here{}", hint(&word, known)),
-                )
-            }
+            _ => match self.scope.look_up(&word) {
+                Some(Some(Value::Function(number))) => self.foreign(number, function, arguments),
+                Some(None) => {
+                    self.visit(arguments);
+                    None
+                }
+                _ => self.unknown_function(function, arguments),
+            },
         }
+    }
+
+    fn unknown_function(&mut self, function: &Ident, arguments: &[Expression]) -> Option<Value> {
+        self.visit(arguments);
+        let word = function.to_string();
+        let functions = self.work.functions.iter();
+        let own: Vec<String> = functions.map(|one| one.name.to_string()).collect();
+        let known = own
+            .iter()
+            .map(String::as_str)
+            .chain(["body", "world", "table"]);
+        let hint = hint(&word, known);
+        let message = format!("there is no function `{word}` here{hint}");
+        self.report(function.span(), message)
     }
 
     pub fn method(

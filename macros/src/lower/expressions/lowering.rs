@@ -6,7 +6,8 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
 use crate::model::{
-    Composed, Defaults, Dimension, Doubtful, Drawn, Motion, State, Vector, Workspace, why_not,
+    Composed, Defaults, Dimension, Doubtful, Drawn, Meaning, Motion, State, Vector, Workspace,
+    why_not,
 };
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind};
@@ -199,6 +200,12 @@ impl Lowering<'_> {
                         _ => word.span().into(),
                     };
                 }
+                // in its own unit, whatever its arguments are
+                Kind::Call(word, _)
+                    if matches!(self.scope.peek(&word.to_string()), Some(Value::Function(_))) =>
+                {
+                    return word.span().into();
+                }
                 Kind::Call(_, parts) | Kind::Tuple(parts) => {
                     let wrong = parts.iter().filter(|part| match self.value(part) {
                         Some(Value::Scalar(_, found)) => !found.fits(expected),
@@ -233,6 +240,46 @@ impl Lowering<'_> {
         let names = expression.names();
         let found = names.iter().find(late);
         found.map_or(expression.extent, |name| name.span().into())
+    }
+
+    /// What a body is made of may change with time and with states of its own, which know nothing of
+    /// how it moves; in systems it is fixed.
+    pub fn check_course(&mut self, written: &Expression, ids: &[Id], rule: &str) -> Option<()> {
+        if self.members.is_system() {
+            return self.check_early(written, ids, rule);
+        }
+        let is_course = |work: &Workspace, id: Id| {
+            let meaning = work.meaning(id);
+            let is_open = matches!(meaning, Some(Meaning::Time | Meaning::Own(_)));
+            work.graph.is_early(id) || is_open
+        };
+        let work = &*self.work;
+        if !work
+            .graph
+            .depends_on(ids, |symbol| !is_course(work, symbol))
+        {
+            return Some(());
+        }
+        let mut place = written.extent;
+        for name in written.names() {
+            let word = name.to_string();
+            let is_other = match self.scope.peek(&word) {
+                Some(Value::Scalar(id, _)) => self
+                    .work
+                    .graph
+                    .depends_on(&[id], |id| !is_course(self.work, id)),
+                Some(_) => false,
+                None => word != "t" && Scope::is_changing(&word),
+            };
+            if is_other {
+                place = name.span().into();
+                break;
+            }
+        }
+        self.report(
+            place,
+            format!("{rule}, or follows time and states of one's own: no input, and no part of the motion"),
+        )
     }
 
     /// What is fixed is known before the body moves; `rule` says why it has to be.

@@ -26,6 +26,8 @@ pub enum Value {
     Carried(usize, Vector),
     /// The attitude of the body.
     Attitude,
+    /// A function of the Rust of the user, by its number.
+    Function(usize),
 }
 
 impl Value {
@@ -38,6 +40,7 @@ impl Value {
             Self::Point(_) => "a point",
             Self::Carried(..) => "a point of another body",
             Self::Attitude => "the attitude",
+            Self::Function(_) => "a function",
         }
     }
 }
@@ -80,11 +83,12 @@ impl Scope {
         let declarations = given.chain(&description.states);
         let definitions = description.points.iter().chain(&description.locals);
         let declared = declarations.map(|declaration| declaration.name.to_string());
+        let foreign = description.foreign().map(|(name, _)| name.to_string());
         let defined = definitions.map(|definition| definition.name.to_string());
         Self {
             values: HashMap::new(),
             used: HashSet::new(),
-            defined: declared.chain(defined).collect(),
+            defined: declared.chain(defined).chain(foreign).collect(),
             lost: description.lost.iter().cloned().chain(repeated).collect(),
         }
     }

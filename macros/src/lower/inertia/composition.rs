@@ -63,6 +63,7 @@ impl Lowering<'_> {
             let center = graph.divide(moment, mass);
             graph.quantity(center)
         });
+        self.check_center(written, &masses, center)?;
         let labels = &mut self.work.labels;
         labels.describe("center", "G, from where the first part is");
         labels.vector("center", center);
@@ -83,6 +84,33 @@ impl Lowering<'_> {
             inertia,
             origin: Origin { first, center },
         })
+    }
+
+    /// Points are counted from G, which stays where it is in the body.
+    fn check_center(
+        &mut self,
+        written: &Composition,
+        masses: &[Id],
+        center: Components,
+    ) -> Option<()> {
+        let graph = &self.work.graph;
+        if graph.are_early(&center) {
+            return Some(());
+        }
+        let mut parts = written.parts.iter().flatten().zip(masses);
+        let late = parts.find(|(_, mass)| !graph.is_early(**mass));
+        let place = late.map_or_else(
+            || written.word.span().into(),
+            |(part, _)| match &part.mass {
+                Some(Some(mass)) => mass.extent,
+                _ => part.form.extent,
+            },
+        );
+        self.report(
+            place,
+            "as this changes, G moves in the body, from which points are counted, and inside the body there is no \
+             motion here: place what changes so that G stays",
+        )
     }
 
     /// The parts of a rod lie along its axis; offsets are from the first part.
@@ -186,7 +214,7 @@ impl Lowering<'_> {
 
     fn part_mass(&mut self, written: &Expression, defaults: &Defaults) -> Option<(Id, bool)> {
         let mass = self.scalar(written, Dimension::MASS, "a mass")?;
-        self.check_early(written, &[mass], "the mass is constant")?;
+        self.check_course(written, &[mass], "the mass is constant")?;
         if self.work.graph.is_zero(mass) {
             return self.report(
                 written.extent,

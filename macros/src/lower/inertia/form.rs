@@ -82,7 +82,7 @@ impl Lowering<'_> {
             draft.inertia = Inertia::Scalar(rows[2][2]);
         }
         let entries = draft.inertia.entries();
-        self.check_early(written, &entries, CONSTANT)?;
+        self.check_course(written, &entries, CONSTANT)?;
         if self.motion.is_line() {
             return self.across_axis(draft);
         }

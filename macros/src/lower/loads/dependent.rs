@@ -71,7 +71,10 @@ impl Lowering<'_> {
                         Value::Scalar(id, _) | Value::Condition(id) => vec![id],
                         Value::Components(_, components, _) => components.to_vec(),
                         Value::Vector(vector, _) => self.work.entries(&[vector]),
-                        Value::Point(_) | Value::Carried(..) | Value::Attitude => Vec::new(),
+                        Value::Point(_)
+                        | Value::Carried(..)
+                        | Value::Attitude
+                        | Value::Function(_) => Vec::new(),
                     };
                     self.depends(&components, symbols)
                 });

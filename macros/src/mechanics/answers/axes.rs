@@ -43,6 +43,10 @@ pub fn derive_axes(model: &Model, work: &mut Workspace, structure: &Structure) -
         return None;
     };
     let graph = &mut work.graph;
+    // the spin of the axes is constant, as the moments are
+    if !graph.are_early(rows.as_flattened()) {
+        return None;
+    }
     let e = direction.clone().map(|part| graph.number(part));
     let of_e = graph.transform(&rows, e);
     let along = graph.dot(e, of_e);

@@ -6,6 +6,7 @@ use crate::model::{Load, Meaning, Model, Own, Workspace};
 use crate::symbolic::{Function, Graph, Id, Node};
 
 /// A load, and all of its components that are not zero.
+#[derive(Clone)]
 pub struct Partial {
     pub name: String,
     pub parts: Vec<Id>,
@@ -74,7 +75,7 @@ fn is_sum_of_squares(graph: &Graph, sum: Id) -> bool {
 fn has_no_value_somewhere(graph: &Graph, node: &Node) -> bool {
     match *node {
         Node::Divide(_, divisor) => !graph.is_early(divisor),
-        Node::Pivot(..) => true,
+        Node::Pivot(..) | Node::Foreign(..) => true,
         Node::Unary(Function::Sqrt, operand) if is_sum_of_squares(graph, operand) => false,
         Node::Unary(function, operand) => {
             let is_partial = matches!(

@@ -112,7 +112,7 @@ impl Moving {
             .collect();
         let rates: Vec<Id> = all.map(|coordinate| coordinate.rate).collect();
         let kink = graph.first_kink(&rates, &moving);
-        let Some(kink) = kink.map(|kink| word(work, kink)) else {
+        let Some(kink) = kink else {
             return Some(());
         };
         let known = errors.count();
@@ -122,12 +122,12 @@ impl Moving {
                 && !said.contains(&name.as_str())
             {
                 said.push(name);
-                let reason = reason(word(work, kink));
+                let reason = reason(work, kink);
                 errors.push(asked, format!("`{name}` has no Taylor series: {reason}"));
             }
         }
         if errors.count() == known {
-            let reason = reason(kink);
+            let reason = reason(work, kink);
             errors.push(
                 asked,
                 format!("the equations have no Taylor series: {reason}"),
@@ -220,17 +220,18 @@ pub fn quaternion_rate(
     [x, y, z, against].map(|twice| graph.multiply(half, twice))
 }
 
-/// What a kink is called in a description.
-fn word(work: &Workspace, kink: Id) -> &'static str {
-    match work.graph.node(kink) {
+/// Why there is no series, and what to do about it.
+fn reason(work: &Workspace, kink: Id) -> String {
+    let otherwise = "leave `taylor` out and `integrate` takes Runge-Kutta steps";
+    let word = match work.graph.node(kink) {
+        Node::Foreign(function, _) => {
+            let name = &work.functions[function.number()].name;
+            return format!(
+                "`{name}` is a function of Rust, of which values are known alone; {otherwise}"
+            );
+        }
         Node::Unary(function, _) | Node::Binary(function, ..) => function.name(),
         _ => "if",
-    }
-}
-
-fn reason(kink: &str) -> String {
-    format!(
-        "`{kink}` of what moves is not smooth; write it in smooth functions, or leave `taylor` out \
-         and `integrate` takes Runge-Kutta steps"
-    )
+    };
+    format!("`{word}` of what moves is not smooth; write it in smooth functions, or {otherwise}")
 }

@@ -52,12 +52,13 @@ pub fn solve_euler(
             balance.in_user_axes()
         } else {
             let first = balance.gauged(2);
+            let is_fixed = balance.graph.are_early(rows.as_flattened());
             let further = [
                 Some(balance.gauged(1)),
                 Some(balance.gauged(0)),
-                balance.about_symmetry(),
+                is_fixed.then(|| balance.about_symmetry()).flatten(),
                 // of irrational axes, differences that vanish are not always proved to
-                if model.is_differentiated {
+                if model.is_differentiated || !is_fixed {
                     None
                 } else {
                     balance.in_principal_axes()
@@ -88,8 +89,7 @@ impl Balance<'_> {
         let mut labels = Labels::default();
         let (graph, w, moment) = (&mut *self.graph, self.w, self.moment);
         let inertia = [0, 1, 2].map(|i| self.rows[i][i]);
-        let one = graph.one();
-        let inverse = inertia.map(|moment| graph.divide(one, moment));
+        let inverse = inertia.map(|moment| graph.inverse_of_positive(moment));
         labels.vector("inverse_inertia", inverse);
         labels.describe(
             "precession",
@@ -268,7 +268,7 @@ pub fn inverse_inertia(
         .map(|row| graph.quantities(row));
     let cofactors = graph.cofactors(&relative);
     let determinant = graph.dot(relative[0], cofactors[0]);
-    let reciprocal = graph.divide(one, determinant);
+    let reciprocal = graph.inverse_of_positive(determinant);
     let inverse = cofactors
         .map(|row| graph.scale_vector(reciprocal, row))
         .map(|row| graph.scale_vector(scale, row));

@@ -107,7 +107,14 @@ pub fn uniform_field(
 ) -> Option<Components> {
     let graph: &Graph = &work.graph;
     let of_state = |id: Id| match work.meaning(id) {
-        Some(Meaning::Time | Meaning::Param(..) | Meaning::Input(..)) | None => false,
+        Some(
+            Meaning::Time
+            | Meaning::Param(..)
+            | Meaning::Constant(_)
+            | Meaning::Input(..)
+            | Meaning::Own(_),
+        )
+        | None => false,
         Some(_) => true,
     };
     let offset = load.point.offset(body)?;

@@ -85,9 +85,9 @@ fn linear_acceleration(
         return work.graph.zeros();
     };
     let resultant = resultant(work, loads);
-    let one = work.graph.one();
-    let inverse_mass = work.graph.divide(one, mass);
+    let inverse_mass = work.graph.inverse_of_positive(mass);
     work.labels.name(inverse_mass, "inverse_mass");
+    work.labels.divide_for(inverse_mass, "mass".to_owned());
     let specific = work.map(resultant, |graph, force| {
         force.map(|component| graph.distribute(inverse_mass, component))
     });
@@ -122,8 +122,7 @@ fn angular_acceleration(
         (inertia, Some(axis)) => about_axis(work, &inertia, axis, moment),
         (Inertia::Scalar(inertia), None) if model.state.axis.is_some() => {
             let graph = &mut work.graph;
-            let one = graph.one();
-            let inverse = graph.divide(one, inertia);
+            let inverse = graph.inverse_of_positive(inertia);
             moment.map(|part| graph.distribute(inverse, part))
         }
         (Inertia::Scalar(inertia), None) => {
@@ -154,10 +153,10 @@ fn about_axis(
 ) -> Components {
     let about_axis = moment_of_inertia(work, inertia, d);
     let graph = &mut work.graph;
-    let one = graph.one();
-    let inverse = graph.divide(one, about_axis);
+    let inverse = graph.inverse_of_positive(about_axis);
     let driving = graph.dot(d, moment);
     work.labels.name(inverse, "inverse_inertia");
+    work.labels.divide_for(inverse, "inertia".to_owned());
     let zero = graph.zero();
     [zero, zero, graph.distribute(inverse, driving)]
 }

@@ -25,10 +25,10 @@ pub fn free_moment(model: &Model, work: &mut Workspace, moment: Components) -> C
 pub fn response(model: &Model, work: &mut Workspace, load: Pair) -> Pair {
     let (force, moment) = (load.linear, load.angular);
     let graph = &mut work.graph;
-    let (zeros, one) = (graph.zeros(), graph.one());
+    let zeros = graph.zeros();
     let linear = match model.moved_mass() {
         Some(mass) => {
-            let inverse_mass = graph.divide(one, mass);
+            let inverse_mass = graph.inverse_of_positive(mass);
             work.labels.name(inverse_mass, "inverse_mass");
             work.graph.scale_vector(inverse_mass, force)
         }
@@ -47,14 +47,14 @@ pub fn response(model: &Model, work: &mut Workspace, load: Pair) -> Pair {
     let angular = match inertia {
         Inertia::Absent => zeros,
         Inertia::Scalar(inertia) => {
-            let inverse = work.graph.divide(one, inertia);
+            let inverse = work.graph.inverse_of_positive(inertia);
             work.labels.name(inverse, "inverse_inertia");
             work.graph.scale_vector(inverse, moment)
         }
         Inertia::Spatial(rows) if is_diagonal(&work.graph, &rows) => {
             let graph = &mut work.graph;
             [0, 1, 2].map(|i| {
-                let inverse = graph.divide(one, rows[i][i]);
+                let inverse = graph.inverse_of_positive(rows[i][i]);
                 graph.multiply(inverse, moment[i])
             })
         }

@@ -28,8 +28,7 @@ pub fn axis_acceleration(model: &Model, work: &mut Workspace, axis: Axis) -> Com
     let Pulls { any, across } = pulls(model, work, axis);
     let Axis { unit, rate } = axis;
     let graph = &mut work.graph;
-    let one = graph.one();
-    let inverse = graph.divide(one, inertia);
+    let inverse = graph.inverse_of_positive(inertia);
     let mut over_inertia = |vector: Components| vector.map(|part| graph.distribute(inverse, part));
     let (driving, across) = (over_inertia(any), over_inertia(across));
     let driving = graph.quantities(driving);

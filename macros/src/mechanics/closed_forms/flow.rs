@@ -39,6 +39,18 @@ pub fn derive_flow(
              `flow`, and the motion is integrated",
         );
     }
+    let substance = model.substance();
+    let known = [
+        substance.inertia_entries(),
+        substance.mass.into_iter().collect(),
+    ]
+    .concat();
+    if !work.graph.are_early(&known) {
+        return errors.report(
+            place,
+            "no closed form: mass and inertia change; leave out `flow`, and the motion is integrated",
+        );
+    }
     let contributions = contributions(model, work);
     let mut obstacles = Vec::new();
     if !work.graph.are_early(&accelerations.linear) {

@@ -188,6 +188,7 @@ fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
             Node::Unary(Function::Tan | Function::Ln, a) => guards.push(a),
             Node::Binary(Function::Atan2, a, b) => guards.extend([a, b]),
             Node::Divide(_, b) | Node::Pivot(b, _) => guards.push(b),
+            Node::Foreign(_, arguments) => guards.extend(arguments),
             _ => {}
         }
     }

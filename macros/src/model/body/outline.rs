@@ -45,6 +45,8 @@ pub struct Outline {
     pub points: Vec<Ident>,
     /// Of a system: the drives of joints whose motion is prescribed, by joint and as reactions.
     pub driving: Vec<(Ident, Ident)>,
+    /// Constants and functions of the Rust of the user, which are known once it is built.
+    pub foreign: Vec<Ident>,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
     /// States of its own, each a field of its state.
@@ -163,8 +165,23 @@ impl Outline {
         Some(self.outputs[self.rank(word)?].place)
     }
 
-    /// Whether the body can be built from the defaults alone.
+    /// Whether anything in it is known only once it is built, whatever its parameters are.
+    pub fn is_foreign(&self) -> bool {
+        !self.foreign.is_empty()
+    }
+
+    /// Whether there is anything to be built from.
+    pub fn is_built(&self) -> bool {
+        self.is_foreign() || !self.params.is_empty()
+    }
+
+    /// Whether the body can be built from the defaults alone, which were checked at expansion.
     pub fn has_default(&self) -> bool {
+        !self.is_foreign() && self.has_default_params()
+    }
+
+    /// Whether all parameters have defaults.
+    pub fn has_default_params(&self) -> bool {
         self.params.iter().all(|param| param.default.is_some())
     }
 }

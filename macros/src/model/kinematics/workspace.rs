@@ -1,6 +1,8 @@
 //! What a description is worked out in.
 
-use crate::model::words::{Doubtful, Frame, Labels, Meaning, Meanings, Variable};
+use crate::model::words::{
+    Doubtful, ForeignConstant, ForeignFunction, Frame, Labels, Meaning, Meanings, Variable,
+};
 use std::ops::Range;
 
 use crate::symbolic::{Components, Graph, Id, Node, Stage};
@@ -16,6 +18,11 @@ pub struct Workspace {
     pub graph: Graph,
     pub labels: Labels,
     pub meanings: Meanings,
+    /// What stands in the Rust of the user, by the numbers that the graph has of them.
+    pub constants: Vec<ForeignConstant>,
+    pub functions: Vec<ForeignFunction>,
+    /// The files of tables, where they are on this machine.
+    pub files: Vec<String>,
     /// Of each frame.
     pub(super) attitudes: Vec<Attitude>,
     /// The frame that each is turned against.

@@ -70,6 +70,8 @@ pub enum Meaning {
     /// A parameter, and its component if it is a vector.
     Param(usize, Option<usize>),
     Input(usize, Option<usize>),
+    /// A constant of the Rust of the user.
+    Constant(usize),
     /// A state of one's own.
     Own(usize),
     /// A reaction, given from outside, and its component in world axes.

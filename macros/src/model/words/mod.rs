@@ -3,6 +3,7 @@
 mod check;
 mod dimension;
 mod doubtful;
+mod foreign;
 mod frame;
 mod labels;
 mod meanings;
@@ -11,6 +12,7 @@ pub mod shown;
 pub use check::{Answers, Check, Checks, Claim};
 pub use dimension::Dimension;
 pub use doubtful::{Doubtful, why_not};
+pub use foreign::{ForeignConstant, ForeignFunction};
 pub use frame::{Frame, FrameWord};
 pub use labels::{AXES, Labels};
 pub use meanings::{Meaning, Meanings, Variable};

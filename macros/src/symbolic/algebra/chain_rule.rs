@@ -50,6 +50,18 @@ pub fn change<A: Algebra>(
             let (left, right) = (product(of, d(a), &by_a), product(of, d(b), &by_b));
             sum(of, left, right)
         }
+        Node::Foreign(function, arguments) => {
+            let values = arguments.map(&known);
+            let mut total = None;
+            for (place, argument) in arguments.into_iter().enumerate() {
+                if let Some(change) = d(argument) {
+                    let slope = of.foreign(function.by(place), &values);
+                    let part = Some(of.multiply(&change, &slope));
+                    total = sum(of, total, part);
+                }
+            }
+            total
+        }
         Node::Select(condition, a, b) => {
             let zero = of.zero();
             let (a, b) = (d(a).unwrap_or_else(|| zero.clone()), d(b).unwrap_or(zero));

@@ -14,7 +14,8 @@ impl Graph {
             values[id.index()] = match *self.node(id) {
                 Node::Number(ref number) => number.to_f64(),
                 Node::Truth(holds) => truth(holds),
-                Node::Undefined => f64::NAN,
+                // what comes from outside is not known here
+                Node::Undefined | Node::Foreign(..) => f64::NAN,
                 Node::Symbol(_) => symbol(id),
                 Node::Quantity(a) => value(a),
                 Node::Negate(a) => -value(a),

@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 
 use crate::symbolic::graph::{Comparison, Graph, Id, Node};
-use crate::symbolic::number::{Function, Number};
+use crate::symbolic::number::{Foreign, Function, Number};
 
 use super::operations::{self, Algebra};
 
@@ -161,6 +161,11 @@ impl Algebra for Exactly {
             None if numbers.iter().any(Number::is_undecided) => Exact::Undecided,
             None => Exact::Absent,
         }
+    }
+
+    /// What Rust makes of its arguments is not known before the code runs.
+    fn foreign(&mut self, _: Foreign, arguments: &[Exact; Foreign::ARGUMENTS]) -> Exact {
+        Exact::poisoned(arguments)
     }
 
     fn is_zero(&self, a: &Exact) -> bool {

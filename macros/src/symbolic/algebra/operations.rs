@@ -3,7 +3,7 @@
 //! What a node is, and how it changes along with its operands, is written once, for all of them.
 
 use crate::symbolic::graph::{Comparison, Id, Node};
-use crate::symbolic::number::{Function, Number};
+use crate::symbolic::number::{Foreign, Function, Number};
 
 /// The operations of nodes.
 pub trait Algebra {
@@ -16,6 +16,12 @@ pub trait Algebra {
     fn multiply(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value;
     fn divide(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value;
     fn apply(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value;
+    /// A function from outside.
+    fn foreign(
+        &mut self,
+        function: Foreign,
+        arguments: &[Self::Value; Foreign::ARGUMENTS],
+    ) -> Self::Value;
     /// Whether a value is zero for certain.
     fn is_zero(&self, a: &Self::Value) -> bool;
 
@@ -91,6 +97,7 @@ pub fn value<A: Algebra>(of: &mut A, node: &Node, known: impl Fn(Id) -> A::Value
         Node::Divide(a, b) => of.divide(&known(a), &known(b)),
         Node::Unary(function, a) => of.apply(function, &[known(a)]),
         Node::Binary(function, a, b) => of.apply(function, &[known(a), known(b)]),
+        Node::Foreign(function, arguments) => of.foreign(function, &arguments.map(known)),
         Node::Compare(comparison, a, b) => of.compare(comparison, &known(a), &known(b)),
         Node::And(a, b) => of.and(&known(a), &known(b)),
         Node::Or(a, b) => of.or(&known(a), &known(b)),

@@ -1,7 +1,7 @@
 //! The replacement of symbols: by numbers, it is exact evaluation.
 
 use crate::symbolic::graph::{Comparison, Components, Graph, Id, Node};
-use crate::symbolic::number::{Function, Number};
+use crate::symbolic::number::{Foreign, Function, Number};
 
 use super::operations::{self, Algebra};
 
@@ -83,6 +83,10 @@ impl Algebra for Graph {
 
     fn apply(&mut self, function: Function, arguments: &[Id]) -> Id {
         self.apply(function, arguments)
+    }
+
+    fn foreign(&mut self, function: Foreign, arguments: &[Id; Foreign::ARGUMENTS]) -> Id {
+        self.foreign(function, *arguments)
     }
 
     fn is_zero(&self, a: &Id) -> bool {

@@ -258,6 +258,13 @@ impl Graph {
                     (b, self.multiply(by_b, slope)),
                 ]
             }
+            Node::Foreign(function, arguments) => {
+                let by_each = arguments.into_iter().enumerate().map(|(place, argument)| {
+                    let by_one = self.foreign(function.by(place), arguments);
+                    (argument, self.multiply(by_one, slope))
+                });
+                by_each.collect()
+            }
             _ => Vec::new(),
         }
     }

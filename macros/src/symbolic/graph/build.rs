@@ -9,7 +9,7 @@
 //! `x - x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, `x` being
 //! zero or not a number, it may be given one.
 
-use crate::symbolic::number::{Function, Number, ORDERS, Table};
+use crate::symbolic::number::{Foreign, Function, Number, ORDERS, Table};
 
 use super::nodes::{Comparison, Graph, Id, Node, ONE, Stage, ZERO};
 
@@ -122,6 +122,21 @@ impl Graph {
         self.intern(Node::Pivot(divisor, scale))
     }
 
+    /// `1 / divisor` of what is positive: checked in the constructor where it is known early, and
+    /// elsewhere not a number where it is not. Then `|x| - x` is not zero, and with a factor beyond
+    /// all rounding takes the place of the size of its terms.
+    pub fn inverse_of_positive(&mut self, divisor: Id) -> Id {
+        if self.is_early(divisor) {
+            let one = self.one();
+            return self.divide(one, divisor);
+        }
+        let size = self.apply(Function::Abs, &[divisor]);
+        let below = self.subtract(size, divisor);
+        let factor = self.integer(1 << 60);
+        let scale = self.multiply(factor, below);
+        self.intern(Node::Pivot(divisor, scale))
+    }
+
     /// The negative of `a`, if anybody made it.
     pub fn negation_of(&self, a: Id) -> Option<Id> {
         self.find(&Node::Negate(a))
@@ -218,6 +233,17 @@ impl Graph {
             (_, &[a]) => self.apply_unary(function, a),
             _ => self.undefined(),
         }
+    }
+
+    /// A function from outside.
+    pub fn foreign(&mut self, function: Foreign, arguments: [Id; Foreign::ARGUMENTS]) -> Id {
+        if arguments
+            .iter()
+            .any(|argument| self.is_undefined(*argument))
+        {
+            return self.undefined();
+        }
+        self.intern(Node::Foreign(function, arguments))
     }
 
     fn apply_unary(&mut self, function: Function, a: Id) -> Id {

@@ -13,7 +13,7 @@ pub struct Cost {
     pub add: u32,
     pub div: u32,
     pub sqrt: u32,
-    /// Trigonometric and other transcendental functions.
+    /// Trigonometric and other transcendental functions, and those from outside.
     pub trig: u32,
     /// Comparisons, choices, absolute values, roundings.
     pub other: u32,
@@ -60,7 +60,7 @@ impl Graph {
                 | Node::Or(..)
                 | Node::Not(_)
                 | Node::Select(..) => cost.other += 1,
-                Node::Unary(..) | Node::Binary(..) => cost.trig += 1,
+                Node::Unary(..) | Node::Binary(..) | Node::Foreign(..) => cost.trig += 1,
                 Node::Number(_)
                 | Node::Truth(_)
                 | Node::Undefined

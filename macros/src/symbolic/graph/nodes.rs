@@ -8,7 +8,7 @@ use core::cmp::Ordering;
 use core::hash::BuildHasherDefault;
 use std::collections::HashMap;
 
-use crate::symbolic::number::{Function, Number, Spectrum, Table};
+use crate::symbolic::number::{Foreign, Function, Number, Spectrum, Table};
 
 use super::hash::WordHasher;
 
@@ -75,6 +75,8 @@ pub enum Node {
     Divide(Id, Id),
     Unary(Function, Id),
     Binary(Function, Id, Id),
+    /// A function from outside; arguments that it does not have are zero.
+    Foreign(Foreign, [Id; Foreign::ARGUMENTS]),
     Compare(Comparison, Id, Id),
     And(Id, Id),
     Or(Id, Id),
@@ -109,7 +111,7 @@ impl Node {
             | Self::Compare(_, a, b)
             | Self::And(a, b)
             | Self::Or(a, b) => ([a, b, ZERO], 2),
-            Self::Select(a, b, c) => ([a, b, c], 3),
+            Self::Select(a, b, c) | Self::Foreign(_, [a, b, c]) => ([a, b, c], 3),
         }
     }
 
@@ -134,12 +136,17 @@ impl Node {
             Self::Not(_) => (15, 0),
             Self::Select(..) => (16, 0),
             Self::Pivot(..) => (17, 0),
+            Self::Foreign(..) => (18, 0),
         };
         let ([a, b, c], _) = self.operands_in_place();
-        // three operands leave no place for more than the operation
+        // three operands leave no place for more than the operation, and the 24 bits of a function
         let last = if which == 0 { c.0 } else { which };
         let operands = u128::from(a.0) | u128::from(b.0) << 32 | u128::from(last) << 64;
-        operands | u128::from(operation) << 96
+        let foreign = match *self {
+            Self::Foreign(foreign, _) => foreign.word(),
+            _ => 0,
+        };
+        operands | u128::from(operation) << 96 | u128::from(foreign) << 104
     }
 }
 
@@ -224,8 +231,14 @@ impl Graph {
         if let Some(id) = self.find(&node) {
             return id;
         }
+        // what comes from outside is not known at expansion
+        let least = match node {
+            Node::Foreign(..) => Stage::Parameter,
+            _ => Stage::Constant,
+        };
         let stage = node.operands().map(|operand| self.stage(operand)).max();
-        self.insert(node, stage.unwrap_or(Stage::Constant))
+        let stage = stage.unwrap_or(Stage::Constant).max(least);
+        self.insert(node, stage)
     }
 
     /// The node of this shape, if there is one already.

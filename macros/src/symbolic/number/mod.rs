@@ -5,6 +5,7 @@ mod ball;
 mod eigen;
 mod exact;
 mod float;
+mod foreign;
 mod function;
 pub mod irrational;
 mod rational_residues;
@@ -14,6 +15,7 @@ mod values;
 
 pub use eigen::{Matrix, PrincipalAxes, Spectrum, Symmetry, scaled};
 pub use exact::Number;
+pub use foreign::Foreign;
 pub use function::{Function, ORDERS};
 pub use residue::Residue;
 pub use table::Table;

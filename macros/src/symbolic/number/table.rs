@@ -51,21 +51,23 @@ impl Table {
         ))
     }
 
-    /// Cubics with one slope at each knot, monotone where the values are (Fritsch and Carlson, Monotone
-    /// Piecewise Cubic Interpolation, SIAM J. Numer. Anal. 17, 1980, 238): the slope of the parabola
-    /// through three knots, at most three times that of either line beside it.
+    /// Cubics with one slope at each knot, monotone where the values are.
     pub fn cubic(knots: &[Knot], is_extrapolated: bool) -> Option<Self> {
-        let lines: Vec<(Number, Number)> = knots
-            .windows(2)
-            .map(|pair| {
-                let width = pair[1].0.clone() - pair[0].0.clone();
-                let rise = pair[1].1.clone() - pair[0].1.clone();
-                Some((width.clone(), rise.checked_div(&width)?))
-            })
-            .collect::<Option<_>>()?;
-        let slopes: Vec<Number> = (0..knots.len())
-            .map(|knot| slope_at(&lines, knot))
-            .collect::<Option<_>>()?;
+        Self::hermite(knots, &Self::slopes(knots)?, is_extrapolated)
+    }
+
+    /// The slopes of monotone cubics (Fritsch and Carlson, Monotone Piecewise Cubic Interpolation,
+    /// SIAM J. Numer. Anal. 17, 1980, 238): that of the parabola through three knots, at most three
+    /// times that of either line beside it.
+    pub fn slopes(knots: &[Knot]) -> Option<Vec<Number>> {
+        let lines = lines(knots)?;
+        let slopes = (0..knots.len()).map(|knot| slope_at(&lines, knot));
+        slopes.collect()
+    }
+
+    /// Cubics with these slopes at the knots.
+    pub fn hermite(knots: &[Knot], slopes: &[Number], is_extrapolated: bool) -> Option<Self> {
+        let lines = lines(knots)?;
         let pieces = lines.iter().zip(knots).zip(slopes.windows(2));
         let pieces = pieces.map(|(((width, line), (start, value)), slopes)| {
             let (first, second) = (slopes[0].clone(), slopes[1].clone());
@@ -141,6 +143,16 @@ impl Table {
         }
         Self { pieces }
     }
+}
+
+/// From each knot to the next: how far, and how steep.
+fn lines(knots: &[Knot]) -> Option<Vec<(Number, Number)>> {
+    let lines = knots.windows(2).map(|pair| {
+        let width = pair[1].0.clone() - pair[0].0.clone();
+        let rise = pair[1].1.clone() - pair[0].1.clone();
+        Some((width.clone(), rise.checked_div(&width)?))
+    });
+    lines.collect()
 }
 
 /// The slope at a knot, of the lines beside it with their widths.

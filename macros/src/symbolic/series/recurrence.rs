@@ -35,6 +35,7 @@ impl Graph {
             Node::Unary(function, _) | Node::Binary(function, ..) => {
                 function.is_piecewise() && moves[id.index()]
             }
+            Node::Foreign(..) => moves[id.index()],
             _ => false,
         })
     }

@@ -2,7 +2,7 @@
 
 use crate::symbolic::algebra::{Algebra, Tape};
 use crate::symbolic::graph::Comparison;
-use crate::symbolic::number::{Function, Number};
+use crate::symbolic::number::{Foreign, Function, Number};
 
 /// Bounds of the degrees of numerator and denominator, in symbols and in all that is taken for one.
 #[derive(Clone, Copy)]
@@ -91,6 +91,10 @@ impl Algebra for Degrees {
             }
             _ => UNKNOWN,
         }
+    }
+
+    fn foreign(&mut self, _: Foreign, _: &[Degree; Foreign::ARGUMENTS]) -> Degree {
+        UNKNOWN
     }
 
     fn is_zero(&self, _: &Degree) -> bool {

@@ -15,7 +15,7 @@
 
 use crate::symbolic::algebra::Algebra;
 use crate::symbolic::graph::Comparison;
-use crate::symbolic::number::{Function, Number, Residue};
+use crate::symbolic::number::{Foreign, Function, Number, Residue};
 
 /// Residues on one branch; `None` is a quotient by zero.
 pub struct Residues<'a> {
@@ -170,6 +170,14 @@ impl Algebra for Residues<'_> {
             (Function::Max, [a, b]) => Some(self.where_less([*b, *a], *a, *b)),
             _ => Some(Residue::stand_in(&(function, arguments))),
         }
+    }
+
+    fn foreign(
+        &mut self,
+        function: Foreign,
+        [a, b, c]: &[Option<Residue>; Foreign::ARGUMENTS],
+    ) -> Option<Residue> {
+        Some(Residue::stand_in(&(function, [(*a)?, (*b)?, (*c)?])))
     }
 
     fn is_zero(&self, a: &Option<Residue>) -> bool {

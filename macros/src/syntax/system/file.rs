@@ -94,18 +94,7 @@ impl System {
             let message = "a file describes a system in space: leave `motion` out";
             return errors.report(motion.word.span(), message);
         }
-        // cargo sets it to the folder of the crate that is compiled
-        let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
-        let path = PathBuf::from(folder).join(name);
-        let text = match read(&path) {
-            Ok(text) => text,
-            Err(why) => {
-                let message = format!(
-                    "`{name}` is looked for from the folder of the `Cargo.toml` of this crate, and {why}"
-                );
-                return errors.report(*span, message);
-            }
-        };
+        let (path, text) = file_beside(name, *span, errors)?;
         let beside = Beside {
             runtime: &self.top.runtime,
             bodies: &self.bodies,
@@ -117,7 +106,7 @@ impl System {
             Format::Urdf => urdf::read((name, *span), &text, beside, errors),
             Format::Mjcf => mjcf::read((name, *span), &text, beside, errors),
         };
-        file.path = path.to_str().map(str::to_owned);
+        file.path = path;
         let described = described?;
         file.told = described.told;
         let written = core::mem::replace(&mut self.joints, described.joints);
@@ -168,6 +157,26 @@ impl System {
         let own = core::mem::take(&mut written.points);
         written.points = core::mem::take(&mut body.points);
         written.points.extend(own);
+    }
+}
+
+/// The file of this name, from the folder of `Cargo.toml`: where it is on this machine, and its text.
+pub fn file_beside(
+    name: &str,
+    place: impl Into<Extent>,
+    errors: &mut Errors,
+) -> Option<(Option<String>, String)> {
+    // cargo sets it to the folder of the crate that is compiled
+    let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
+    let path = PathBuf::from(folder).join(name);
+    match read(&path) {
+        Ok(text) => Some((path.to_str().map(str::to_owned), text)),
+        Err(why) => {
+            let message = format!(
+                "`{name}` is looked for from the folder of the `Cargo.toml` of this crate, and {why}"
+            );
+            errors.report(place, message)
+        }
     }
 }
 

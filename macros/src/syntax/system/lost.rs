@@ -29,6 +29,7 @@ impl System {
         let names = self.written().chain(bodies).flat_map(Expression::names);
         let top = &self.top;
         let declared = top.params.iter().chain(&top.inputs).map(|one| &one.name);
+        let declared = declared.chain(top.foreign().map(|(name, _)| name));
         let members = self.bodies.iter().map(|body| &body.name);
         let joints = self.joints.iter().chain(&self.cables);
         let defined = top.locals.iter().chain(joints).map(|one| &one.name);

@@ -13,7 +13,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, similar};
 
-pub use file::File;
+pub use file::{File, file_beside};
 
 use super::entries::{parse_name, parse_value};
 use super::expression::{Expression, call};
@@ -79,9 +79,24 @@ const OF_BODIES: [&str; 6] = [
     "pole",
 ];
 /// Keys that stand in the system alone.
-const OF_SYSTEMS: [&str; 15] = [
-    "motion", "params", "inputs", "states", "rates", "outputs", "doc", "bodies", "joints",
-    "drives", "drawing", "urdf", "mjcf", "locked", "checks",
+const OF_SYSTEMS: [&str; 17] = [
+    "motion",
+    "constants",
+    "functions",
+    "params",
+    "inputs",
+    "states",
+    "rates",
+    "outputs",
+    "doc",
+    "bodies",
+    "joints",
+    "drives",
+    "drawing",
+    "urdf",
+    "mjcf",
+    "locked",
+    "checks",
 ];
 /// Keys of the language of systems that are not there yet.
 const LATER: [&str; 2] = ["reactions", "independent"];

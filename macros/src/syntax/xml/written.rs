@@ -72,7 +72,7 @@ pub fn filled(mut expression: Expression, value: &Expression) -> Expression {
 
 fn visit<'e>(part: &'e mut Expression, pending: &mut Vec<&'e mut Expression>) {
     match &mut part.kind {
-        Kind::Number(_) | Kind::Name(_) | Kind::Placeholder | Kind::Poisoned => {}
+        Kind::Number(_) | Kind::Name(_) | Kind::Text(_) | Kind::Placeholder | Kind::Poisoned => {}
         Kind::Tuple(parts) | Kind::List(parts) | Kind::Call(_, parts) => pending.extend(parts),
         Kind::Unit(operand, _) | Kind::Prefix(_, operand) | Kind::Field(operand, _) => {
             pending.push(operand);

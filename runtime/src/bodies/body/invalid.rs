@@ -39,6 +39,19 @@ pub enum InvalidBody {
     Inertia(InvalidInertia),
 }
 
+impl InvalidBody {
+    /// Whether what is wrong is that something is no number.
+    pub(crate) fn is_of_no_number(&self) -> bool {
+        match self {
+            Self::NotFinite { value, .. }
+            | Self::Mass { value }
+            | Self::PlanarInertia { value }
+            | Self::Property { value, .. } => value.is_nan(),
+            Self::Inertia(_) => false,
+        }
+    }
+}
+
 impl fmt::Display for InvalidBody {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,5 +1,6 @@
 //! A body whose motion is determined.
 
+use crate::bodies::body::invalid::InvalidBody;
 use crate::bodies::switches::Switches;
 use crate::state::State;
 
@@ -88,6 +89,21 @@ pub trait RigidBody {
         _input: &Self::Input,
     ) -> Option<&'static str> {
         None
+    }
+
+    /// Whether there is a body of the mass and the inertia that this one has in a state. There is,
+    /// unless it is said here: a body of [`rigid_body!`](crate::rigid_body) says it where they
+    /// change, and the error of an integration names what ran out.
+    ///
+    /// # Errors
+    /// [`InvalidBody`]: no body has this mass or inertia.
+    fn possible(
+        &self,
+        _time: Self::Scalar,
+        _state: &Self::State,
+        _input: &Self::Input,
+    ) -> Result<(), InvalidBody> {
+        Ok(())
     }
 
     /// The input some time \[s\] after it was given, if a part of it moves: a value with its rate

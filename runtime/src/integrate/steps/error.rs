@@ -3,7 +3,7 @@
 use core::fmt;
 use core::ops::Range;
 
-use crate::bodies::body::RigidBody;
+use crate::bodies::body::{InvalidBody, RigidBody};
 use crate::bodies::constrained::Inconsistent;
 use crate::state::State;
 
@@ -44,6 +44,15 @@ pub enum IntegrationError<S> {
         state: S,
         /// The step \[s\].
         step: f64,
+    },
+    /// Mass or inertia change, and just behind there is no body that has them: a tank is empty.
+    InvalidBody {
+        /// \[s\]
+        time: f64,
+        /// The state then.
+        state: S,
+        /// What ran out.
+        invalid: InvalidBody,
     },
     /// The state does not meet its constraints: the first by more than rounding; or one after a
     /// step that is too long, and no state near by does.
@@ -89,6 +98,7 @@ impl<S> IntegrationError<S> {
             Self::NotFinite { time, .. }
             | Self::StepTooSmall { time, .. }
             | Self::StepTooLong { time, .. }
+            | Self::InvalidBody { time, .. }
             | Self::Inconsistent { time, .. }
             | Self::EventNotANumber { time, .. } => *time,
         }
@@ -101,6 +111,7 @@ impl<S> IntegrationError<S> {
             Self::NotFinite { state, .. }
             | Self::StepTooSmall { state, .. }
             | Self::StepTooLong { state, .. }
+            | Self::InvalidBody { state, .. }
             | Self::Inconsistent { state, .. }
             | Self::EventNotANumber { state, .. } => state,
         }
@@ -122,6 +133,7 @@ impl<S> fmt::Display for IntegrationError<S> {
                 f,
                 "at {time} s a step of {step:e} s is too long: its equations are not solved, take shorter ones"
             ),
+            Self::InvalidBody { time, invalid, .. } => write!(f, "after {time} s: {invalid}"),
             Self::Inconsistent { time, violated, .. } => write!(f, "at {time} s: {violated}"),
             Self::EventNotANumber { time, .. } => {
                 write!(f, "at {time} s the function of the events is not a number")
@@ -131,8 +143,8 @@ impl<S> fmt::Display for IntegrationError<S> {
 }
 
 impl<S: State<Scalar = f64>> IntegrationError<S> {
-    /// Says which load of a body has no value, in the last state or where the motion goes from
-    /// there.
+    /// Says which load of a body has no value, or that there is no such body, in the last state or
+    /// where the motion goes from there.
     #[cold]
     pub(crate) fn named<B: RigidBody<Scalar = f64, State = S>>(
         self,
@@ -140,36 +152,70 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
         input: &B::Input,
         forwards: bool,
     ) -> Self {
-        let Self::NotFinite {
-            time,
-            state,
-            load: None,
-        } = self
-        else {
-            return self;
+        let (time, state, too_small) = match self {
+            Self::NotFinite {
+                time,
+                state,
+                load: None,
+            } => (time, state, None),
+            Self::StepTooSmall { time, state, step } => (time, state, Some(step)),
+            other => return other,
         };
-        let load = body.lost_load(time, &state, input).or_else(|| {
-            let rate = state.rate(&body.acceleration(time, &state, input));
-            let lost = |after: f64| {
-                let there = state.moved(&(rate * after));
-                body.lost_load(time + after, &there, input)
-            };
-            // a rate that is no number leads nowhere
-            if lost(0.0).is_some() {
-                return None;
+        let rate = state.rate(&body.acceleration(time, &state, input));
+        let there = |after: f64| (time + after, state.moved(&(rate * after)));
+        let nearest = f64::EPSILON * time.abs().max(1e-6);
+        let nearest = if forwards { nearest } else { -nearest };
+        let ahead =
+            |doublings: i32| (0..doublings).map(|power| nearest * libm::exp2(f64::from(power)));
+        let impossible = |after: f64| {
+            let (time, there) = there(after);
+            let invalid = body.possible(time, &there, input).err();
+            invalid.filter(|invalid| !invalid.is_of_no_number())
+        };
+        let lost = |after: f64| {
+            let (time, there) = there(after);
+            body.lost_load(time, &there, input)
+        };
+        let ran_out = impossible(0.0);
+        let load = match (too_small, ran_out) {
+            (None, None) => {
+                let here = body.lost_load(time, &state, input);
+                // a rate that is no number leads nowhere
+                here.or_else(|| {
+                    let leads = lost(0.0).is_none();
+                    leads.then(|| ahead(DOUBLINGS).find_map(lost)).flatten()
+                })
             }
-            let nearest = f64::EPSILON * time.abs().max(1e-6);
-            let nearest = if forwards { nearest } else { -nearest };
-            (0..DOUBLINGS)
-                .map(|power| nearest * libm::exp2(f64::from(power)))
-                .find_map(lost)
-        });
-        Self::NotFinite { time, state, load }
+            _ => None,
+        };
+        if load.is_some() {
+            return Self::NotFinite { time, state, load };
+        }
+        let reach = DOUBLINGS
+            + if too_small.is_none() {
+                WITHIN_A_STEP
+            } else {
+                0
+            };
+        match (
+            ran_out.or_else(|| ahead(reach).find_map(impossible)),
+            too_small,
+        ) {
+            (Some(invalid), _) => Self::InvalidBody {
+                time,
+                state,
+                invalid,
+            },
+            (None, Some(step)) => Self::StepTooSmall { time, state, step },
+            (None, None) => Self::NotFinite { time, state, load },
+        }
     }
 }
 
 /// How often the time is doubled at which a load is looked for that has no value, from the rounding
 /// of time on.
 const DOUBLINGS: i32 = 32;
+/// And how often beyond, where a step of a length that is given may end where there is no body.
+const WITHIN_A_STEP: i32 = 12;
 
 impl<S: fmt::Debug> core::error::Error for IntegrationError<S> {}

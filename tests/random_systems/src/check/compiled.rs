@@ -239,7 +239,8 @@ impl Compiled {
             values[id.index()] = match *graph.node(id) {
                 Node::Number(ref number) => wide(number),
                 Node::Truth(holds) => truth(holds),
-                Node::Undefined => f64::NAN.into(),
+                // none from outside is drawn
+                Node::Undefined | Node::Foreign(..) => f64::NAN.into(),
                 Node::Symbol(_) => self.symbol(given, &known, id),
                 Node::Quantity(a) => value(a),
                 Node::Negate(a) => -value(a),

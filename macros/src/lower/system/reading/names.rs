@@ -44,7 +44,7 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     let declared = top.params.iter().chain(&top.inputs);
     let declared = declared.map(|declaration| (&declaration.name, "param or input"));
     let states = top.states.iter().map(|state| (&state.name, "state"));
-    let declared = declared.chain(states);
+    let declared = declared.chain(states).chain(top.foreign());
     let locals = top.locals.iter().map(|local| (&local.name, "local"));
     seen.extend(declared.chain(locals));
     let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
@@ -102,7 +102,7 @@ pub fn check_own_names(
         .chain(&top.inputs)
         .map(|one| (&one.name, "param or input"));
     let states = top.states.iter().map(|state| (&state.name, "state"));
-    let declared = declared.chain(states);
+    let declared = declared.chain(states).chain(top.foreign());
     let all: Vec<(&Ident, &str)> = declared
         .chain(top.locals.iter().map(|local| (&local.name, "local")))
         .collect();

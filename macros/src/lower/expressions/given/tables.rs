@@ -5,44 +5,26 @@ use proc_macro2::Ident;
 
 use crate::errors::{Extent, every, hint};
 use crate::model::Dimension;
-use crate::symbolic::{Function, Id, Number, Table};
-use crate::syntax::{Expression, Kind};
+use crate::symbolic::{Id, Number};
+use crate::syntax::{Expression, Kind, file_beside};
 
-use super::lowering::Lowering;
-use super::scope::Value;
-use super::unit::lower_unit;
+use crate::lower::expressions::lowering::Lowering;
+use crate::lower::expressions::scope::Value;
+use crate::lower::expressions::unit::lower_unit;
+use crate::lower::expressions::written::strip_unit;
+
+use super::csv::File;
+use super::grid::{Column, Course, Grid, looked_up};
 
 const FORM: &str = "write `table(x, [0, 1, 2], [0, 1, 4])`: a scalar, where the values are, and these; of two scalars \
      `table(x, y, [0, 1], [0, 1, 2], [[0, 1, 4], [1, 2, 5]])`, a list of values for each x";
+const OF_FILES: &str = "a table of a file is read at one scalar, `table(x, \"lift.csv\")`, with the name of a column \
+     `table(x, \"polar.csv\", \"drag\")`, or at two, `table(x, y, \"lift.csv\")`";
 /// How a table goes on between its values and beyond them.
 const WORDS: [&str; 4] = ["linear", "cubic", "held", "extrapolated"];
 
-/// How a table goes on.
-#[derive(Clone, Copy, Default)]
-struct Course {
-    is_cubic: bool,
-    is_extrapolated: bool,
-}
-
-/// Numbers of one dimension, each with its place.
-struct Column {
-    numbers: Vec<(Number, Extent)>,
-    dimension: Dimension,
-}
-
-impl Column {
-    fn values(&self) -> impl Iterator<Item = &Number> {
-        self.numbers.iter().map(|(number, _)| number)
-    }
-}
-
 impl Lowering<'_> {
-    pub fn table(
-        &mut self,
-        word: &Ident,
-        arguments: &[Expression],
-        extent: Extent,
-    ) -> Option<Value> {
+    pub fn table(&mut self, word: &Ident, arguments: &[Expression]) -> Option<Value> {
         let is_word = |one: &&Expression| matches!(&one.kind, Kind::Name(name) if WORDS.contains(&&*name.to_string()));
         let words = arguments.iter().rev().take_while(is_word).count();
         let (written, words) = arguments.split_at(arguments.len() - words);
@@ -53,16 +35,11 @@ impl Lowering<'_> {
                 course.is_extrapolated |= name == "extrapolated";
             }
         }
+        let is_text = |one: &&Expression| matches!(strip_unit(one).kind, Kind::Text(_));
         match written {
+            [_, .., last] if is_text(&last) => self.table_of_file(written, course),
             [x, places, values] => self.table_of_one(x, [places, values], course),
             [x, y, rows, columns, values] => {
-                if course.is_cubic {
-                    let place = words.first().map_or(extent, |one| one.extent);
-                    return self.report(
-                        place,
-                        "a table of two scalars is linear in each of them: leave `cubic` out",
-                    );
-                }
                 self.table_of_two([x, y], [rows, columns], values, course)
             }
             [.., last] => {
@@ -77,6 +54,63 @@ impl Lowering<'_> {
                 self.report(word.span(), FORM)
             }
             [] => self.report(word.span(), FORM),
+        }
+    }
+
+    /// `(x, "lift.csv")`, `(x, "polar.csv", "drag")` or `(x, y, "lift.csv")`; a unit behind the last
+    /// is that of the values.
+    fn table_of_file(&mut self, written: &[Expression], course: Course) -> Option<Value> {
+        let texts = written
+            .iter()
+            .filter_map(|one| match &strip_unit(one).kind {
+                Kind::Text(text) => Some((text.as_str(), one)),
+                _ => None,
+            });
+        let texts: Vec<(&str, &Expression)> = texts.collect();
+        let (scalars, _) = written.split_at(written.len() - texts.len());
+        let arguments = every(scalars.iter().map(|one| self.argument(one)));
+        let (name, place) = texts[0];
+        let (path, text) = file_beside(name, place.extent, self.errors)?;
+        let file = File::new(name, &text, strip_unit(place).extent, self.errors)?;
+        self.work.files.extend(path);
+        let unit = match texts.last() {
+            Some((_, last)) => self.unit_of_values(last)?,
+            None => None,
+        };
+        match (&arguments?[..], &texts[..]) {
+            (&[(x, _)], [_, rest @ ..]) if rest.len() < 2 => {
+                let asked = rest.first().map(|(word, place)| (*word, place.extent));
+                let (knots, mut values) = file.columns(asked, self.errors)?;
+                if let Some((factor, dimension)) = unit {
+                    values.scale(&factor, dimension);
+                }
+                let value = (&knots.values()[..], &values.values()[..]);
+                let value = looked_up(&mut self.work.graph, x, value, course)?;
+                Some(Value::Scalar(value, values.dimension))
+            }
+            (&[(x, _), (y, _)], [_]) => {
+                let mut grid = file.grid(self.errors)?;
+                for values in &mut grid.values {
+                    if let Some((factor, dimension)) = &unit {
+                        values.scale(factor, *dimension);
+                    }
+                }
+                let dimension = unit.map_or(Dimension::ANY, |(_, dimension)| dimension);
+                let value = grid.looked_up(&mut self.work.graph, [x, y], course)?;
+                Some(Value::Scalar(value, dimension))
+            }
+            _ => self.report(place.extent, OF_FILES),
+        }
+    }
+
+    #[allow(
+        clippy::option_option,
+        reason = "outer: reported; inner: none is written"
+    )]
+    fn unit_of_values(&mut self, last: &Expression) -> Option<Option<(Number, Dimension)>> {
+        match &last.kind {
+            Kind::Unit(_, unit) => Some(Some(lower_unit(unit, self.errors)?)),
+            _ => Some(None),
         }
     }
 
@@ -95,11 +129,12 @@ impl Lowering<'_> {
         self.check_place(of_x, &knots, places)?;
         let values = values?;
         self.check_as_many(&knots, &values, places.extent)?;
-        let value = self.looked_up(x, &knots, &values, course)?;
+        let both = (&knots.values()[..], &values.values()[..]);
+        let value = looked_up(&mut self.work.graph, x, both, course)?;
         Some(Value::Scalar(value, values.dimension))
     }
 
-    /// Linear in each: by its share of each row, a table in y.
+    /// Values in rows and columns.
     fn table_of_two(
         &mut self,
         [x, y]: [&Expression; 2],
@@ -117,20 +152,45 @@ impl Lowering<'_> {
             Kind::Unit(inner, unit) => (&**inner, Some(unit)),
             _ => (values, None),
         };
+        let (found, dimension) = self.rows_of_values(list, [&of_rows, &of_columns])?;
+        let grid = Grid {
+            rows: of_rows,
+            columns: of_columns,
+            values: found,
+        };
+        let sum = grid.looked_up(&mut self.work.graph, [x, y], course)?;
+        let Some(unit) = unit else {
+            return Some(Value::Scalar(sum, dimension));
+        };
+        let (factor, of_unit) = lower_unit(unit, self.errors)?;
+        self.check_unitless(dimension, unit.extent)?;
+        let factor = self.work.graph.number(factor);
+        Some(Value::Scalar(
+            self.work.graph.multiply(factor, sum),
+            of_unit,
+        ))
+    }
+
+    /// A list of values for each row, of one dimension.
+    fn rows_of_values(
+        &mut self,
+        list: &Expression,
+        [rows, columns]: [&Column; 2],
+    ) -> Option<(Vec<Column>, Dimension)> {
         let Kind::List(lists) = &list.kind else {
             return self.report(list.extent, FORM);
         };
-        if lists.len() != of_rows.numbers.len() {
+        if lists.len() != rows.numbers.len() {
             let message = format!(
                 "a list of values for each of {} places, and these are {}",
-                of_rows.numbers.len(),
+                rows.numbers.len(),
                 lists.len()
             );
             return self.report(list.extent, message);
         }
         let found = every(lists.iter().map(|list| {
             let column = self.column(list)?;
-            self.check_as_many(&of_columns, &column, list.extent)?;
+            self.check_as_many(columns, &column, list.extent)?;
             Some(column)
         }))?;
         let mut dimension = Dimension::ANY;
@@ -142,28 +202,7 @@ impl Lowering<'_> {
             };
             dimension = unified;
         }
-        let mut sum = self.work.graph.zero();
-        for (place, column) in found.iter().enumerate() {
-            let share = (0..lists.len()).map(|row| Number::integer(i64::from(row == place)));
-            let share = Column {
-                numbers: share.map(|number| (number, list.extent)).collect(),
-                dimension: Dimension::NONE,
-            };
-            let share = self.looked_up(x, &of_rows, &share, course)?;
-            let value = self.looked_up(y, &of_columns, column, course)?;
-            let part = self.work.graph.multiply(share, value);
-            sum = self.work.graph.add(sum, part);
-        }
-        let Some(unit) = unit else {
-            return Some(Value::Scalar(sum, dimension));
-        };
-        let (factor, of_unit) = lower_unit(unit, self.errors)?;
-        self.check_unitless(dimension, unit.extent)?;
-        let factor = self.work.graph.number(factor);
-        Some(Value::Scalar(
-            self.work.graph.multiply(factor, sum),
-            of_unit,
-        ))
+        Some((found, dimension))
     }
 
     /// What a table is read at.
@@ -202,13 +241,12 @@ impl Lowering<'_> {
                 _ => numbers = None,
             }
         }
-        let mut numbers = numbers?;
+        let numbers = numbers?;
         if let Some(((factor, of_unit), place)) = unit {
             self.check_unitless(dimension, place)?;
-            dimension = of_unit;
-            for (number, _) in &mut numbers {
-                *number = number.clone() * factor.clone();
-            }
+            let mut column = Column { numbers, dimension };
+            column.scale(&factor, of_unit);
+            return Some(column);
         }
         Some(Column { numbers, dimension })
     }
@@ -238,10 +276,7 @@ impl Lowering<'_> {
         if column.numbers.len() < 2 {
             return self.report(written.extent, "a table has two values at least");
         }
-        let pairs = column.numbers.windows(2);
-        let mut back = pairs.filter(|pair| !(pair[1].0.clone() - pair[0].0.clone()).is_positive());
-        if let Some([_, (_, place)]) = back.next() {
-            let place = *place;
+        if let Some(place) = column.first_back() {
             return self.report(
                 place,
                 "the places of a table increase, and this is not beyond the one before",
@@ -268,22 +303,5 @@ impl Lowering<'_> {
             "a table has a value for each place: there are {expected} places and {count} values"
         );
         self.report(place, message)
-    }
-
-    /// The value of a table.
-    fn looked_up(&mut self, x: Id, knots: &Column, values: &Column, course: Course) -> Option<Id> {
-        let knots: Vec<(Number, Number)> = knots
-            .values()
-            .cloned()
-            .zip(values.values().cloned())
-            .collect();
-        let table = if course.is_cubic {
-            Table::cubic(&knots, course.is_extrapolated)
-        } else {
-            Table::linear(&knots, course.is_extrapolated)
-        }?;
-        let graph = &mut self.work.graph;
-        let number = graph.new_table(table);
-        Some(graph.apply(Function::Table, &[x, number]))
     }
 }

@@ -1,0 +1,197 @@
+//! Tables in files: `table(alpha, "lift.csv")`, of a column `table(alpha, "polar.csv", "drag")`, of
+//! two numbers `table(alpha, speed, "lift.csv")`.
+//!
+//! Cells stand between commas; empty lines and those that begin with `#` are passed over. The first
+//! row is a header where none of its cells is a number.
+
+use crate::errors::{Errors, Extent, every, hint};
+use crate::model::Dimension;
+use crate::symbolic::Number;
+
+use super::grid::{Column, Grid};
+
+/// A row: the number of its line, and its cells.
+struct Row<'t> {
+    line: usize,
+    cells: Vec<&'t str>,
+}
+
+/// A file, and where it is named.
+pub struct File<'t> {
+    name: &'t str,
+    place: Extent,
+    rows: Vec<Row<'t>>,
+}
+
+impl<'t> File<'t> {
+    pub fn new(name: &'t str, text: &'t str, place: Extent, errors: &mut Errors) -> Option<Self> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let lines = text.lines().enumerate();
+        let lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+        let rows = lines.map(|(number, line)| Row {
+            line: number + 1,
+            cells: line
+                .split(',')
+                .map(|cell| cell.trim().trim_matches('"'))
+                .collect(),
+        });
+        let rows: Vec<Row<'_>> = rows.collect();
+        if rows.is_empty() {
+            return errors.report(place, format!("`{name}` is empty"));
+        }
+        let file = Self { name, place, rows };
+        file.check_as_long(errors)?;
+        Some(file)
+    }
+
+    /// Each row is as long as the first.
+    fn check_as_long(&self, errors: &mut Errors) -> Option<()> {
+        let expected = self.rows[0].cells.len();
+        every(self.rows.iter().map(|row| {
+            let count = row.cells.len();
+            if count == expected {
+                return Some(());
+            }
+            let message = format!("cells: {count} here, and {expected} in the first row");
+            let place = self.at(row, errors);
+            errors.report(place, message)
+        }))?;
+        Some(())
+    }
+
+    /// Places in the first column, values in the one that is asked for, or the only other one.
+    pub fn columns(
+        mut self,
+        asked: Option<(&str, Extent)>,
+        errors: &mut Errors,
+    ) -> Option<(Column, Column)> {
+        let has_header = self.rows[0].cells.iter().all(|cell| number(cell).is_none());
+        let header = has_header.then(|| self.rows.remove(0).cells);
+        let column = match (asked, header) {
+            (Some((word, place)), Some(header)) => {
+                let found = header.iter().skip(1).position(|name| *name == word);
+                let Some(found) = found else {
+                    let words = header[1..].join("`, `");
+                    let hint = hint(word, header.iter().skip(1).copied());
+                    let message = format!("`{}` has the columns `{words}`{hint}", self.name);
+                    return errors.report(place, message);
+                };
+                found + 1
+            }
+            (Some((_, place)), None) => {
+                let message = format!("`{}` has no header, by which a column is named", self.name);
+                return errors.report(place, message);
+            }
+            (None, header) => self.only_column(header, errors)?,
+        };
+        let (places, values) = (self.column(0, errors), self.column(column, errors));
+        let (places, values) = (places?, values?);
+        Some((self.increasing(places, errors)?, values))
+    }
+
+    fn only_column(&self, header: Option<Vec<&str>>, errors: &mut Errors) -> Option<usize> {
+        let count = header.as_ref().map_or_else(
+            || self.rows.first().map_or(2, |row| row.cells.len()),
+            Vec::len,
+        );
+        let message = match count {
+            2 => return Some(1),
+            1 => format!(
+                "`{}` has one column: a table has places and values",
+                self.name
+            ),
+            _ => {
+                let words = header.map_or_else(String::new, |words| {
+                    format!(": `{}`", words[1..].join("`, `"))
+                });
+                let name = self.name;
+                format!("which column? write its name, `table(x, \"{name}\", \"..\")`{words}")
+            }
+        };
+        errors.report(self.place, message)
+    }
+
+    /// A row of places for the second number, behind a cell that says nothing, and rows of the places
+    /// of the first, each with its values.
+    pub fn grid(mut self, errors: &mut Errors) -> Option<Grid> {
+        if self.rows[0].cells.len() < 3 {
+            let message = format!(
+                "`{}` has no two columns of values behind the places",
+                self.name
+            );
+            return errors.report(self.place, message);
+        }
+        let first = self.rows.remove(0);
+        let columns = self.cells(&first, errors);
+        let columns = columns.and_then(|columns| self.increasing(columns, errors));
+        let rows = self.column(0, errors);
+        let rows = rows.and_then(|rows| self.increasing(rows, errors));
+        let values = every(self.rows.iter().map(|row| self.cells(row, errors)));
+        Some(Grid {
+            rows: rows?,
+            columns: columns?,
+            values: values?,
+        })
+    }
+
+    /// What stands behind the first cell of a row.
+    fn cells(&self, row: &Row<'_>, errors: &mut Errors) -> Option<Column> {
+        let cells = row.cells[1..].iter();
+        plain(every(cells.map(|cell| self.number(row, cell, errors)))?)
+    }
+
+    fn column(&self, column: usize, errors: &mut Errors) -> Option<Column> {
+        let rows = self.rows.iter();
+        plain(every(
+            rows.map(|row| self.number(row, row.cells[column], errors)),
+        )?)
+    }
+
+    fn number(&self, row: &Row<'_>, cell: &str, errors: &mut Errors) -> Option<(Number, Extent)> {
+        let place = self.at(row, errors);
+        match number(cell) {
+            Some(number) if number.fits_f64() => Some((number, place)),
+            Some(_) => errors.report(place, format!("`{cell}` is out of the range of `f64`")),
+            None => errors.report(place, format!("`{cell}` is not a number")),
+        }
+    }
+
+    fn increasing(&self, column: Column, errors: &mut Errors) -> Option<Column> {
+        if column.numbers.len() < 2 {
+            let message = format!("`{}` has less than two rows of values", self.name);
+            return errors.report(self.place, message);
+        }
+        match column.first_back() {
+            None => Some(column),
+            Some(place) => errors.report(
+                place,
+                "the places of a table increase, and this is not beyond the one before",
+            ),
+        }
+    }
+
+    /// Where a row stands.
+    fn at(&self, row: &Row<'_>, errors: &mut Errors) -> Extent {
+        let source = errors.source(format!("`{}`, line {}", self.name, row.line));
+        self.place.within(source)
+    }
+}
+
+/// Numbers without a unit.
+#[allow(clippy::unnecessary_wraps, reason = "the end of a chain")]
+fn plain(numbers: Vec<(Number, Extent)>) -> Option<Column> {
+    Some(Column {
+        numbers,
+        dimension: Dimension::ANY,
+    })
+}
+
+/// A decimal number.
+fn number(cell: &str) -> Option<Number> {
+    let is_decimal = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
+    let has_digit = cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    let cell = cell.strip_prefix('+').unwrap_or(cell);
+    (has_digit && cell.chars().all(is_decimal))
+        .then(|| Number::parse(cell))
+        .flatten()
+}

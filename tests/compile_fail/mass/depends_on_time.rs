@@ -1,9 +1,0 @@
-use newton_euler::rigid_body;
-
-rigid_body!(Drone {
-    motion: spatial,
-    mass: 1.2[kg] - 0.1[kg / s] * t,
-    inertia: principal(0.02, 0.03, 0.04)[kg * m ^ 2],
-});
-
-fn main() {}

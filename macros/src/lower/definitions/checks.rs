@@ -163,9 +163,8 @@ impl Lowering<'_> {
         let angle = self.scalar(angle, Dimension::NONE, "an angle");
         let (vector, angle) = (vector?, angle?);
         // it is the same in both axes
-        let components = match *self.work.parts(vector) {
-            [(_, components)] => components,
-            _ => return self.report(axis.extent, "the axis of a turn is not zero"),
+        let [(_, components)] = *self.work.parts(vector) else {
+            return self.report(axis.extent, "the axis of a turn is not zero");
         };
         let graph = &mut self.work.graph;
         let half = graph.number(Number::ratio(1, 2));

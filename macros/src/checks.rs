@@ -60,7 +60,7 @@ fn given(
         if left.len() == count {
             let message = match found {
                 Exact::Open(symbols) if symbols.iter().all(is_given) => {
-                    "what is given here follows from each other: give a number to one of it"
+                    "what is given here follows from each other: give one of them a number"
                         .to_owned()
                 }
                 Exact::Open(symbols) => format!("this {}", lacking(&symbols, (outline, work))),

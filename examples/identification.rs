@@ -5,8 +5,8 @@
 //! J. Hollerbach, "Estimation of inertial parameters of manipulator loads and links", 1986). Each line of the log
 //! is six rows, `regressor (m, m c, J) = (force, moment)`, and least squares find the ten numbers.
 //!
-//! To be checked: mass, center of mass and inertia are those of the craft that flew, to all digits that
-//! the log has; with noise of the instrument, to its share.
+//! To be checked: mass, center of mass and inertia are those of the craft that flew, to eight digits;
+//! with noise of the instrument, to its share.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use newton_euler::prelude::*;
@@ -129,7 +129,7 @@ pub fn main() {
             "{name:>10} {:>18.6} {:>10.6} {:>10.4}",
             flown[number], found[number], noisy[number]
         );
-        assert!((found[number] - flown[number]).abs() < 1e-9, "{name}");
+        assert!((found[number] - flown[number]).abs() < 1e-7, "{name}");
         assert!((noisy[number] - flown[number]).abs() < 0.02, "{name}");
     }
     let center = found.fixed_rows::<3>(1) / found[0];
@@ -137,5 +137,5 @@ pub fn main() {
         "center of mass from the instrument: {:.6} {:.6} {:.6} m",
         center.x, center.y, center.z
     );
-    assert!((center - c).norm() < 1e-10);
+    assert!((center - c).norm() < 1e-8);
 }

@@ -56,11 +56,11 @@ fn dependent(work: &Workspace, rows: &[Vec<Id>]) -> Vec<usize> {
             found.push(k);
             continue;
         }
-        for i in 0..k {
-            let share = left[k][i].over(&pivot);
-            for j in 0..k {
-                let less = share.times(&left[k][j]);
-                left[i][j] = left[i][j].minus(&less);
+        let row = left[k].clone();
+        for own in &mut left[..k] {
+            let share = own[k].over(&pivot);
+            for (entry, other) in own[..k].iter_mut().zip(&row) {
+                *entry = entry.minus(&share.times(other));
             }
         }
     }

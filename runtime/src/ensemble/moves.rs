@@ -207,7 +207,7 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
         in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
             let here = BLOCK * first..count.min(BLOCK * (first + rows.len() / columns));
             let plan = Plan {
-                method: method,
+                method,
                 members,
                 first,
                 times: times.clone(),

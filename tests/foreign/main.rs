@@ -65,6 +65,10 @@ fn a_body() {
 
 /// The energy of a spring that stiffens, and its slopes.
 fn energy<T: Scalar>(stretch: T, stiffness: T) -> T {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the nearest in single precision"
+    )]
     let number = |value: f64| stretch.constant(value, value as f32);
     stiffness * (stretch.cosh() - number(1.0))
 }

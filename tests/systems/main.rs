@@ -16,6 +16,7 @@ mod frames;
 mod hyperstatic;
 mod kinds;
 mod lagrange;
+#[allow(dead_code, reason = "no screws here")]
 #[path = "../lagrange_systems/mod.rs"]
 mod lagrange_systems;
 mod large;

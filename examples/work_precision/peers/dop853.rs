@@ -25,7 +25,7 @@ where
 {
     Method::adaptive(name, |tolerance| {
         let start = black_box(&problem.start).coordinates();
-        let start: [f64; N] = *start.as_ref().as_array()?;
+        let start: [f64; N] = start.as_ref().try_into().ok()?;
         let pair = ExplicitRungeKutta::dop853().max_steps(usize::MAX);
         let solution = IVP::ode(&Motion(&problem.body), 0.0, problem.seconds, start)
             .solout(Last(problem.seconds))

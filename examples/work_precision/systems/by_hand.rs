@@ -120,70 +120,65 @@ struct Link {
 /// Algorithms, Springer (2008), table 7.1.
 pub struct Arm([Link; 6]);
 
+/// Whether the joint is turned by a right angle about y; its place on the link before \[m\]; its axis, y or z; mass \[kg\]; where
+/// the center is along z \[m\]; moments of inertia \[kg m²\]; torque \[N m\].
+type Row = (bool, [f64; 3], char, f64, f64, [f64; 3], f64);
+
+const SHOULDER: [f64; 3] = [0.010_267_495_893, 0.010_267_495_893, 0.00666];
+const UPPER_ARM: [f64; 3] = [0.226_890_675_91, 0.226_890_675_91, 0.015_107_4];
+const FOREARM: [f64; 3] = [0.049_443_313_556, 0.049_443_313_556, 0.004_095];
+const WRIST: [f64; 3] = [0.111_172_755_531, 0.111_172_755_531, 0.219_42];
+const HAND: [f64; 3] = [0.017_136_473_145_4, 0.017_136_473_145_4, 0.033_822];
+
+const ROWS: [Row; 6] = [
+    (false, [0.0, 0.0, 0.089_159], 'z', 3.7, 0.0, SHOULDER, 10.0),
+    (
+        true,
+        [0.0, 0.135_85, 0.0],
+        'y',
+        8.393,
+        0.28,
+        UPPER_ARM,
+        -20.0,
+    ),
+    (
+        false,
+        [0.0, -0.1197, 0.425],
+        'y',
+        2.275,
+        0.25,
+        FOREARM,
+        15.0,
+    ),
+    (true, [0.0, 0.0, 0.392_25], 'y', 1.219, 0.0, WRIST, 2.0),
+    (false, [0.0, 0.093, 0.0], 'z', 1.219, 0.0, WRIST, -1.0),
+    (false, [0.0, 0.0, 0.094_65], 'y', 0.1879, 0.0, HAND, 0.5),
+];
+
 impl Arm {
     pub fn new() -> Self {
-        let still = Matrix3::identity();
-        let turned = Matrix3::new(0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0);
-        let (y, z) = (Vector3::y(), Vector3::z());
-        let wrist = [0.111172755531, 0.111172755531, 0.21942];
-        let link = |turn: Matrix3<f64>,
-                    place: [f64; 3],
-                    axis: Vector3<f64>,
-                    mass: f64,
-                    along: f64,
-                    moments: [f64; 3],
-                    torque: f64| {
-            let center = Vector3::z() * along;
-            let arm = center.cross_matrix();
-            let about = Matrix3::from_diagonal(&moments.into()) - arm * arm * mass;
-            Link {
-                turn,
-                place: place.into(),
-                axis,
-                inertia: six(about, arm * mass, -arm * mass, Matrix3::identity() * mass),
-                torque,
-            }
-        };
-        Self([
-            link(
-                still,
-                [0.0, 0.0, 0.089159],
-                z,
-                3.7,
-                0.0,
-                [0.010267495893, 0.010267495893, 0.00666],
-                10.0,
-            ),
-            link(
-                turned,
-                [0.0, 0.13585, 0.0],
-                y,
-                8.393,
-                0.28,
-                [0.22689067591, 0.22689067591, 0.0151074],
-                -20.0,
-            ),
-            link(
-                still,
-                [0.0, -0.1197, 0.425],
-                y,
-                2.275,
-                0.25,
-                [0.049443313556, 0.049443313556, 0.004095],
-                15.0,
-            ),
-            link(turned, [0.0, 0.0, 0.39225], y, 1.219, 0.0, wrist, 2.0),
-            link(still, [0.0, 0.093, 0.0], z, 1.219, 0.0, wrist, -1.0),
-            link(
-                still,
-                [0.0, 0.0, 0.09465],
-                y,
-                0.1879,
-                0.0,
-                [0.0171364731454, 0.0171364731454, 0.033822],
-                0.5,
-            ),
-        ])
+        Self(
+            ROWS.map(|(is_turned, place, axis, mass, along, moments, torque)| {
+                let turned = Matrix3::new(0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0);
+                let arm = (Vector3::z() * along).cross_matrix();
+                let about = Matrix3::from_diagonal(&moments.into()) - arm * arm * mass;
+                Link {
+                    turn: if is_turned {
+                        turned
+                    } else {
+                        Matrix3::identity()
+                    },
+                    place: place.into(),
+                    axis: if axis == 'y' {
+                        Vector3::y()
+                    } else {
+                        Vector3::z()
+                    },
+                    inertia: six(about, arm * mass, -arm * mass, Matrix3::identity() * mass),
+                    torque,
+                }
+            }),
+        )
     }
 }
 

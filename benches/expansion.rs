@@ -5,6 +5,8 @@
 //! Robots in files, whose root floats, follow as `-- robot.urdf:root_link`.
 #![allow(dead_code)]
 
+#[path = "../macros/src/checks.rs"]
+mod checks;
 #[path = "../tests/compiler/descriptions.rs"]
 mod descriptions;
 #[path = "../macros/src/emit/mod.rs"]

@@ -7,7 +7,7 @@
 //! rates and accelerations from the derivatives of the loop, forces from Newton's and Euler's laws of the
 //! three bodies, nine equations with the torque and four forces as unknowns.
 
-use newton_euler::nalgebra::{Matrix2, SMatrix, SVector, Vector2};
+use newton_euler::nalgebra::{Matrix, Matrix2, SMatrix, SVector, Vector2};
 use newton_euler::prelude::*;
 
 rigid_system!(FourBar {
@@ -119,7 +119,7 @@ fn main() {
         let found = linkage.reactions(angle / speed, &state, &());
         let forces = [found.o, found.a, found.b, found.c].map(|pin| pin.force);
         let all = core::iter::once(&found.o_drive)
-            .chain(forces.iter().flat_map(|force| force.as_slice()));
+            .chain(forces.iter().flat_map(Matrix::as_slice));
         let expected = by_hand(hand);
         let off = all
             .zip(&expected)

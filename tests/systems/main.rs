@@ -37,6 +37,7 @@ mod rolling;
 mod screws;
 mod series;
 mod shapes;
+mod slots;
 mod spatial;
 mod squeezer;
 mod statics;

@@ -27,6 +27,8 @@ pub enum Axes {
     Written(usize),
     /// One that is written, and two across it.
     Normal,
+    /// One that is written, and the normal of the plane.
+    InThePlane,
     /// Nothing is written: the axes.
     Own,
 }
@@ -161,7 +163,7 @@ const fn translation_in_the_plane(word: &'static str, form: &'static str) -> Joi
 }
 
 /// Those of the plane.
-const PLANE_JOINTS: [JointKind; 6] = [
+const PLANE_JOINTS: [JointKind; 7] = [
     JointKind {
         word: "revolute",
         holds: Holds::Points,
@@ -171,6 +173,14 @@ const PLANE_JOINTS: [JointKind; 6] = [
         form: "revolute(P, Q)",
     },
     PRISMATIC,
+    JointKind {
+        word: "pin_in_slot",
+        holds: Holds::Points,
+        axes: Axes::InThePlane,
+        parts: &[Part::Slide(0), Part::Turn(1)],
+        shape: Some(&CYLINDER),
+        form: "pin_in_slot(P, Q, direction)",
+    },
     WELD,
     JointKind {
         word: "free",
@@ -208,7 +218,7 @@ impl JointKind {
     pub fn directions(&self) -> usize {
         match self.axes {
             Axes::Written(count) => count,
-            Axes::Normal => 1,
+            Axes::Normal | Axes::InThePlane => 1,
             Axes::Own => 0,
         }
     }

@@ -9,6 +9,9 @@ use crate::emit::code::{Shapes, Site, Values, local};
 use crate::mechanics::{Block, Column, Row};
 use crate::model::{AXES, Declared, Group, Outline, Variable};
 
+/// A description with mistakes, and with more blocks than this, gets none.
+const MOST: usize = 4096;
+
 /// The tangent space of the states, and the inputs, in groups.
 pub struct Space {
     state: Vec<Group>,
@@ -91,8 +94,11 @@ impl Space {
         }
     }
 
-    /// All blocks that there may be.
+    /// All blocks that there may be, if they are not too many to be worth while.
     pub fn all(&self) -> Vec<Placed> {
+        if self.accelerations.len() * (self.state.len() + self.inputs.len()) > MOST {
+            return Vec::new();
+        }
         let attitudes = self.state.iter().enumerate();
         let attitudes = attitudes.filter(|(_, group)| group.variable == Variable::Quaternion);
         let attitudes =
@@ -163,30 +169,26 @@ impl Space {
         patterns
     }
 
-    /// All entries, of a description with mistakes.
-    pub fn dense(&self) -> [Vec<Vec<bool>>; 2] {
-        let [states, inputs] = self.size();
-        [
-            vec![vec![true; states]; states],
-            vec![vec![true; inputs]; states],
-        ]
-    }
-
-    /// `impl Linearized<STATES, INPUTS> for BodyLinearization`
+    /// `impl Linearized<STATES, INPUTS> for BodyLinearization`; of a description with mistakes there
+    /// is no pattern.
     pub fn matrices(
         &self,
         site: &Site<'_>,
         blocks: &[Placed],
-        patterns: &[Vec<Vec<bool>>; 2],
+        patterns: Option<&[Vec<Vec<bool>>; 2]>,
     ) -> TokenStream {
         let private = &site.shapes.private;
         let kind = site.own_type("Linearization");
         let [states, inputs] = self.size().map(Literal::usize_unsuffixed);
         let [coordinates, components] = self.names();
-        let [of_state, of_input] = patterns.each_ref().map(|pattern| {
-            let rows = pattern.iter().map(|row| quote!([#(#row),*]));
-            quote!([#(#rows),*])
-        });
+        let of = |number: usize, columns: &Literal| match patterns {
+            Some(patterns) => {
+                let rows = patterns[number].iter().map(|row| quote!([#(#row),*]));
+                quote!([#(#rows),*])
+            }
+            None => quote!([[true; #columns]; #states]),
+        };
+        let (of_state, of_input) = (of(0, &states), of(1, &inputs));
         let (matrix, places) = (local("matrix"), Literal::usize_unsuffixed(self.places()));
         let filled = |is_of_input: bool| {
             let blocks = blocks.iter().filter(|one| one.is_of_input == is_of_input);

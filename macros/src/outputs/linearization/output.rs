@@ -89,10 +89,10 @@ impl<S: Subject> Output<S> for Linearization {
         let mut addition = emitted(site, self.found.as_ref(), &blocks, words);
         let double = site.double();
         let entries = self.found.as_ref();
-        let patterns = entries.map_or_else(|| space.dense(), |found| space.patterns(&found.blocks));
+        let patterns = entries.map(|found| space.patterns(&found.blocks));
         addition
             .implementations
-            .extend(space.matrices(&double, &blocks, &patterns));
+            .extend(space.matrices(&double, &blocks, patterns.as_ref()));
         let coordinated = coordinated(&double, &self.in_world);
         addition.implementations.extend(coordinated);
         addition

@@ -50,6 +50,7 @@ impl Reader<'_> {
                 };
                 Some(vec![*normal, along, across])
             }
+            (Axes::InThePlane, [along]) => Some(vec![*along, self.work.graph.unit_vectors()[2]]),
             _ => Some(directions),
         }
     }

@@ -40,6 +40,7 @@ fn instead(kind: &str, is_planar: bool) -> &'static [(&'static str, Free, usize)
             ("cylindrical", Free::ForceAlong, 1),
         ],
         ("prismatic", false) => &[("cylindrical", Free::MomentAlong, 1)],
+        ("prismatic", true) => &[("pin_in_slot", Free::Moment, 1)],
         ("screw", false) => &[("cylindrical", Free::ForceAlong, 1)],
         ("universal", false) => &[("spherical", Free::Moment, 1)],
         ("weld", false) => &[("spherical", Free::Moment, 3)],

@@ -99,6 +99,10 @@ fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
                 all.push(Held::Between(turned(graph, *across), *axis));
             }
         }
+        ([Part::Slide(_), Part::Turn(_)], [along, normal]) if ends.is_planar => {
+            let across = graph.cross(*normal, *along);
+            all.push(Held::Across(turned(graph, across)));
+        }
         ([Part::Slide(_), Part::Turn(_)], [axis, across @ ..]) => {
             for across in across {
                 let across = turned(graph, *across);

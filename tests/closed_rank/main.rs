@@ -65,6 +65,10 @@ fn rows_that_depend_on_each_other_in_closed_states_give_no_number() {
     };
     for number in 0..200 {
         let angle = 0.05 + 0.03 * f64::from(number);
+        // all in a line is a change point
+        if angle.cos().abs() < 0.05 {
+            continue;
+        }
         for rate in [0.0, 1.3] {
             let mut state = at(angle, rate);
             cranks.check(0.0, &state, &()).unwrap();

@@ -31,6 +31,8 @@ pub struct Balances<'w> {
     pub rows: Vec<Held>,
     /// Bounds of the inertia of each coordinate.
     sizes: Vec<Id>,
+    /// So many coordinates stand for themselves.
+    given: usize,
     /// The coordinates that nothing gives yet, and the rows that give none.
     pub open: Vec<bool>,
     is_left: Vec<bool>,
@@ -51,6 +53,7 @@ impl<'w> Balances<'w> {
         let mut balances = Self {
             work,
             sizes: sizes.collect(),
+            given: all.len(),
             open: vec![true; all.len()],
             is_left: vec![true; rows.len()],
             all,
@@ -125,8 +128,12 @@ impl<'w> Balances<'w> {
         if samples(self.work, &[determinant])[0].may_vanish() {
             return None;
         }
+        let inverse = if known.coordinates.iter().all(|own| *own < self.given) {
+            self.work.graph.pivot(determinant, size)
+        } else {
+            self.inverse_by_squares(determinant, &known)
+        };
         let graph = &mut self.work.graph;
-        let inverse = graph.pivot(determinant, size);
         Some(Block {
             fixed: divided(graph, &numerators, inverse),
             rows: known.rows,
@@ -136,6 +143,20 @@ impl<'w> Balances<'w> {
             inverse,
             later: Vec::new(),
         })
+    }
+
+    /// One over a determinant `d / (d d)`. Slopes along ways are sums that may vanish in closed states,
+    /// and do not tell how large they could be: it is compared, as the inertia along ways is, with what
+    /// is known of the squares of slopes.
+    fn inverse_by_squares(&mut self, determinant: Id, known: &Chosen) -> Id {
+        let bounds = self.bounds(known);
+        let graph = &mut self.work.graph;
+        let square = graph.multiply(determinant, determinant);
+        let size = bounds
+            .iter()
+            .fold(graph.one(), |size, bound| graph.multiply(size, *bound));
+        let inverse = graph.pivot(square, size);
+        graph.multiply(determinant, inverse)
     }
 
     /// Rows of one coordinate more; nothing where there may be no way, or none with inertia, throughout

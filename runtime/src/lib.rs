@@ -111,6 +111,10 @@ pub use scalar::{Dual, Scalar};
 #[doc = include_str!("../../README.md")]
 mod first_page {}
 
+#[doc = include_str!("recipes.md")]
+#[cfg_attr(feature = "ensemble", doc = include_str!("recipes_ensemble.md"))]
+pub mod recipes {}
+
 #[doc = include_str!("rigid_system.md")]
 #[macro_export]
 macro_rules! rigid_system {

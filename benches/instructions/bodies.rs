@@ -18,6 +18,7 @@ macro_rules! examples {
 
 examples! {
     apollo "../../examples/apollo.rs";
+    auv "../../examples/auv.rs";
     compound_pendulum "../../examples/compound_pendulum.rs";
     crane "../../examples/crane.rs";
     crazyflie "../../examples/crazyflie.rs";
@@ -31,12 +32,14 @@ examples! {
     identification "../../examples/identification.rs";
     lagrange_top "../../examples/lagrange_top.rs";
     level_turn "../../examples/level_turn.rs";
+    lqr "../../examples/lqr.rs";
     planetary_gear "../../examples/planetary_gear.rs";
     plank "../../examples/plank.rs";
     quadrotor "../../examples/quadrotor.rs";
     reaction_wheels "../../examples/reaction_wheels.rs";
     rigid_body_benchmarks "../../examples/rigid_body_benchmarks.rs";
     robot_arm "../../examples/robot_arm.rs";
+    rocket "../../examples/rocket.rs";
     rotor "../../examples/rotor.rs";
     satellite "../../examples/satellite.rs";
     shuttlecock "../../examples/shuttlecock.rs";
@@ -64,6 +67,7 @@ macro_rules! bodies {
 pub const BODIES: &[Body] = bodies![
     apollo::AsProducts,
     apollo::AsTensor,
+    auv::Auv,
     compound_pendulum::Pendulum,
     crane::Crane,
     crazyflie::Crazyflie,
@@ -80,6 +84,7 @@ pub const BODIES: &[Body] = bodies![
     identification::Hull,
     lagrange_top::Top,
     level_turn::Navion,
+    lqr::Quadrotor,
     planetary_gear::Planetary,
     plank::Plank,
     quadrotor::Quadrotor,
@@ -88,6 +93,7 @@ pub const BODIES: &[Body] = bodies![
     rigid_body_benchmarks::Driven,
     rigid_body_benchmarks::Turning,
     robot_arm::Arm,
+    rocket::Rocket,
     rotor::Rotor,
     satellite::Satellite,
     shuttlecock::Shuttlecock,
@@ -148,6 +154,15 @@ impl Somewhere for hover::HoverState {
             roll_sum: 0.02,
             pitch_sum: -0.03,
             height_sum: 0.4,
+        }
+    }
+}
+
+impl Somewhere for rocket::RocketState {
+    fn somewhere() -> Self {
+        Self {
+            motion: Spatial::somewhere(),
+            fuel: 12.5,
         }
     }
 }

@@ -4,7 +4,8 @@
 //! moments, fields, reactions), writes the force balance (1.3) and the moment balance (1.4), drops
 //! what is zero or never asked for, and leaves straight-line Rust that `cargo expand` shows as a
 //! page of a textbook. Its documentation is the reference of the language. Generated types
-//! implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them.
+//! implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them. [`recipes`]
+//! has what is asked for often, as short programs.
 //!
 //! ```
 //! use newton_euler::prelude::*;
@@ -110,6 +111,10 @@ pub use scalar::{Dual, Scalar};
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 mod first_page {}
+
+#[doc = include_str!("recipes.md")]
+#[cfg_attr(feature = "ensemble", doc = include_str!("recipes_ensemble.md"))]
+pub mod recipes {}
 
 #[doc = include_str!("rigid_system.md")]
 #[macro_export]

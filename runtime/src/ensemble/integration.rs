@@ -62,7 +62,7 @@ pub struct EnsembleIntegration<'e, B: Generic, M, C> {
 impl<B: Generic + Integrate<Best: Together<B>>> Ensemble<B> {
     /// Integrates the motion of all members: from time zero, under the inputs that they have, each
     /// with steps of its own; in closed form where there is one ([`Integrate::Best`]), else by
-    /// [`Verner`](crate::integrate::Verner), several in a register. [`EnsembleIntegration`] can change all of that.
+    /// [`Verner`], several in a register. [`EnsembleIntegration`] can change all of that.
     pub fn integrate(
         &mut self,
     ) -> EnsembleIntegration<'_, B, <B::Best as Together<B>>::Moves, AsGiven> {

@@ -118,8 +118,7 @@ fn main() {
             .expect("the loop closes at each angle");
         let found = linkage.reactions(angle / speed, &state, &());
         let forces = [found.o, found.a, found.b, found.c].map(|pin| pin.force);
-        let all = core::iter::once(&found.o_drive)
-            .chain(forces.iter().flat_map(Matrix::as_slice));
+        let all = core::iter::once(&found.o_drive).chain(forces.iter().flat_map(Matrix::as_slice));
         let expected = by_hand(hand);
         let off = all
             .zip(&expected)

@@ -191,12 +191,13 @@ fn told_apart(left: &Number, right: &Number) -> (String, String) {
 fn lacking(symbols: &BTreeSet<Id>, (outline, work): (&Outline, &Workspace)) -> String {
     let names = symbols.iter().map(|symbol| name(*symbol, outline, work));
     let names: BTreeSet<String> = names.collect();
-    let first = names.first().cloned().unwrap_or_default();
+    let given: Vec<String> = names.iter().map(|name| format!("{name} = ..")).collect();
     let list: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     let is = if list.len() == 1 { "is" } else { "are" };
     format!(
-        "depends on {}, which {is} not given: write `.given({first} = ..)` behind the condition",
-        list.join(", ")
+        "depends on {}, which {is} not given: write `.given({})` behind the condition",
+        list.join(", "),
+        given.join(", ")
     )
 }
 

@@ -23,7 +23,9 @@ impl Lowering<'_> {
                 .map(|(name, ..)| name.to_string())
                 .collect();
             let names = names.join(", ");
-            let message = format!("`{word}({names})` has {expected}, and here are {count}");
+            let s = if expected == 1 { "" } else { "s" };
+            let message =
+                format!("`{word}({names})` takes {expected} argument{s}, and this has {count}");
             self.visit(written);
             return self.report(word.span(), message);
         }

@@ -48,7 +48,7 @@ impl Lowering<'_> {
                 {
                     let hint = hint(&name.to_string(), WORDS);
                     let words = WORDS.join("`, `");
-                    let message = format!("a table goes on as `{words}`{hint}");
+                    let message = format!("expected one of `{words}`{hint}");
                     return self.report(name.span(), message);
                 }
                 self.report(word.span(), FORM)

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
 
 use crate::descriptions::{many_forces, quadrotor};
 use crate::{expand_description, pretty};
@@ -203,7 +203,7 @@ fn series_of_a_symmetric_body_take_fewer_products() {
 
 /// A body of `count` parts, at places and with masses that differ.
 fn many_parts(count: usize) -> TokenStream {
-    let numbers = (1..=count).map(proc_macro2::Literal::usize_unsuffixed);
+    let numbers = (1..=count).map(Literal::usize_unsuffixed);
     quote!(Heap {
         motion: spatial,
         params: [m = 0.1[kg], d = 0.3[m]],
@@ -228,6 +228,36 @@ fn expansions_grow_linearly() {
         large <= 11 * small,
         "{small} bytes for 30 parts, {large} for 300"
     );
+}
+
+/// A body with `count` dampers, whose laws are not linear.
+fn many_dampers(count: usize) -> TokenStream {
+    let names: Vec<_> = (0..count).map(|i| format_ident!("damper_{i}")).collect();
+    let points: Vec<_> = (0..count).map(|i| format_ident!("point_{i}")).collect();
+    let offsets = (1..=count).map(Literal::usize_unsuffixed);
+    quote!(Damped {
+        motion: spatial,
+        mass: 3[kg],
+        inertia: principal(1.3, 1.7, 2.1)[kg * m ^ 2],
+        points: [#(#points = (0.01 * #offsets, 0.2, -0.1)),*],
+        forces: [#(#names = (-0.1[kg / m] * #points.velocity().norm() * #points.velocity()).at(#points)),*],
+    })
+}
+
+/// Each `let` is a scope within the one before it, which debug information follows by recursion.
+#[test]
+fn scopes_of_long_functions_are_not_deep() {
+    let expansion = expand_description(many_dampers(130)).to_string();
+    let functions = expansion.split("fn ");
+    let counts = functions.map(|code| {
+        let scopes = code.matches("let ").count();
+        (scopes, code.matches(" = ").count())
+    });
+    let counts: Vec<(usize, usize)> = counts.collect();
+    let longest = counts.iter().map(|(_, values)| *values).max();
+    let deepest = counts.iter().map(|(scopes, _)| *scopes).max();
+    assert!(longest > Some(2500), "{longest:?} statements");
+    assert!(deepest < Some(2100), "{deepest:?} scopes");
 }
 
 /// Ten times the forces in about ten times the time: least of a few, in one run. What is quadratic takes a hundred times.
@@ -284,7 +314,7 @@ fn names_in_the_constructor_are_distinct() {
 /// Beyond the stated limit there is one error, whatever else is in the description.
 #[test]
 fn descriptions_have_a_size() {
-    let tokens = expand_description(many_forces(2000)).to_string();
+    let tokens = expand_description(many_dampers(130)).to_string();
     assert!(
         tokens.contains("here this description has more than 50000 tokens"),
         "{tokens}"

@@ -235,3 +235,80 @@ fn reactions_may_be_guessed() {
     let [weight] = system.loads(0.0, &state, &()).lower;
     assert_eq!(weight.name, "weight");
 }
+
+// loads that follow the load of a constraint, of a link and of a vector, for any scalar
+rigid_system!(Rubbed::<T> {
+    params: [mu = 0.3],
+    bodies: [
+        disc {
+            mass: 2[kg],
+            inertia: sphere(0.3[m]),
+            constraints: [touch = position.in_world().z],
+            forces: [rub = world(-mu * touch, 0, 0)],
+        },
+        arm {
+            mass: 1[kg],
+            inertia: sphere(0.1[m]),
+            points: [hinge = (-0.4, 0, 0)[m], tip = (0.4, 0, 0)[m]],
+        },
+        bob {
+            mass: 1[kg],
+            inertia: sphere(0.1[m])
+        },
+    ],
+    joints: [
+        away = free(disc),
+        hinge = revolute(world(0, 0, 1)[m], arm.hinge, body(0, 1, 0)),
+        loose = free(bob),
+        rod = link(arm.tip, bob.G, 0.5[m]),
+    ],
+    constraints: [slot = bob.G.position().in_world().y],
+    fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
+    moments: [brake = moment(-0.1[m] * slot * world(0, 1, 0)).on(arm)],
+    forces: [drag = (0.2 * rod).between(disc.G, bob.G)],
+    outputs: [balance, reactions],
+});
+
+#[test]
+fn what_follows_a_constraint_does_so_as_it_is_given() {
+    let system = Rubbed::<f64>::default();
+    let mut state = RubbedState::default();
+    state.away.position = [0.3, -0.1, 0.0].into();
+    state.away.velocity = [0.5, 0.2, 0.0].into();
+    state.loose.position = [0.8, 0.0, 0.5].into();
+    state.loose.angular_velocity = [0.3, -0.4, 0.7].into();
+    system.check(0.0, &state, &()).unwrap();
+    let acceleration = system.acceleration(0.0, &state, &());
+    let mut reactions = system.reactions(0.0, &state, &());
+    let left = |reactions: &RubbedReactions<f64>| {
+        system.residual(0.0, &state, &acceleration, reactions, &())
+    };
+    let whole = left(&reactions);
+    for body in [whole.disc, whole.arm, whole.bob] {
+        close("force", body.force.as_slice(), &[0.0; 3], 30.0, 1e-13);
+        close("moment", body.moment.as_slice(), &[0.0; 3], 30.0, 1e-13);
+    }
+    reactions.disc_touch += 1.0;
+    reactions.slot += 1.0;
+    let more = left(&reactions);
+    let force = more.disc.force;
+    close("disc", force.as_slice(), &[-0.3, 0.0, 1.0], 30.0, 1e-13);
+    let (force, moment) = (more.bob.force, more.arm.moment);
+    close("bob", force.as_slice(), &[0.0, 1.0, 0.0], 30.0, 1e-13);
+    close("arm", moment.as_slice(), &[0.0, -0.1, 0.0], 30.0, 1e-13);
+    // the link pulls its ends together, and a fifth of it the disc and the bob
+    reactions = system.reactions(0.0, &state, &());
+    reactions.rod += 1.0;
+    let more = left(&reactions);
+    let between = state.loose.position - state.away.position;
+    let pull = 0.2 * between.normalize();
+    close(
+        "disc",
+        more.disc.force.as_slice(),
+        pull.as_slice(),
+        1.0,
+        1e-13,
+    );
+    let rest = more.bob.force + pull;
+    close("bob", rest.as_slice(), &[0.0, 0.0, 1.0], 1.0, 1e-13);
+}

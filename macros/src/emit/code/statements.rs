@@ -11,6 +11,10 @@ use super::block::Block;
 use super::text::to_text;
 use super::writer::{Source, Writer};
 
+/// Runs of more statements than `LONG` declare their names in groups of `GROUP`.
+const LONG: usize = 2048;
+const GROUP: usize = 256;
+
 /// The code of one function.
 pub struct Code {
     /// Reads what is given, and computes.
@@ -36,6 +40,32 @@ pub struct Facts {
     pub text: Vec<String>,
     /// What was asked for as text.
     pub output_text: Vec<String>,
+}
+
+/// One statement: what is assigned, its value, and what is said of it.
+struct Line {
+    left: TokenStream,
+    right: TokenStream,
+    note: Option<String>,
+}
+
+/// `let a = ..; let b = ..;`, and of a long run `let (a, b); a = ..; b = ..;`: each `let` opens a scope
+/// within the one before it, and debug information of thousands of them overflows the stack of the
+/// compiler.
+fn written(lines: &[Line]) -> TokenStream {
+    if lines.len() <= LONG {
+        let lines = lines.iter().map(|Line { left, right, note }| {
+            let note = note.iter();
+            quote!(#(#[doc = #note])* let #left = #right;)
+        });
+        return lines.collect();
+    }
+    let groups = lines.chunks(GROUP).map(|group| {
+        let left: Vec<_> = group.iter().map(|line| &line.left).collect();
+        let right = group.iter().map(|line| &line.right);
+        quote!(let (#(#left,)*); #(#left = #right;)*)
+    });
+    groups.collect()
 }
 
 impl Writer<'_> {
@@ -97,7 +127,7 @@ impl Block<'_> {
         program: &Program,
         is_due: impl Fn(Id) -> bool,
     ) -> (TokenStream, Vec<String>) {
-        let (mut statements, mut text) = (TokenStream::new(), Vec::new());
+        let (mut lines, mut text) = (Vec::new(), Vec::new());
         for &id in program.statements.iter().filter(|id| is_due(**id)) {
             if self.names.contains_key(&id) {
                 continue;
@@ -108,10 +138,9 @@ impl Block<'_> {
             let (left, right) = self.statement(id, name, program);
             text.push(format!("{} = {}", to_text(&left), to_text(&right)));
             let note = note.map(|note| format!(" {note}"));
-            let note = note.iter();
-            statements.extend(quote!(#(#[doc = #note])* let #left = #right;));
+            lines.push(Line { left, right, note });
         }
-        (statements, text)
+        (written(&lines), text)
     }
 
     /// What is assigned, and its value; a sine and a cosine of the same angle are computed

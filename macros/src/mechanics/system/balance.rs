@@ -24,7 +24,7 @@ pub fn derive_system_balances(
     let by_link = by_link(equations, &built.tree, &given);
     let motions = tree::motions(&mut work.graph, &built.tree, &by_link);
     let carried = joint_loads(system, work, holding);
-    let kept = loads_of_constraints(system, work, 2 * holding.len());
+    let kept = loads_of_constraints(system, work);
     let values = equations.values();
     let bodies = system.bodies.iter().enumerate();
     let balances = bodies.map(|(number, body)| {
@@ -153,25 +153,20 @@ fn joint_loads<'a>(
 }
 
 /// What each written constraint does to each body, at the point that its joint holds, as its load is
-/// given; the first one has this number among the parts of the reactions.
-fn loads_of_constraints(
-    system: &System,
-    work: &mut Workspace,
-    first: usize,
-) -> Vec<Vec<[Vector; 2]>> {
+/// given.
+fn loads_of_constraints(system: &System, work: &mut Workspace) -> Vec<Vec<[Vector; 2]>> {
     let Some(form) = &system.constraints.form else {
         return Vec::new();
     };
     let levels = system.constraints.list.iter().map(|one| one.level);
     let units = derive_unit_loads(work, form, levels).into_iter();
-    let units = units.enumerate().map(|(number, unit)| {
-        let load = work.symbol(Stage::State, Meaning::Reaction(first + number, 0));
+    let units = units.zip(&system.constraints.loads).map(|(unit, load)| {
         let on = system.bodies.iter().map(|body| {
             let mut drawn = form.bodies.iter().zip(&unit.on);
             let found = drawn.find(|(displaced, _)| displaced.body == body.state.body);
             found.map_or([Vector::ZERO; 2], |(_, draw)| {
                 let moment = work.vector(body.state.body, draw.moment);
-                [draw.force, moment].map(|part| work.scale(load, part))
+                [draw.force, moment].map(|part| work.scale(*load, part))
             })
         });
         on.collect()

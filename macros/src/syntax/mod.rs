@@ -4,12 +4,8 @@
 //! nothing: it is reported, and what it would have named stays known, without a value. Nothing is
 //! looked up here and nothing has a meaning yet.
 
-mod charges;
-mod checks;
-mod composition;
 mod entries;
 mod expression;
-mod foreign;
 mod head;
 mod mjcf;
 mod motion;
@@ -29,9 +25,8 @@ use crate::errors::Extent;
 
 use crate::families::Family;
 use crate::families::LoadKind;
-pub use composition::{Composition, Part};
+pub use entries::{Composition, Constant, Function, Part};
 pub use expression::{Called, Expression, Kind, Operator, Prefix, Step, call};
-pub use foreign::{Constant, Function};
 pub use motion::{ROD, SUPPORTS};
 pub use parse::parse_description;
 pub use system::{CABLE, Center, File, LINK, System, file_beside, parse_system};

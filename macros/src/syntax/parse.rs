@@ -4,9 +4,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent, similar};
 
-use super::checks::parse_check;
-use super::composition::Composition;
-use super::entries::{parse_entry, parse_name};
+use super::entries::{Composition, parse_check, parse_entry, parse_name};
 use super::expression::Expression;
 use super::head::parse_head;
 use super::motion::parse_motion;

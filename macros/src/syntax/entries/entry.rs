@@ -4,19 +4,19 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use crate::errors::Errors;
 
-use super::Declaration;
-use super::Definition;
-use super::Description;
-use super::Load;
-use super::Value;
 use super::charges::parse_charges;
-use super::expression::{Expression, Kind};
 use super::foreign::{parse_constant, parse_function};
-use super::tokens::{after_sign, bracketed, is_punct, start, stream};
-use super::unit::UnitExpression;
-use super::words::check_name;
 use crate::families::Family;
 use crate::families::LoadKind;
+use crate::syntax::Declaration;
+use crate::syntax::Definition;
+use crate::syntax::Description;
+use crate::syntax::Load;
+use crate::syntax::Value;
+use crate::syntax::expression::{Expression, Kind};
+use crate::syntax::tokens::{after_sign, bracketed, is_punct, start, stream};
+use crate::syntax::unit::UnitExpression;
+use crate::syntax::words::check_name;
 
 /// Reads one entry of the list `key`. Without a name there is none; without a value it stays
 /// known, and silent.

@@ -4,9 +4,9 @@ use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use crate::errors::{Errors, Extent};
 
-use super::Value;
-use super::expression::{Expression, Kind};
-use super::tokens::{Entry, bracketed, split, stream, without_attributes};
+use crate::syntax::Value;
+use crate::syntax::expression::{Expression, Kind};
+use crate::syntax::tokens::{Entry, bracketed, split, stream, without_attributes};
 
 /// The parts of a body.
 #[derive(Clone)]

@@ -5,10 +5,10 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent, every};
 
-use super::Description;
-use super::tokens::{Entry, after_sign, is_punct, split, start, stream};
-use super::unit::UnitExpression;
-use super::words::check_name;
+use crate::syntax::Description;
+use crate::syntax::tokens::{Entry, after_sign, is_punct, split, start, stream};
+use crate::syntax::unit::UnitExpression;
+use crate::syntax::words::check_name;
 
 /// Arguments that a function may have.
 const ARGUMENTS: usize = 3;

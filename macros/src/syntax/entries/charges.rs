@@ -4,8 +4,8 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 
-use super::Charge;
-use super::expression::{Expression, Kind, Prefix};
+use crate::syntax::Charge;
+use crate::syntax::expression::{Expression, Kind, Prefix};
 
 /// The charges in the parentheses of `.on(..)`; what cannot be read is reported.
 pub fn parse_charges(on: &Ident, arguments: Vec<Expression>, errors: &mut Errors) -> Vec<Charge> {

@@ -4,10 +4,10 @@ use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use crate::errors::Errors;
 
-use super::entries::parse_value;
-use super::expression::{Expression, Kind, Operator};
-use super::tokens::{Entry, is_punct, split, start, stream, without_attributes};
-use super::{Check, Claim, Given};
+use super::entry::parse_value;
+use crate::syntax::expression::{Expression, Kind, Operator};
+use crate::syntax::tokens::{Entry, is_punct, split, start, stream, without_attributes};
+use crate::syntax::{Check, Claim, Given};
 
 const FORM: &str = "a check compares two scalars: write `a < b`, `<=`, `>`, `>=`, `==` or `!=`, and join several by `&&`";
 

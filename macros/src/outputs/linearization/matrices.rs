@@ -181,12 +181,12 @@ impl Space {
         let kind = site.own_type("Linearization");
         let [states, inputs] = self.size().map(Literal::usize_unsuffixed);
         let [coordinates, components] = self.names();
-        let of = |number: usize, columns: &Literal| match patterns {
-            Some(patterns) => {
-                let rows = patterns[number].iter().map(|row| quote!([#(#row),*]));
-                quote!([#(#rows),*])
-            }
-            None => quote!([[true; #columns]; #states]),
+        let of = |number: usize, columns: &Literal| {
+            let Some(patterns) = patterns else {
+                return quote!([[true; #columns]; #states]);
+            };
+            let rows = patterns[number].iter().map(|row| quote!([#(#row),*]));
+            quote!([#(#rows),*])
         };
         let (of_state, of_input) = (of(0, &states), of(1, &inputs));
         let (matrix, places) = (local("matrix"), Literal::usize_unsuffixed(self.places()));

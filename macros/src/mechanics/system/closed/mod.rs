@@ -8,9 +8,13 @@
 //! and what moves in space, is eliminated together, the masses first. Both hold in all states in which
 //! the rows of A are independent.
 
+mod assembly;
+mod dependent;
 mod eliminated;
+mod guard;
 mod in_plane;
 mod inverse;
+mod numbers;
 mod release;
 mod solve;
 mod unsettled;

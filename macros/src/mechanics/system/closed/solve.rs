@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{Built, MassMatrix};
 use crate::mechanics::variation::Direction;
 use crate::model::{Closing, Frame, System, TreeJoint, Workspace};
@@ -12,6 +12,9 @@ use crate::symbolic::{Components, Graph, Id};
 use super::super::constraints::{
     Ends, Placed, Row, place_links, push_written, replace_in_tree, rows_of_joint, rows_of_written,
 };
+use super::super::rates::{order, rates};
+use super::assembly::Assembly;
+use super::dependent::{dependent, groups};
 use super::eliminated::{Following, Found, eliminated};
 use super::in_plane::{Known, in_plane};
 use super::unsettled::{Keeper, Spare, Unsettled, bare};
@@ -91,6 +94,9 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
     for (row, others, loads) in found.spare {
         let others = others.into_iter().map(|other| kept[other].1.name.clone());
         unsettled.add(&kept[row].0, others.collect());
+        spare.push(loads_of(system, work, &kept, loads.into_iter()));
+    }
+    for loads in found.loose {
         spare.push(loads_of(system, work, &kept, loads.into_iter()));
     }
     for (number, _) in idle.iter().enumerate() {
@@ -177,6 +183,9 @@ fn found(
     (matrix, following): (&MassMatrix, Following<'_>),
     is_idle: bool,
 ) -> Found {
+    if let Some(found) = where_closed(system, work, known, matrix) {
+        return found;
+    }
     let by_blocks = if system.is_planar && !is_idle {
         in_plane(work, known)
     } else {
@@ -191,6 +200,42 @@ fn found(
             by_blocks.unwrap_or(eliminated)
         }
     }
+}
+
+/// With rows that depend on each other in closed states alone; nothing if there are none, or where loads
+/// follow those of constraints.
+fn where_closed(
+    system: &System,
+    work: &mut Workspace,
+    known: &Known<'_>,
+    matrix: &MassMatrix,
+) -> Option<Found> {
+    if known.is_followed(work) {
+        return None;
+    }
+    let open = || known.built.tree.links.iter().flat_map(Link::open);
+    let graph = &work.graph;
+    let is_turning: Vec<bool> = open()
+        .map(|freedom| !graph.is_zero_vector(&freedom.twist.angular))
+        .collect();
+    let mut rates: Vec<Id> = vec![work.graph.zero(); is_turning.len()];
+    for (freedom, rate) in order(system, known.built)
+        .into_iter()
+        .zip(self::rates(system))
+    {
+        rates[freedom] = rate;
+    }
+    let rows = known.kept.iter().map(|(_, row)| row).collect();
+    let independent = Assembly::new(system, work, rates.clone(), rows).independent()?;
+    eprintln!(
+        known
+            .kept
+            .iter()
+            .map(|(_, row)| row.name.clone())
+            .collect::<Vec<_>>()
+    );
+    let groups = groups(&work.graph, known.kept, &independent);
+    dependent(work, matrix, known.kept, groups, (&rates, &is_turning))
 }
 
 /// Force and moment of each joint that closes a loop, and the load of each written constraint, by the

@@ -7,7 +7,6 @@ use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
 use super::super::constraints::Row;
-use super::super::motion::positions;
 use super::numbers::{Random, Span, solve};
 
 /// So many states are begun with, and so many steps taken from each.
@@ -16,13 +15,20 @@ const STEPS: usize = 60;
 /// A closed state is moved by this much to see whether it moves.
 const MOVED: f64 = 0.05;
 
+/// How a state without given motion changes.
+pub struct Coordinates {
+    /// The rates of the open freedoms.
+    pub rates: Vec<Id>,
+    /// What is before the rates in a state, with theirs.
+    pub places: Vec<Coordinate>,
+}
+
 /// What is kept, and the coordinates that it depends on.
 pub struct Assembly<'a> {
     work: &'a Workspace,
     rows: Vec<&'a Row>,
-    /// By the open freedoms.
-    rates: Vec<Id>,
-    coordinates: Vec<Coordinate>,
+    rates: &'a [Id],
+    coordinates: &'a [Coordinate],
     attitudes: Vec<[Id; 4]>,
     defaults: HashMap<Id, f64>,
 }
@@ -31,15 +37,13 @@ pub struct Assembly<'a> {
 type Values = HashMap<Id, f64>;
 
 impl<'a> Assembly<'a> {
-    /// `rates` are those of the open freedoms.
     pub fn new(
         system: &System,
-        work: &'a mut Workspace,
-        rates: Vec<Id>,
+        work: &'a Workspace,
+        coordinates: &'a Coordinates,
         rows: Vec<&'a Row>,
     ) -> Self {
-        let open = || system.joints.iter().filter(|joint| !joint.is_driven());
-        let coordinates = open().flat_map(|joint| positions(work, joint)).collect();
+        let open = system.joints.iter().filter(|joint| !joint.is_driven());
         let attitude = |joint: &TreeJoint| {
             let part = |part: usize| joint.coordinates.get(Variable::Quaternion, part);
             Some([part(0)?, part(1)?, part(2)?, part(3)?])
@@ -49,9 +53,9 @@ impl<'a> Assembly<'a> {
             .filter_map(|(symbol, value)| Some((*symbol, work.graph.as_number(*value)?.to_f64())));
         Self {
             rows,
-            rates,
-            coordinates,
-            attitudes: open().filter_map(attitude).collect(),
+            rates: &coordinates.rates,
+            coordinates: &coordinates.places,
+            attitudes: open.filter_map(attitude).collect(),
             defaults: defaults.collect(),
             work,
         }
@@ -80,7 +84,7 @@ impl<'a> Assembly<'a> {
     fn start(&self, random: &mut Random, number: u64) -> Values {
         let scale = [1.0, 0.3, 0.1, 2.0][usize::try_from(number % 4).unwrap_or(0)];
         let mut values = self.defaults.clone();
-        for coordinate in &self.coordinates {
+        for coordinate in self.coordinates {
             values.insert(coordinate.symbol, scale * random.number());
         }
         self.normalise(&mut values);

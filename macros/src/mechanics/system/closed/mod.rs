@@ -19,6 +19,7 @@ mod release;
 mod solve;
 mod unsettled;
 
+pub use assembly::Coordinates;
 pub use inverse::solve_drives;
 pub use release::{component, release};
 pub use solve::{Closed, close, moved_in_world};

@@ -12,8 +12,7 @@ use crate::symbolic::{Components, Graph, Id};
 use super::super::constraints::{
     Ends, Placed, Row, place_links, push_written, replace_in_tree, rows_of_joint, rows_of_written,
 };
-use super::super::rates::{order, rates};
-use super::assembly::Assembly;
+use super::assembly::{Assembly, Coordinates};
 use super::dependent::{dependent, groups};
 use super::eliminated::{Following, Found, eliminated};
 use super::in_plane::{Known, in_plane};
@@ -51,7 +50,12 @@ impl Closed {
 
 /// Finds all that keeps; what the tree is written like does not matter, but the origins of its links
 /// are at their joints. `motion` is how the state changes.
-pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Direction) -> Closed {
+pub fn close(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+    (motion, coordinates): (&Direction, &Coordinates),
+) -> Closed {
     let tree = moved_in_world(work, &built.tree);
     let placed = {
         let free: Vec<Option<[Components; 2]>> = free_links(system, work, built);
@@ -88,7 +92,13 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         loads: &followed,
         accelerations: &accelerations,
     };
-    let found = found(system, work, &known, (&matrix, following), is_idle);
+    let found = found(
+        system,
+        work,
+        (&known, coordinates),
+        (&matrix, following),
+        is_idle,
+    );
     unsettled.light = found.light;
     let mut spare = Vec::new();
     for (row, others, loads) in found.spare {
@@ -179,11 +189,11 @@ fn keepers(
 fn found(
     system: &System,
     work: &mut Workspace,
-    known: &Known<'_>,
+    (known, coordinates): (&Known<'_>, &Coordinates),
     (matrix, following): (&MassMatrix, Following<'_>),
     is_idle: bool,
 ) -> Found {
-    if let Some(found) = where_closed(system, work, known, matrix) {
+    if let Some(found) = where_closed(system, work, (known, coordinates), matrix) {
         return found;
     }
     let by_blocks = if system.is_planar && !is_idle {
@@ -207,7 +217,7 @@ fn found(
 fn where_closed(
     system: &System,
     work: &mut Workspace,
-    known: &Known<'_>,
+    (known, coordinates): (&Known<'_>, &Coordinates),
     matrix: &MassMatrix,
 ) -> Option<Found> {
     if known.is_followed(work) {
@@ -218,24 +228,16 @@ fn where_closed(
     let is_turning: Vec<bool> = open()
         .map(|freedom| !graph.is_zero_vector(&freedom.twist.angular))
         .collect();
-    let mut rates: Vec<Id> = vec![work.graph.zero(); is_turning.len()];
-    for (freedom, rate) in order(system, known.built)
-        .into_iter()
-        .zip(self::rates(system))
-    {
-        rates[freedom] = rate;
-    }
     let rows = known.kept.iter().map(|(_, row)| row).collect();
-    let independent = Assembly::new(system, work, rates.clone(), rows).independent()?;
-    eprintln!(
-        known
-            .kept
-            .iter()
-            .map(|(_, row)| row.name.clone())
-            .collect::<Vec<_>>()
-    );
+    let independent = Assembly::new(system, work, coordinates, rows).independent()?;
     let groups = groups(&work.graph, known.kept, &independent);
-    dependent(work, matrix, known.kept, groups, (&rates, &is_turning))
+    dependent(
+        work,
+        matrix,
+        known.kept,
+        groups,
+        (&coordinates.rates, &is_turning),
+    )
 }
 
 /// Force and moment of each joint that closes a loop, and the load of each written constraint, by the

@@ -20,12 +20,20 @@ use crate::symbolic::{Equation, Graph, Id};
 use super::super::constraints::Row;
 use super::eliminated::{Following, Found, equations};
 use super::guard::{Closeness, guard};
+use super::semidefinite::{Solver, product};
 use super::unsettled::Keeper;
 
 /// Rows of one joint and of one dimension, and how many of them are independent.
 pub struct Group {
-    pub rows: Vec<usize>,
-    pub rank: usize,
+    rows: Vec<usize>,
+    /// Where closed states were found, by row: those are a choice among others.
+    is_independent: Vec<bool>,
+}
+
+impl Group {
+    fn rank(&self) -> usize {
+        self.is_independent.iter().filter(|is_new| **is_new).count()
+    }
 }
 
 /// Groups of rows, of which these are independent of those before them.
@@ -33,15 +41,20 @@ pub fn groups(graph: &Graph, kept: &[(Keeper, Row)], independent: &[bool]) -> Ve
     let mut groups: Vec<(Option<(usize, bool)>, Group)> = Vec::new();
     for (number, ((keeper, _), is_new)) in kept.iter().zip(independent).enumerate() {
         let own = keeper.joint_part(graph);
-        let rank = usize::from(*is_new);
         match groups.last_mut() {
             Some((last, group)) if own.is_some() && *last == own => {
                 group.rows.push(number);
-                group.rank += rank;
+                group.is_independent.push(*is_new);
             }
             _ => {
-                let rows = vec![number];
-                groups.push((own, Group { rows, rank }));
+                let (rows, is_independent) = (vec![number], vec![*is_new]);
+                groups.push((
+                    own,
+                    Group {
+                        rows,
+                        is_independent,
+                    },
+                ));
             }
         }
     }
@@ -73,12 +86,18 @@ pub fn dependent(
     let count = matrix.driving.len();
     let (full, groups): (Vec<Group>, Vec<Group>) = groups
         .into_iter()
-        .partition(|group| group.rank == group.rows.len());
+        .partition(|group| group.rank() == group.rows.len());
     let full: Vec<usize> = full.into_iter().flat_map(|group| group.rows).collect();
     let closeness = Closeness::of(&mut work.graph, kept, rates, is_turning);
     let left = left(work, matrix, kept, (&full, groups))?;
     let graph = &mut work.graph;
-    let solver = Solver::new(graph, &left);
+    let solver = {
+        let groups = left.groups.iter();
+        let ranks: Vec<(usize, usize)> = groups
+            .map(|group| (group.rows.len(), group.rank()))
+            .collect();
+        Solver::new(graph, (&left.matrix, &left.bounds), &ranks)
+    };
     let loads = solver.solve(graph, &left.right);
     let holds = guard_of(graph, &left, (kept, &loads), (&closeness, &solver))?;
     let all = combined(graph, &left.base, &left.units, &loads);
@@ -105,7 +124,7 @@ pub fn dependent(
         .map(|load| graph.multiply(holds, *load))
         .collect();
     let loads = spread(graph, &all[count..], &held);
-    let mut loose = Vec::new();
+    let (mut loose, mut follows) = (Vec::new(), vec![false; kept.len()]);
     for own in left.spare() {
         // what others balance of a unit of this load
         let column: Vec<Id> = left.matrix.iter().map(|row| row[own]).collect();
@@ -117,6 +136,7 @@ pub fn dependent(
         };
         let zeros = vec![graph.zero(); left.base.len()];
         let all = combined(graph, &zeros, &left.units, &of_left);
+        follows[left.rows[own]] = true;
         loose.push(spread(graph, &all[count..], &of_left));
     }
     Some(Found {
@@ -125,6 +145,7 @@ pub fn dependent(
         is_resolved: false,
         spare: Vec::new(),
         loose,
+        follows,
         light: Vec::new(),
     })
 }
@@ -192,13 +213,9 @@ fn left(
 impl Left {
     /// As many rows of each group as depend on others.
     fn spare(&self) -> Vec<usize> {
-        let mut first = 0;
-        let mut spare = Vec::new();
-        for group in &self.groups {
-            spare.extend(first + group.rank..first + group.rows.len());
-            first += group.rows.len();
-        }
-        spare
+        let all = self.groups.iter().flat_map(|group| &group.is_independent);
+        let spare = all.enumerate().filter(|(_, is_new)| !**is_new);
+        spare.map(|(own, _)| own).collect()
     }
 }
 
@@ -214,12 +231,6 @@ fn pushed(graph: &Graph, equations: &[Equation], slopes: &[Id]) -> Vec<Equation>
     equations.collect()
 }
 
-fn product(graph: &mut Graph, first: &[Id], second: &[Id]) -> Id {
-    let parts = first.iter().zip(second);
-    let parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
-    graph.sum(&parts)
-}
-
 /// `base + sum of factors * units`
 fn combined(graph: &mut Graph, base: &[Id], units: &[Vec<Id>], factors: &[Id]) -> Vec<Id> {
     let all = base.iter().enumerate().map(|(place, base)| {
@@ -228,141 +239,6 @@ fn combined(graph: &mut Graph, base: &[Id], units: &[Vec<Id>], factors: &[Id]) -
         let change = product(graph, factors, &parts);
         graph.add(*base, change)
     });
-    all.collect()
-}
-
-/// Group after group is eliminated.
-struct Solver {
-    steps: Vec<Step>,
-}
-
-struct Step {
-    own: std::ops::Range<usize>,
-    /// `N_k / e_k` of these rows, once those before are eliminated.
-    inverse: Vec<Vec<Id>>,
-    /// Of the rows behind: what they take of these, and what these take of them.
-    later: Vec<Vec<Id>>,
-    /// Is positive.
-    size: Id,
-}
-
-impl Solver {
-    fn new(graph: &mut Graph, left: &Left) -> Self {
-        let mut matrix = left.matrix.clone();
-        let (mut first, mut steps) = (0, Vec::new());
-        for group in &left.groups {
-            let own = first..first + group.rows.len();
-            first = own.end;
-            let block: Vec<Vec<Id>> = own
-                .clone()
-                .map(|row| matrix[row][own.clone()].to_vec())
-                .collect();
-            let size = graph.sum(&left.bounds[own.clone()]);
-            let size = graph.quantity(size);
-            let inverse = inverse(graph, &block, group.rank, size);
-            let later: Vec<Vec<Id>> = (first..matrix.len())
-                .map(|row| matrix[row][own.clone()].to_vec())
-                .collect();
-            for (row, factors) in (first..matrix.len()).zip(&later) {
-                let taken = of_matrix(graph, &inverse, factors);
-                for column in first..matrix.len() {
-                    let less = product(graph, &taken, &later[column - first]);
-                    let entry = graph.subtract(matrix[row][column], less);
-                    matrix[row][column] = graph.quantity(entry);
-                }
-            }
-            steps.push(Step {
-                own,
-                inverse,
-                later,
-                size,
-            });
-        }
-        Self { steps }
-    }
-
-    fn solve(&self, graph: &mut Graph, right: &[Id]) -> Vec<Id> {
-        let mut right = right.to_vec();
-        for step in &self.steps {
-            let known = of_matrix(graph, &step.inverse, &right[step.own.clone()]);
-            for (row, factors) in step.later.iter().enumerate() {
-                let less = product(graph, factors, &known);
-                let place = step.own.end + row;
-                let left = graph.subtract(right[place], less);
-                right[place] = graph.quantity(left);
-            }
-        }
-        let mut values = vec![graph.zero(); right.len()];
-        for step in self.steps.iter().rev() {
-            let known: Vec<Id> = step
-                .own
-                .clone()
-                .enumerate()
-                .map(|(place, row)| {
-                    let slopes: Vec<Id> = step.later.iter().map(|later| later[place]).collect();
-                    let less = product(graph, &slopes, &values[step.own.end..]);
-                    graph.subtract(right[row], less)
-                })
-                .collect();
-            let found = of_matrix(graph, &step.inverse, &known);
-            for (row, value) in step.own.clone().zip(found) {
-                values[row] = graph.quantity(value);
-            }
-        }
-        values
-    }
-}
-
-/// `N_k / e_k`; `size` is one of the eigenvalues.
-fn inverse(graph: &mut Graph, block: &[Vec<Id>], rank: usize, size: Id) -> Vec<Vec<Id>> {
-    let count = block.len();
-    let (zero, one) = (graph.zero(), graph.one());
-    if rank == 0 {
-        return vec![vec![zero; count]; count];
-    }
-    let unit = |own: usize, other: usize, value: Id| if own == other { value } else { zero };
-    let mut along: Vec<Vec<Id>> = (0..count)
-        .map(|own| (0..count).map(|other| unit(own, other, one)).collect())
-        .collect();
-    let mut degree = 1;
-    loop {
-        let next: Vec<Vec<Id>> = (0..count)
-            .map(|own| {
-                let column = |other: usize| along.iter().map(|row| row[other]).collect::<Vec<Id>>();
-                (0..count)
-                    .map(|other| product(graph, &block[own], &column(other)))
-                    .collect()
-            })
-            .collect();
-        let trace: Vec<Id> = (0..count).map(|own| next[own][own]).collect();
-        let trace = graph.sum(&trace);
-        let degree_of = graph.integer(degree);
-        let sum = graph.divide(trace, degree_of);
-        let sum = graph.quantity(sum);
-        if usize::try_from(degree) == Ok(rank) {
-            let bound = graph.powi(size, i32::try_from(rank).unwrap_or(1));
-            let pivot = graph.checked_reciprocal(sum, bound);
-            let all = along.iter().map(|row| {
-                let row = row.iter().map(|entry| {
-                    let entry = graph.multiply(pivot, *entry);
-                    graph.quantity(entry)
-                });
-                row.collect()
-            });
-            return all.collect();
-        }
-        for own in 0..count {
-            for other in 0..count {
-                let entry = graph.subtract(unit(own, other, sum), next[own][other]);
-                along[own][other] = graph.quantity(entry);
-            }
-        }
-        degree += 1;
-    }
-}
-
-fn of_matrix(graph: &mut Graph, matrix: &[Vec<Id>], vector: &[Id]) -> Vec<Id> {
-    let all = matrix.iter().map(|row| product(graph, row, vector));
     all.collect()
 }
 

@@ -21,6 +21,8 @@ pub struct Found {
     pub spare: Vec<(usize, Vec<usize>, Vec<Id>)>,
     /// Loads of all rows that balance each other in closed states.
     pub loose: Vec<Vec<Id>>,
+    /// The rows that others keep there, of which there may be none.
+    pub follows: Vec<bool>,
     /// Freedoms whose inertia is taken away by the loads that follow accelerations.
     pub light: Vec<usize>,
 }
@@ -64,6 +66,7 @@ pub fn eliminated(
         is_resolved: false,
         spare,
         loose: Vec::new(),
+        follows: vec![false; kept.len()],
         light,
     }
 }

@@ -64,6 +64,7 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
         is_resolved: reduced.eliminated.is_empty(),
         spare: Vec::new(),
         loose: Vec::new(),
+        follows: vec![false; count],
         light: Vec::new(),
     })
 }

@@ -16,6 +16,7 @@ mod in_plane;
 mod inverse;
 mod numbers;
 mod release;
+mod semidefinite;
 mod solve;
 mod unsettled;
 

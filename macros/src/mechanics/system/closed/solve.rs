@@ -25,6 +25,8 @@ pub struct Closed {
     pub constraints: Vec<Row>,
     /// For each, its number if it is written.
     pub written: Vec<Option<usize>>,
+    /// Which of them others keep in closed states.
+    pub follows: Vec<bool>,
     /// Of the mass matrix of the tree: what each freedom has alone.
     pub inertias: Vec<Id>,
     /// Force and moment of each joint that closes a loop on what it carries, at its point there, world
@@ -153,6 +155,7 @@ pub fn close(
         accelerations,
         constraints: kept.into_iter().map(|(_, row)| row).collect(),
         written,
+        follows: found.follows,
         inertias: (0..matrix.driving.len())
             .map(|freedom| matrix.rows[freedom][freedom])
             .collect(),

@@ -7,7 +7,7 @@
 //! l = N_k r / e_k        N_1 = 1,  N_(j+1) = e_j - S N_j,  e_j = tr(S N_j) / j
 //! ```
 //!
-//! by the theorem of Cayley and Hamilton on the range: e_k is the sum of all minors of k rows, and no row
+//! by the theorem of Cayley and Hamilton on the range: `e_k` is the sum of all minors of k rows, and no row
 //! is preferred. S has no negative eigenvalue, so that it vanishes only where the rank is less. That the
 //! rank is k is not proved, and not taken for granted: where `S l` differs from r by more than rounding and
 //! what the state lacks of a closed one, all is not a number. Where it does not, all rows are kept and all

@@ -101,25 +101,12 @@ pub fn close(
         (&matrix, following),
         is_idle,
     );
-    unsettled.light = found.light;
-    let mut spare = Vec::new();
-    for (row, others, loads) in found.spare {
-        let others = others.into_iter().map(|other| kept[other].1.name.clone());
-        unsettled.add(&kept[row].0, others.collect());
-        spare.push(loads_of(system, work, &kept, loads.into_iter()));
+    unsettled.light.clone_from(&found.light);
+    for (row, others, _) in &found.spare {
+        let others = others.iter().map(|other| kept[*other].1.name.clone());
+        unsettled.add(&kept[*row].0, others.collect());
     }
-    for loads in found.loose {
-        spare.push(loads_of(system, work, &kept, loads.into_iter()));
-    }
-    for (number, _) in idle.iter().enumerate() {
-        let one = work.graph.one();
-        spare.push(loads_of(
-            system,
-            work,
-            &idle[number..=number],
-            [one].into_iter(),
-        ));
-    }
+    let spare = spare(system, work, (&kept, &idle), &found);
     let symbols_of_motion = accelerations.into_iter();
     let moved = symbols_of_motion.zip(found.accelerations.iter().copied());
     let moved: Vec<(Id, Id)> = moved.collect();
@@ -241,6 +228,25 @@ fn where_closed(
         groups,
         (&coordinates.rates, &is_turning),
     )
+}
+
+/// Loads that balance each other, as `loads_of` tells them; of an idle row, any.
+fn spare(
+    system: &System,
+    work: &mut Workspace,
+    (kept, idle): (&[(Keeper, Row)], &[(Keeper, Row)]),
+    found: &Found,
+) -> Vec<(Vec<[Components; 2]>, Vec<Id>)> {
+    let always = found.spare.iter().map(|(.., loads)| loads);
+    let mut spare = Vec::new();
+    for loads in always.chain(&found.loose) {
+        spare.push(loads_of(system, work, kept, loads.iter().copied()));
+    }
+    for own in idle.chunks(1) {
+        let one = work.graph.one();
+        spare.push(loads_of(system, work, own, [one].into_iter()));
+    }
+    spare
 }
 
 /// Force and moment of each joint that closes a loop, and the load of each written constraint, by the

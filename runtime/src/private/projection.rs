@@ -187,10 +187,12 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
 /// What couplings are for rows of the sizes that these have: one may be flat where all hold.
 fn natural<R, const N: usize>(system: &[Row<R, N>; N]) -> [f64; N] {
     let square = |row: &Row<R, N>| row.position.map_or(0.0, |(_, size)| size * size);
+    // terms that vanish together do not tell
+    let most = system.iter().map(square).fold(0.0, f64::max);
     let largest = system
         .iter()
         .enumerate()
-        .filter(|(_, row)| square(row) > 0.0)
+        .filter(|(_, row)| square(row) > 1e-6 * most)
         .map(|(own, row)| row.coupling[own] / square(row))
         .fold(0.0, f64::max);
     core::array::from_fn(|own| {

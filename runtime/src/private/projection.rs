@@ -1,7 +1,6 @@
 //! How far it is to the constraints, and the way back: Newton's method in the metric of the kinetic
 //! energy.
 
-use crate::bodies::body::Singular;
 use crate::bodies::constrained::Inconsistent;
 use crate::state::State;
 
@@ -94,22 +93,49 @@ pub fn project<S: State<Scalar = f64>, const N: usize>(
     state: &mut S,
     rows: impl Fn(&S) -> [Row<S::Rate, N>; N],
 ) -> Result<(), Inconsistent> {
-    newton(state, &rows, false, |row| row.position, |row| row.shift)?;
-    newton(state, &rows, true, |row| Some(row.velocity), |row| row.push)
+    let start = state.clone();
+    let mut place = |pace| newton(state, &rows, pace, |row| row.position, |row| row.shift);
+    if place(Pace::Full).is_err() {
+        *state = start;
+        newton(
+            state,
+            &rows,
+            Pace::Damped,
+            |row| row.position,
+            |row| row.shift,
+        )?;
+    }
+    let velocity = |row: &Row<S::Rate, N>| Some(row.velocity);
+    newton(state, &rows, Pace::Velocity, velocity, |row| row.push)
+}
+
+/// How Newton's method goes on.
+#[derive(Clone, Copy, PartialEq)]
+enum Pace {
+    Full,
+    /// Shorter far from the constraints, where rows that depend on each other on these contradict
+    /// each other.
+    Damped,
+    /// Velocities, which enter linearly.
+    Velocity,
 }
 
 /// Steps until nothing is left but rounding, or no step makes it less.
 fn newton<S: State<Scalar = f64>, const N: usize>(
     state: &mut S,
     rows: &impl Fn(&S) -> [Row<S::Rate, N>; N],
-    is_velocity: bool,
+    pace: Pace,
     measured: impl Fn(&Row<S::Rate, N>) -> Option<(f64, f64)>,
     direction: impl Fn(&Row<S::Rate, N>) -> S::Rate,
 ) -> Result<(), Inconsistent> {
     // terms vanish together with what they sum to: the largest seen counts
     let mut sizes = [0.0_f64; N];
     let (mut previous, mut slow) = (f64::INFINITY, 0);
-    for step in 0..=STEPS {
+    let (steps, most) = match pace {
+        Pace::Damped => (4 * STEPS, STEPS),
+        Pace::Full | Pace::Velocity => (STEPS, SLOW),
+    };
+    for step in 0..=steps {
         let system = rows(state);
         let mut values = [None; N];
         let mut worst = (0.0_f64, "", 0.0);
@@ -127,24 +153,28 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         if worst.0 <= 4.0 * f64::EPSILON {
             return Ok(());
         }
-        let is_last = step == STEPS;
+        let is_last = step == steps;
         if worst.0.is_nan() || worst.0 > 0.5 * previous || is_last {
             if worst.0 <= Inconsistent::TOLERANCE {
                 return Ok(());
             }
             // far from the constraints, some steps overshoot
             slow += 1;
-            if worst.0.is_nan() || slow > SLOW || is_last {
+            if worst.0.is_nan() || slow > most || is_last {
                 return Err(Inconsistent {
                     constraint: worst.1,
                     violation: worst.2,
-                    is_velocity,
+                    is_velocity: pace == Pace::Velocity,
                     is_start: false,
                 });
             }
         }
         previous = worst.0;
-        let factors = solve(&system, values);
+        let damping = match pace {
+            Pace::Damped => worst.0.min(1.0),
+            Pace::Full | Pace::Velocity => 0.0,
+        };
+        let factors = solve(&system, values, damping);
         for (row, factor) in system.iter().zip(factors) {
             if factor != 0.0 {
                 *state = state.moved(&(direction(row) * -factor));
@@ -154,15 +184,44 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
     Ok(())
 }
 
-/// `A M⁻¹ Aᵀ λ = g` by elimination along the diagonal, which is positive; what depends on the rows
+/// What couplings are for rows of the sizes that these have: one may be flat where all hold.
+fn natural<R, const N: usize>(system: &[Row<R, N>; N]) -> [f64; N] {
+    let square = |row: &Row<R, N>| row.position.map_or(0.0, |(_, size)| size * size);
+    // terms that vanish together do not tell
+    let most = system.iter().map(square).fold(0.0, f64::max);
+    let largest = system
+        .iter()
+        .enumerate()
+        .filter(|(_, row)| square(row) > 1e-6 * most)
+        .map(|(own, row)| row.coupling[own] / square(row))
+        .fold(0.0, f64::max);
+    core::array::from_fn(|own| {
+        let row = &system[own];
+        row.coupling[own].max(largest * square(row))
+    })
+}
+
+/// A row depends on those before it if this fraction of its square is left of it: an angle of a
+/// millionth, below which what is left of its value is rounding, or vanishes with the next steps.
+const DEPENDENT: f64 = 1e-12;
+
+/// `(A M⁻¹ Aᵀ + damping) λ = g` by elimination along the diagonal, which is positive; what depends on the rows
 /// before it in this state has no part of its own.
-fn solve<R, const N: usize>(system: &[Row<R, N>; N], kept: [Option<f64>; N]) -> [f64; N] {
+fn solve<R, const N: usize>(
+    system: &[Row<R, N>; N],
+    kept: [Option<f64>; N],
+    damping: f64,
+) -> [f64; N] {
     let mut matrix: [[f64; N]; N] = core::array::from_fn(|row| system[row].coupling);
+    let natural = natural(system);
+    for (own, natural) in natural.iter().enumerate() {
+        matrix[own][own] += damping * natural;
+    }
     let mut values = kept.map(Option::unwrap_or_default);
     let mut used = kept.map(|value| value.is_some());
     for pivot in 0..N {
         let divisor = matrix[pivot][pivot];
-        used[pivot] &= divisor > Singular::TOLERANCE * system[pivot].coupling[pivot];
+        used[pivot] &= divisor > DEPENDENT * natural[pivot];
         if !used[pivot] {
             continue;
         }

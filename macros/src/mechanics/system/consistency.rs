@@ -18,7 +18,7 @@ pub fn derive_system_consistency(
     let Some(closed) = &equations.closed else {
         return Vec::new();
     };
-    let order = order(system, equations);
+    let order = order(system, &equations.built);
     let motion = motion(work, equations, &closed.inertias);
     let turn = turn(work, equations, &closed.inertias);
     let graph = &mut work.graph;

@@ -6,15 +6,16 @@ use crate::errors::Errors;
 use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
 use crate::mechanics::following::{takes_inertia, unknowns_in};
-use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{self, Built, Solved};
 use crate::model::{Own, System, Tie, Workspace};
 use crate::symbolic::Id;
 
-use super::closed::{Closed, check_kept, close};
+use super::closed::{Closed, Coordinates, check_kept, close};
 use super::constraints::replace;
 use super::independence::check_independence;
-use super::motion::motion;
+use super::motion::{motion, positions};
+use super::rates::{order, rates};
 
 /// The equations of motion of a system.
 pub struct SystemEquations {
@@ -38,7 +39,8 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         (found, None)
     } else {
         let motion = motion(system, work);
-        let mut closed = close(system, work, &built, &motion);
+        let coordinates = coordinates(system, work, &built);
+        let mut closed = close(system, work, &built, (&motion, &coordinates));
         let found = Solved {
             accelerations: take(&mut closed.accelerations),
             left_out: Vec::new(),
@@ -136,6 +138,20 @@ impl SystemEquations {
         let mut all = loads.chain(drives);
         let (name, _) = all.find(|(_, parts)| !work.accelerations_in(parts).is_empty())?;
         errors.report(name.span(), takes_inertia(&name.to_string()))
+    }
+}
+
+/// How the state changes with the rates of the open freedoms.
+fn coordinates(system: &System, work: &mut Workspace, built: &Built) -> Coordinates {
+    let freedoms = built.tree.links.iter().flat_map(Link::open);
+    let mut by_freedom = vec![work.graph.zero(); freedoms.count()];
+    for (freedom, rate) in order(system, built).into_iter().zip(rates(system)) {
+        by_freedom[freedom] = rate;
+    }
+    let open = system.joints.iter().filter(|joint| !joint.is_driven());
+    Coordinates {
+        rates: by_freedom,
+        places: open.flat_map(|joint| positions(work, joint)).collect(),
     }
 }
 

@@ -1,9 +1,8 @@
 //! The rates of a system, in the order of its state.
 
+use crate::mechanics::tree::Built;
 use crate::model::{System, TreeJoint, Variable};
 use crate::symbolic::Id;
-
-use super::equations::SystemEquations;
 
 /// Those of all joints that move.
 pub fn rates(system: &System) -> Vec<Id> {
@@ -30,8 +29,7 @@ pub fn velocities(joint: &TreeJoint) -> Vec<Id> {
 }
 
 /// The numbers of the open freedoms, link by link, in the order in which the state has their rates.
-pub fn order(system: &System, equations: &SystemEquations) -> Vec<usize> {
-    let built = &equations.built;
+pub fn order(system: &System, built: &Built) -> Vec<usize> {
     let firsts = built.tree.links.iter().scan(0, |next, link| {
         let first = *next;
         *next += link.open().count();

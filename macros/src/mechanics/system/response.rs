@@ -40,7 +40,7 @@ impl Response {
         let lacking = lacking_with(work, equations, &tree, &given);
         let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
         let found = matrix.solve(&mut work.graph, &mut work.labels);
-        let order = order(system, equations);
+        let order = order(system, &equations.built);
         let joints = system.joints.iter().zip(given);
         let open = joints.filter(|(joint, _)| !joint.is_driven());
         let symbols = open.flat_map(|(_, symbols)| symbols);

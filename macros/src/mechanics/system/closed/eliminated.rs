@@ -19,6 +19,10 @@ pub struct Found {
     /// Rows whose loads are not determined, with those that can do all that each does, and the loads
     /// of all rows that balance one unit of it.
     pub spare: Vec<(usize, Vec<usize>, Vec<Id>)>,
+    /// Loads of all rows that balance each other in closed states.
+    pub loose: Vec<Vec<Id>>,
+    /// The rows that others keep there, of which there may be none.
+    pub follows: Vec<bool>,
     /// Freedoms whose inertia is taken away by the loads that follow accelerations.
     pub light: Vec<usize>,
 }
@@ -61,13 +65,15 @@ pub fn eliminated(
         loads,
         is_resolved: false,
         spare,
+        loose: Vec::new(),
+        follows: vec![false; kept.len()],
         light,
     }
 }
 
 /// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l; what of f follows
 /// these, by its symbols, is on the left.
-fn equations(
+pub fn equations(
     work: &mut Workspace,
     matrix: &MassMatrix,
     constraints: &[&Row],

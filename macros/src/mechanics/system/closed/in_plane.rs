@@ -22,18 +22,25 @@ pub struct Known<'a> {
     pub kept: &'a [(Keeper, Row)],
 }
 
+impl Known<'_> {
+    /// Whether rows say nothing somewhere, or loads follow those of constraints.
+    pub fn is_followed(&self, work: &Workspace) -> bool {
+        let links = self.built.tree.links.iter();
+        let given = links.flat_map(|link| {
+            let drives = link.freedoms.iter().map(|freedom| freedom.drive);
+            drives.chain(link.force).chain(link.moment)
+        });
+        let given: Vec<Id> = given.collect();
+        let is_partial = self.kept.iter().any(|(_, row)| row.active.is_some());
+        is_partial || !unknowns_in(work, &given).is_empty()
+    }
+}
+
 /// Resolves block by block what is kept; nothing where rows are dependent or say nothing somewhere, or
 /// where loads follow those of constraints.
 pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let tree = &known.built.tree;
-    let links = tree.links.iter();
-    let given = links.flat_map(|link| {
-        let drives = link.freedoms.iter().map(|freedom| freedom.drive);
-        drives.chain(link.force).chain(link.moment)
-    });
-    let given: Vec<Id> = given.collect();
-    let is_partial = known.kept.iter().any(|(_, row)| row.active.is_some());
-    if is_partial || !unknowns_in(work, &given).is_empty() {
+    if known.is_followed(work) {
         return None;
     }
     let absolute = Absolute::of(&mut work.graph, tree, known.placed);
@@ -56,6 +63,8 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
         loads: loads(&mut work.graph, &reduced, &lacking, count),
         is_resolved: reduced.eliminated.is_empty(),
         spare: Vec::new(),
+        loose: Vec::new(),
+        follows: vec![false; count],
         light: Vec::new(),
     })
 }

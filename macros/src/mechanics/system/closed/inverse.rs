@@ -29,10 +29,11 @@ pub fn solve_drives(
             .iter()
             .map(|other| if *other == freedom { one } else { zero })
             .collect();
-        for (row, written) in closed.constraints.iter().zip(&closed.written) {
-            let slope = row.slopes[freedom];
-            let follows = written.map_or(zero, |number| following[number][freedom]);
-            coefficients.push(work.graph.subtract(slope, follows));
+        let rows = closed.constraints.iter().zip(&closed.follows);
+        for ((row, follows), written) in rows.zip(&closed.written) {
+            let slope = if *follows { zero } else { row.slopes[freedom] };
+            let back = written.map_or(zero, |number| following[number][freedom]);
+            coefficients.push(work.graph.subtract(slope, back));
         }
         sides.push((coefficients, needed));
     }

@@ -8,13 +8,19 @@
 //! and what moves in space, is eliminated together, the masses first. Both hold in all states in which
 //! the rows of A are independent.
 
+mod assembly;
+mod dependent;
 mod eliminated;
+mod guard;
 mod in_plane;
 mod inverse;
+mod numbers;
 mod release;
+mod semidefinite;
 mod solve;
 mod unsettled;
 
+pub use assembly::Coordinates;
 pub use inverse::solve_drives;
 pub use release::{component, release};
 pub use solve::{Closed, close, moved_in_world};

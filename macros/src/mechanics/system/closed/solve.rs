@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{Built, MassMatrix};
 use crate::mechanics::variation::Direction;
 use crate::model::{Closing, Frame, System, TreeJoint, Workspace};
@@ -12,6 +12,8 @@ use crate::symbolic::{Components, Graph, Id};
 use super::super::constraints::{
     Ends, Placed, Row, place_links, push_written, replace_in_tree, rows_of_joint, rows_of_written,
 };
+use super::assembly::{Assembly, Coordinates};
+use super::dependent::{dependent, groups};
 use super::eliminated::{Following, Found, eliminated};
 use super::in_plane::{Known, in_plane};
 use super::unsettled::{Keeper, Spare, Unsettled, bare};
@@ -23,6 +25,8 @@ pub struct Closed {
     pub constraints: Vec<Row>,
     /// For each, its number if it is written.
     pub written: Vec<Option<usize>>,
+    /// Which of them others keep in closed states.
+    pub follows: Vec<bool>,
     /// Of the mass matrix of the tree: what each freedom has alone.
     pub inertias: Vec<Id>,
     /// Force and moment of each joint that closes a loop on what it carries, at its point there, world
@@ -48,7 +52,12 @@ impl Closed {
 
 /// Finds all that keeps; what the tree is written like does not matter, but the origins of its links
 /// are at their joints. `motion` is how the state changes.
-pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Direction) -> Closed {
+pub fn close(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+    (motion, coordinates): (&Direction, &Coordinates),
+) -> Closed {
     let tree = moved_in_world(work, &built.tree);
     let placed = {
         let free: Vec<Option<[Components; 2]>> = free_links(system, work, built);
@@ -85,23 +94,19 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         loads: &followed,
         accelerations: &accelerations,
     };
-    let found = found(system, work, &known, (&matrix, following), is_idle);
-    unsettled.light = found.light;
-    let mut spare = Vec::new();
-    for (row, others, loads) in found.spare {
-        let others = others.into_iter().map(|other| kept[other].1.name.clone());
-        unsettled.add(&kept[row].0, others.collect());
-        spare.push(loads_of(system, work, &kept, loads.into_iter()));
+    let found = found(
+        system,
+        work,
+        (&known, coordinates),
+        (&matrix, following),
+        is_idle,
+    );
+    unsettled.light.clone_from(&found.light);
+    for (row, others, _) in &found.spare {
+        let others = others.iter().map(|other| kept[*other].1.name.clone());
+        unsettled.add(&kept[*row].0, others.collect());
     }
-    for (number, _) in idle.iter().enumerate() {
-        let one = work.graph.one();
-        spare.push(loads_of(
-            system,
-            work,
-            &idle[number..=number],
-            [one].into_iter(),
-        ));
-    }
+    let spare = spare(system, work, (&kept, &idle), &found);
     let symbols_of_motion = accelerations.into_iter();
     let moved = symbols_of_motion.zip(found.accelerations.iter().copied());
     let moved: Vec<(Id, Id)> = moved.collect();
@@ -137,6 +142,7 @@ pub fn close(system: &System, work: &mut Workspace, built: &Built, motion: &Dire
         accelerations,
         constraints: kept.into_iter().map(|(_, row)| row).collect(),
         written,
+        follows: found.follows,
         inertias: (0..matrix.driving.len())
             .map(|freedom| matrix.rows[freedom][freedom])
             .collect(),
@@ -173,10 +179,13 @@ fn keepers(
 fn found(
     system: &System,
     work: &mut Workspace,
-    known: &Known<'_>,
+    (known, coordinates): (&Known<'_>, &Coordinates),
     (matrix, following): (&MassMatrix, Following<'_>),
     is_idle: bool,
 ) -> Found {
+    if let Some(found) = where_closed(system, work, (known, coordinates), matrix) {
+        return found;
+    }
     let by_blocks = if system.is_planar && !is_idle {
         in_plane(work, known)
     } else {
@@ -191,6 +200,53 @@ fn found(
             by_blocks.unwrap_or(eliminated)
         }
     }
+}
+
+/// With rows that depend on each other in closed states alone; nothing if there are none, or where loads
+/// follow those of constraints.
+fn where_closed(
+    system: &System,
+    work: &mut Workspace,
+    (known, coordinates): (&Known<'_>, &Coordinates),
+    matrix: &MassMatrix,
+) -> Option<Found> {
+    if known.is_followed(work) {
+        return None;
+    }
+    let open = || known.built.tree.links.iter().flat_map(Link::open);
+    let graph = &work.graph;
+    let is_turning: Vec<bool> = open()
+        .map(|freedom| !graph.is_zero_vector(&freedom.twist.angular))
+        .collect();
+    let rows = known.kept.iter().map(|(_, row)| row).collect();
+    let independent = Assembly::new(system, work, coordinates, rows).independent()?;
+    let groups = groups(&work.graph, known.kept, &independent);
+    dependent(
+        work,
+        matrix,
+        known.kept,
+        groups,
+        (&coordinates.rates, &is_turning),
+    )
+}
+
+/// Loads that balance each other, as `loads_of` tells them; of an idle row, any.
+fn spare(
+    system: &System,
+    work: &mut Workspace,
+    (kept, idle): (&[(Keeper, Row)], &[(Keeper, Row)]),
+    found: &Found,
+) -> Vec<(Vec<[Components; 2]>, Vec<Id>)> {
+    let always = found.spare.iter().map(|(.., loads)| loads);
+    let mut spare = Vec::new();
+    for loads in always.chain(&found.loose) {
+        spare.push(loads_of(system, work, kept, loads.iter().copied()));
+    }
+    for own in idle.chunks(1) {
+        let one = work.graph.one();
+        spare.push(loads_of(system, work, own, [one].into_iter()));
+    }
+    spare
 }
 
 /// Force and moment of each joint that closes a loop, and the load of each written constraint, by the

@@ -114,6 +114,14 @@ fn subtract_at(
 }
 
 impl Keeper {
+    /// Of a joint, its number, and whether it is a moment that keeps this.
+    pub fn joint_part(&self, graph: &Graph) -> Option<(usize, bool)> {
+        match self {
+            Self::Joint(number, [force, _]) => Some((*number, graph.is_zero_vector(force))),
+            Self::Written(_) => None,
+        }
+    }
+
     /// Of a written constraint, its number.
     pub fn number(&self) -> Option<usize> {
         match self {

@@ -1,0 +1,210 @@
+//! Closed states, found in doubles with the defaults of parameters: how many rows are independent
+//! there, and move on. It chooses a form of the equations; nothing is claimed from it.
+
+use std::collections::HashMap;
+
+use crate::model::{System, TreeJoint, Variable, Workspace};
+use crate::symbolic::{Coordinate, Id};
+
+use super::super::constraints::Row;
+use super::numbers::{Random, Span, solve};
+
+/// So many states are begun with, and so many steps taken from each.
+const STARTS: u64 = 24;
+const STEPS: usize = 60;
+/// A closed state is moved by this much to see whether it moves.
+const MOVED: f64 = 0.05;
+
+/// How a state without given motion changes.
+pub struct Coordinates {
+    /// The rates of the open freedoms.
+    pub rates: Vec<Id>,
+    /// What is before the rates in a state, with theirs.
+    pub places: Vec<Coordinate>,
+}
+
+/// What is kept, and the coordinates that it depends on.
+pub struct Assembly<'a> {
+    work: &'a Workspace,
+    rows: Vec<&'a Row>,
+    rates: &'a [Id],
+    coordinates: &'a [Coordinate],
+    attitudes: Vec<[Id; 4]>,
+    defaults: HashMap<Id, f64>,
+}
+
+/// The values of symbols.
+type Values = HashMap<Id, f64>;
+
+impl<'a> Assembly<'a> {
+    pub fn new(
+        system: &System,
+        work: &'a Workspace,
+        coordinates: &'a Coordinates,
+        rows: Vec<&'a Row>,
+    ) -> Self {
+        let open = system.joints.iter().filter(|joint| !joint.is_driven());
+        let attitude = |joint: &TreeJoint| {
+            let part = |part: usize| joint.coordinates.get(Variable::Quaternion, part);
+            Some([part(0)?, part(1)?, part(2)?, part(3)?])
+        };
+        let defaults = system.defaults.iter();
+        let defaults = defaults
+            .filter_map(|(symbol, value)| Some((*symbol, work.graph.as_number(*value)?.to_f64())));
+        Self {
+            rows,
+            rates: &coordinates.rates,
+            coordinates: &coordinates.places,
+            attitudes: open.filter_map(attitude).collect(),
+            defaults: defaults.collect(),
+            work,
+        }
+    }
+
+    /// Which rows are independent of those before them in closed states that move, if these are fewer
+    /// there than anywhere else.
+    pub fn independent(&self) -> Option<Vec<bool>> {
+        let mut begun = (0..STARTS).map(|start| (start, Random::new(start)));
+        let anywhere = begun.clone().map(|(start, mut random)| {
+            let values = self.start(&mut random, start);
+            count(&self.spanned(&values).0)
+        });
+        let most = anywhere.take(4).max()?;
+        let closed = begun.by_ref().filter_map(|(start, mut random)| {
+            let mut values = self.start(&mut random, start);
+            self.close(&mut values)?;
+            self.moves(&values, &mut random)
+                .then(|| self.spanned(&values).0)
+        });
+        // those that are folded have less, and others are meant
+        let found = closed.max_by_key(|found| count(found))?;
+        (count(&found) < most).then_some(found)
+    }
+
+    fn start(&self, random: &mut Random, number: u64) -> Values {
+        let scale = [1.0, 0.3, 0.1, 2.0][usize::try_from(number % 4).unwrap_or(0)];
+        let mut values = self.defaults.clone();
+        for coordinate in self.coordinates {
+            values.insert(coordinate.symbol, scale * random.number());
+        }
+        self.normalise(&mut values);
+        values
+    }
+
+    fn normalise(&self, values: &mut Values) {
+        for attitude in &self.attitudes {
+            let parts = attitude.map(|part| values.get(&part).copied().unwrap_or(0.0));
+            let norm = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
+            for (symbol, part) in attitude.iter().zip(parts) {
+                values.insert(*symbol, part / norm);
+            }
+        }
+    }
+
+    /// What is not known looks random, and stands still.
+    fn evaluate(&self, roots: &[Id], values: &Values) -> Vec<f64> {
+        self.work.graph.evaluate(roots, |id| {
+            let known = values.get(&id).copied();
+            known.unwrap_or_else(|| 1.0 + 0.5 * Random::new(id.index() as u64).number())
+        })
+    }
+
+    /// The rows in a state.
+    fn slopes(&self, values: &Values) -> Vec<Vec<f64>> {
+        let all: Vec<Id> = self
+            .rows
+            .iter()
+            .flat_map(|row| row.slopes.clone())
+            .collect();
+        let all = self.evaluate(&all, values);
+        all.chunks(self.rates.len().max(1))
+            .map(<[f64]>::to_vec)
+            .collect()
+    }
+
+    /// Which rows are independent of those before them, and what they span.
+    fn spanned(&self, values: &Values) -> (Vec<bool>, Span) {
+        let mut span = Span::default();
+        let rows = self.slopes(values).into_iter();
+        (rows.map(|row| span.take(row)).collect(), span)
+    }
+
+    /// Goes to a closed state near by, by Newton's method with damping: how far each freedom moved.
+    fn close(&self, values: &mut Values) -> Option<Vec<f64>> {
+        let held: Vec<usize> = (0..self.rows.len())
+            .filter(|row| self.rows[*row].value.is_some())
+            .collect();
+        let roots: Vec<Id> = self.rows.iter().filter_map(|row| row.value).collect();
+        let mut all = vec![0.0; self.rates.len()];
+        let mut damping = 1e-3;
+        let mut errors = self.evaluate(&roots, values);
+        for _ in 0..STEPS {
+            let slopes = self.slopes(values);
+            let slopes: Vec<Vec<f64>> = held.iter().map(|row| slopes[*row].clone()).collect();
+            let step = solve(&slopes, &errors, damping);
+            let moved = self.moved(values, &step);
+            let next = self.evaluate(&roots, &moved);
+            if squares(&next) < squares(&errors) {
+                damping *= 0.1;
+                (*values, errors) = (moved, next);
+                for (sum, part) in all.iter_mut().zip(step) {
+                    *sum += part;
+                }
+            } else if squares(&errors).sqrt() < 1e-13 * size(&slopes) {
+                break;
+            } else {
+                damping *= 10.0;
+            }
+        }
+        let is_closed = squares(&errors).sqrt() < 1e-12 * size(&self.slopes(values));
+        is_closed.then_some(all)
+    }
+
+    /// A state with freedoms changed by these amounts.
+    fn moved(&self, values: &Values, step: &[f64]) -> Values {
+        let mut rates = values.clone();
+        rates.extend(self.rates.iter().copied().zip(step.iter().copied()));
+        let roots: Vec<Id> = self.coordinates.iter().map(|one| one.rate).collect();
+        let changes = self.evaluate(&roots, &rates);
+        let mut moved = values.clone();
+        for (coordinate, change) in self.coordinates.iter().zip(changes) {
+            if let Some(value) = moved.get_mut(&coordinate.symbol) {
+                *value += change;
+            }
+        }
+        self.normalise(&mut moved);
+        moved
+    }
+
+    /// Whether what is held can move on, with rows as dependent as they are here.
+    fn moves(&self, values: &Values, random: &mut Random) -> bool {
+        let slopes = self.slopes(values);
+        let (found, span) = self.spanned(values);
+        let is_held = |freedom: usize| slopes.iter().any(|row| row[freedom] != 0.0);
+        let way = (0..self.rates.len()).map(|own| if is_held(own) { random.number() } else { 0.0 });
+        let Some(way) = span.left(way.collect()) else {
+            return false;
+        };
+        let step: Vec<f64> = way.iter().map(|part| MOVED * part).collect();
+        let mut moved = self.moved(values, &step);
+        let Some(back) = self.close(&mut moved) else {
+            return false;
+        };
+        let back: f64 = back.iter().zip(&way).map(|(a, b)| a * b).sum();
+        back > -0.5 * MOVED && count(&self.spanned(&moved).0) == count(&found)
+    }
+}
+
+fn count(found: &[bool]) -> usize {
+    found.iter().filter(|is_new| **is_new).count()
+}
+
+fn squares(all: &[f64]) -> f64 {
+    all.iter().map(|one| one * one).sum()
+}
+
+/// That of the largest row.
+fn size(slopes: &[Vec<f64>]) -> f64 {
+    let sizes = slopes.iter().map(|row| squares(row).sqrt());
+    sizes.fold(0.0, f64::max)
+}

@@ -1,0 +1,273 @@
+//! Rows that depend on each other in closed states: the motion, and loads that keep it, of the least
+//! squares of their numbers.
+//!
+//! ```text
+//! S l = r        S = A M^-1 A^T, of rank k in closed states, where r is in its range
+//!
+//! l = N_k r / e_k        N_1 = 1,  N_(j+1) = e_j - S N_j,  e_j = tr(S N_j) / j
+//! ```
+//!
+//! by the theorem of Cayley and Hamilton on the range: `e_k` is the sum of all minors of k rows, and no row
+//! is preferred. S has no negative eigenvalue, so that it vanishes only where the rank is less. That the
+//! rank is k is not proved, and not taken for granted: where `S l` differs from r by more than rounding and
+//! what the state lacks of a closed one, all is not a number. Where it does not, all rows are kept and all
+//! balances hold, and this determines the motion.
+
+use crate::mechanics::tree::MassMatrix;
+use crate::model::Workspace;
+use crate::symbolic::{Equation, Graph, Id};
+
+use super::super::constraints::Row;
+use super::eliminated::{Following, Found, equations};
+use super::guard::{Closeness, guard};
+use super::semidefinite::{Solver, product};
+use super::unsettled::Keeper;
+
+/// Rows of one joint and of one dimension, and how many of them are independent.
+pub struct Group {
+    rows: Vec<usize>,
+    /// Where closed states were found, by row: those are a choice among others.
+    is_independent: Vec<bool>,
+}
+
+impl Group {
+    fn rank(&self) -> usize {
+        self.is_independent.iter().filter(|is_new| **is_new).count()
+    }
+}
+
+/// Groups of rows, of which these are independent of those before them.
+pub fn groups(graph: &Graph, kept: &[(Keeper, Row)], independent: &[bool]) -> Vec<Group> {
+    let mut groups: Vec<(Option<(usize, bool)>, Group)> = Vec::new();
+    for (number, ((keeper, _), is_new)) in kept.iter().zip(independent).enumerate() {
+        let own = keeper.joint_part(graph);
+        match groups.last_mut() {
+            Some((last, group)) if own.is_some() && *last == own => {
+                group.rows.push(number);
+                group.is_independent.push(*is_new);
+            }
+            _ => {
+                let (rows, is_independent) = (vec![number], vec![*is_new]);
+                groups.push((
+                    own,
+                    Group {
+                        rows,
+                        is_independent,
+                    },
+                ));
+            }
+        }
+    }
+    groups.into_iter().map(|(_, group)| group).collect()
+}
+
+/// What each row of `groups` does beside those that are always independent, and what these leave.
+struct Left {
+    groups: Vec<Group>,
+    /// The rows of all groups, in order.
+    rows: Vec<usize>,
+    /// Accelerations and the loads of the others, without loads of these rows, and by a unit of each.
+    base: Vec<Id>,
+    units: Vec<Vec<Id>>,
+    matrix: Vec<Vec<Id>>,
+    right: Vec<Id>,
+    /// By row, a bound of what is in `matrix` on its diagonal.
+    bounds: Vec<Id>,
+}
+
+/// Solves for accelerations and loads, that follow none; nothing if there is no need or no way.
+pub fn dependent(
+    work: &mut Workspace,
+    matrix: &MassMatrix,
+    kept: &[(Keeper, Row)],
+    groups: Vec<Group>,
+    (rates, is_turning): (&[Id], &[bool]),
+) -> Option<Found> {
+    let count = matrix.driving.len();
+    let (full, groups): (Vec<Group>, Vec<Group>) = groups
+        .into_iter()
+        .partition(|group| group.rank() == group.rows.len());
+    let full: Vec<usize> = full.into_iter().flat_map(|group| group.rows).collect();
+    let closeness = Closeness::of(&mut work.graph, kept, rates, is_turning);
+    let left = left(work, matrix, kept, (&full, groups))?;
+    let graph = &mut work.graph;
+    let solver = {
+        let groups = left.groups.iter();
+        let ranks: Vec<(usize, usize)> = groups
+            .map(|group| (group.rows.len(), group.rank()))
+            .collect();
+        Solver::new(graph, (&left.matrix, &left.bounds), &ranks)
+    };
+    let loads = solver.solve(graph, &left.right);
+    let holds = guard_of(graph, &left, (kept, &loads), (&closeness, &solver))?;
+    let all = combined(graph, &left.base, &left.units, &loads);
+    let all: Vec<Id> = all
+        .into_iter()
+        .map(|one| {
+            let one = graph.multiply(holds, one);
+            graph.quantity(one)
+        })
+        .collect();
+    let spread = |graph: &mut Graph, of_full: &[Id], of_left: &[Id]| {
+        let mut loads = vec![graph.zero(); kept.len()];
+        for (row, load) in full
+            .iter()
+            .zip(of_full)
+            .chain(left.rows.iter().zip(of_left))
+        {
+            loads[*row] = *load;
+        }
+        loads
+    };
+    let held: Vec<Id> = loads
+        .iter()
+        .map(|load| graph.multiply(holds, *load))
+        .collect();
+    let loads = spread(graph, &all[count..], &held);
+    let (mut loose, mut follows) = (Vec::new(), vec![false; kept.len()]);
+    for own in left.spare() {
+        // what others balance of a unit of this load
+        let column: Vec<Id> = left.matrix.iter().map(|row| row[own]).collect();
+        let others = solver.solve(graph, &column);
+        let mut of_left: Vec<Id> = others.into_iter().map(|one| graph.negate(one)).collect();
+        of_left[own] = {
+            let one = graph.one();
+            graph.add(of_left[own], one)
+        };
+        let zeros = vec![graph.zero(); left.base.len()];
+        let all = combined(graph, &zeros, &left.units, &of_left);
+        follows[left.rows[own]] = true;
+        loose.push(spread(graph, &all[count..], &of_left));
+    }
+    Some(Found {
+        accelerations: all[..count].to_vec(),
+        loads,
+        is_resolved: false,
+        spare: Vec::new(),
+        loose,
+        follows,
+        light: Vec::new(),
+    })
+}
+
+/// Eliminates the masses and the rows that are always independent.
+fn left(
+    work: &mut Workspace,
+    matrix: &MassMatrix,
+    kept: &[(Keeper, Row)],
+    (full, groups): (&[usize], Vec<Group>),
+) -> Option<Left> {
+    let count = matrix.driving.len();
+    let held: Vec<&Row> = full.iter().map(|row| &kept[*row].1).collect();
+    let following = Following {
+        loads: &vec![None; held.len()],
+        accelerations: &[],
+    };
+    let equations = equations(work, matrix, &held, following);
+    let unknowns = count + held.len();
+    let graph = &mut work.graph;
+    let solved = graph.solve(equations.clone(), unknowns);
+    if !solved.undetermined.is_empty() {
+        return None;
+    }
+    let rows: Vec<usize> = groups.iter().flat_map(|group| group.rows.clone()).collect();
+    let units: Vec<Vec<Id>> = rows
+        .iter()
+        .map(|row| {
+            let equations = pushed(graph, &equations, &kept[*row].1.slopes);
+            graph.solve(equations, unknowns).values
+        })
+        .collect();
+    let base = solved.values;
+    let mut left = Left {
+        matrix: vec![vec![graph.zero(); rows.len()]; rows.len()],
+        right: Vec::new(),
+        bounds: Vec::new(),
+        groups,
+        base,
+        units,
+        rows,
+    };
+    for (own, row) in left.rows.iter().enumerate() {
+        let row = &kept[*row].1;
+        for other in own..left.rows.len() {
+            let entry = product(graph, &row.slopes, &left.units[other][..count]);
+            let entry = graph.quantity(entry);
+            left.matrix[own][other] = entry;
+            left.matrix[other][own] = entry;
+        }
+        let moved = product(graph, &row.slopes, &left.base[..count]);
+        let right = graph.add(row.bias, moved);
+        let right = graph.negate(right);
+        left.right.push(graph.quantity(right));
+        let alone = row.slopes.iter().enumerate().map(|(freedom, slope)| {
+            let square = graph.square(*slope);
+            graph.divide(square, matrix.rows[freedom][freedom])
+        });
+        let alone: Vec<Id> = alone.collect();
+        left.bounds.push(graph.sum(&alone));
+    }
+    Some(left)
+}
+
+impl Left {
+    /// As many rows of each group as depend on others.
+    fn spare(&self) -> Vec<usize> {
+        let all = self.groups.iter().flat_map(|group| &group.is_independent);
+        let spare = all.enumerate().filter(|(_, is_new)| !**is_new);
+        spare.map(|(own, _)| own).collect()
+    }
+}
+
+/// The equations of what a unit of a load does alone.
+fn pushed(graph: &Graph, equations: &[Equation], slopes: &[Id]) -> Vec<Equation> {
+    let zero = graph.zero();
+    let rights = slopes.iter().copied().chain(std::iter::repeat(zero));
+    let equations = equations.iter().zip(rights);
+    let equations = equations.map(|(equation, right)| Equation {
+        right,
+        ..equation.clone()
+    });
+    equations.collect()
+}
+
+/// `base + sum of factors * units`
+fn combined(graph: &mut Graph, base: &[Id], units: &[Vec<Id>], factors: &[Id]) -> Vec<Id> {
+    let all = base.iter().enumerate().map(|(place, base)| {
+        let parts = units.iter().map(|unit| unit[place]);
+        let parts: Vec<Id> = parts.collect();
+        let change = product(graph, factors, &parts);
+        graph.add(*base, change)
+    });
+    all.collect()
+}
+
+/// One where all rows hold with these loads, and not a number elsewhere.
+fn guard_of(
+    graph: &mut Graph,
+    left: &Left,
+    (kept, loads): (&[(Keeper, Row)], &[Id]),
+    (closeness, solver): (&Closeness, &Solver),
+) -> Option<Id> {
+    let count = kept.first()?.1.slopes.len();
+    let mut holds = graph.one();
+    for step in &solver.steps {
+        let (mut lacking, mut sizes, mut rows) = (Vec::new(), Vec::new(), Vec::new());
+        for own in step.own.clone() {
+            let row = &kept[left.rows[own]].1;
+            let done = product(graph, &left.matrix[own], loads);
+            let lacks = graph.subtract(left.right[own], done);
+            lacking.push(graph.square(lacks));
+            let parts = row.slopes.iter().zip(&left.base[..count]);
+            let parts = parts.chain(left.matrix[own].iter().zip(loads));
+            let mut parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
+            parts.push(row.bias);
+            sizes.extend(parts.into_iter().map(|part| graph.square(part)));
+            rows.push(row);
+        }
+        let (lacking, sizes) = (graph.sum(&lacking), graph.sum(&sizes));
+        let of_group = guard(graph, (lacking, sizes), (&rows, closeness), step.size)?;
+        holds = graph.multiply(holds, of_group);
+    }
+    Some(graph.quantity(holds))
+}

@@ -1,0 +1,107 @@
+//! Whether rows hold that were not solved for: to rounding, and to what a state lacks of a closed one.
+
+use crate::symbolic::{Graph, Id, Number};
+
+use super::super::constraints::Row;
+use super::unsettled::Keeper;
+
+/// So large is what rounding may leave of a row, beside its terms.
+const ROUNDING: f64 = 1e-12;
+/// A state that lacks this fraction of being closed may leave as many times it.
+const REACH: i64 = 1 << 10;
+/// Where nothing moves, nothing is left: [m/s^2] or [rad/s^2].
+const NOTHING: f64 = 1e-30;
+
+/// How far a state is from a closed one: squares.
+pub struct Closeness {
+    /// In places, as a fraction of the size of what is held.
+    place: Id,
+    /// Likewise of velocities \[1/s\].
+    rate: Id,
+    rates: Vec<Id>,
+}
+
+impl Closeness {
+    /// By joints; `is_turning` are the freedoms that turn, for which slopes are lengths.
+    pub fn of(
+        graph: &mut Graph,
+        kept: &[(Keeper, Row)],
+        rates: &[Id],
+        is_turning: &[bool],
+    ) -> Self {
+        let (mut place, mut rate) = (Vec::new(), Vec::new());
+        let mut rest = kept;
+        while let Some((keeper, _)) = rest.first() {
+            let own = keeper.joint_part(graph);
+            let is_same = |one: &&(Keeper, Row)| own.is_some() && one.0.joint_part(graph) == own;
+            let count = rest.iter().take_while(is_same).count().max(1);
+            let (group, others) = rest.split_at(count);
+            rest = others;
+            let (mut values, mut fast, mut sizes) = (Vec::new(), Vec::new(), Vec::new());
+            for (_, row) in group {
+                fast.push(graph.square(row.rate));
+                let turning = row.slopes.iter().zip(is_turning);
+                let turning = turning.filter(|(_, is_turning)| **is_turning);
+                sizes.extend(turning.map(|(slope, _)| graph.square(*slope)));
+                if let Some(value) = row.value {
+                    values.push(graph.square(value));
+                    let terms: Vec<(bool, Id)> = graph.terms(value);
+                    sizes.extend(terms.into_iter().map(|(_, term)| graph.square(term)));
+                }
+            }
+            let size = graph.sum(&sizes);
+            let size = graph.quantity(size);
+            for (all, own) in [(&mut place, values), (&mut rate, fast)] {
+                let sum = graph.sum(&own);
+                all.push(graph.divide(sum, size));
+            }
+        }
+        let mut whole = |all: &[Id]| {
+            let sum = graph.sum(all);
+            graph.quantity(sum)
+        };
+        Self {
+            place: whole(&place),
+            rate: whole(&rate),
+            rates: rates.to_vec(),
+        }
+    }
+}
+
+/// One, or not a number: where the square of what is `lacking` of rows is more than their `terms` allow.
+/// `divisor` is positive.
+pub fn guard(
+    graph: &mut Graph,
+    (lacking, terms): (Id, Id),
+    (rows, closeness): (&[&Row], &Closeness),
+    divisor: Id,
+) -> Option<Id> {
+    if graph.as_number(divisor).is_some() {
+        return None;
+    }
+    let number = |graph: &mut Graph, value: f64| graph.number(Number::from_f64(value));
+    let reach = graph.integer(REACH * REACH);
+    let rounding = number(graph, ROUNDING * ROUNDING);
+    let away = graph.multiply(reach, closeness.place);
+    let relative = graph.add(rounding, away);
+    let mut allowed = vec![graph.multiply(relative, terms)];
+    let mut fast = Vec::new();
+    for row in rows {
+        for (slope, rate) in row.slopes.iter().zip(&closeness.rates) {
+            let moved = graph.multiply(*slope, *rate);
+            fast.push(graph.square(moved));
+        }
+    }
+    let fast = graph.sum(&fast);
+    let fast = graph.multiply(fast, closeness.rate);
+    allowed.push(graph.multiply(reach, fast));
+    allowed.push(number(graph, NOTHING * NOTHING));
+    let allowed = graph.sum(&allowed);
+    // a pivot is none that is not more than eight roundings of its size
+    let eighth = number(graph, 0.125 / f64::EPSILON);
+    let beside = graph.divide(lacking, allowed);
+    let beside = graph.multiply(eighth, beside);
+    let size = graph.multiply(divisor, beside);
+    let inverse = graph.checked_reciprocal(divisor, size);
+    Some(graph.multiply(divisor, inverse))
+}

@@ -1,0 +1,91 @@
+//! Linear algebra in doubles.
+
+/// A row of which no more than this fraction is left depends on others.
+const DEPENDENT: f64 = 1e-6;
+
+/// Numbers that look random.
+pub struct Random(u64);
+
+impl Random {
+    pub fn new(seed: u64) -> Self {
+        let mut random = Self(seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+        random.number();
+        random.number();
+        random
+    }
+
+    /// Between -1 and 1.
+    #[allow(clippy::cast_precision_loss, reason = "53 bits are kept")]
+    pub fn number(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// Unit vectors at right angles.
+#[derive(Default)]
+pub struct Span(Vec<Vec<f64>>);
+
+impl Span {
+    /// Whether a row is independent of those before it; it then belongs to it.
+    pub fn take(&mut self, row: Vec<f64>) -> bool {
+        let left = self.left(row);
+        let is_new = left.is_some();
+        self.0.extend(left);
+        is_new
+    }
+
+    /// The direction of what is left of a row at right angles to all.
+    pub fn left(&self, row: Vec<f64>) -> Option<Vec<f64>> {
+        let before = dot(&row, &row).sqrt();
+        let mut left = row;
+        for known in self.0.iter().chain(&self.0) {
+            let part = dot(&left, known);
+            for (entry, other) in left.iter_mut().zip(known) {
+                *entry -= part * other;
+            }
+        }
+        let norm = dot(&left, &left).sqrt();
+        (norm > DEPENDENT * before).then(|| left.iter().map(|entry| entry / norm).collect())
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// `(A^T A + damping D) x = -A^T e`, with D of the size of what is on its diagonal.
+pub fn solve(rows: &[Vec<f64>], errors: &[f64], damping: f64) -> Vec<f64> {
+    let count = rows.first().map_or(0, Vec::len);
+    let column = |own: usize| rows.iter().map(move |row| row[own]);
+    let product = |a: usize, b: usize| column(a).zip(column(b)).map(|(a, b)| a * b).sum::<f64>();
+    let mut matrix: Vec<Vec<f64>> = (0..count)
+        .map(|own| {
+            let right: f64 = column(own).zip(errors).map(|(a, e)| a * e).sum();
+            let entries = (0..count).map(|other| product(own, other));
+            entries.chain([-right]).collect()
+        })
+        .collect();
+    for (own, row) in matrix.iter_mut().enumerate() {
+        let share = damping.max(1e-12) * row[own];
+        row[own] += if row[own] == 0.0 { 1.0 } else { share };
+    }
+    for pivot in 0..count {
+        let known = matrix[pivot].clone();
+        for row in matrix.iter_mut().skip(pivot + 1) {
+            let factor = row[pivot] / known[pivot];
+            for (entry, part) in row.iter_mut().zip(&known) {
+                *entry -= factor * part;
+            }
+        }
+    }
+    let mut values = vec![0.0; count];
+    for own in (0..count).rev() {
+        let row = &matrix[own];
+        let known = dot(&row[own + 1..count], &values[own + 1..]);
+        values[own] = (row[count] - known) / row[own];
+    }
+    values
+}

@@ -1,0 +1,150 @@
+//! Equations that depend on each other, and agree: `S l = r`.
+
+use crate::symbolic::{Graph, Id};
+
+/// Equations whose matrix has no negative eigenvalue, group after group of this many rows and of this
+/// rank.
+pub struct Solver {
+    pub steps: Vec<Step>,
+}
+
+pub struct Step {
+    pub own: std::ops::Range<usize>,
+    /// `N_k / e_k` of these rows, once those before are eliminated.
+    inverse: Vec<Vec<Id>>,
+    /// Of the rows behind: what they take of these, and what these take of them.
+    later: Vec<Vec<Id>>,
+    /// Is positive.
+    pub size: Id,
+}
+
+impl Solver {
+    pub fn new(
+        graph: &mut Graph,
+        (matrix, bounds): (&[Vec<Id>], &[Id]),
+        ranks: &[(usize, usize)],
+    ) -> Self {
+        let mut matrix = matrix.to_vec();
+        let (mut first, mut steps) = (0, Vec::new());
+        for (count, rank) in ranks {
+            let own = first..first + count;
+            first = own.end;
+            let block: Vec<Vec<Id>> = own
+                .clone()
+                .map(|row| matrix[row][own.clone()].to_vec())
+                .collect();
+            let size = graph.sum(&bounds[own.clone()]);
+            let size = graph.quantity(size);
+            let inverse = inverse(graph, &block, *rank, size);
+            let later: Vec<Vec<Id>> = (first..matrix.len())
+                .map(|row| matrix[row][own.clone()].to_vec())
+                .collect();
+            for (row, factors) in (first..matrix.len()).zip(&later) {
+                let taken = of_matrix(graph, &inverse, factors);
+                for column in first..matrix.len() {
+                    let less = product(graph, &taken, &later[column - first]);
+                    let entry = graph.subtract(matrix[row][column], less);
+                    matrix[row][column] = graph.quantity(entry);
+                }
+            }
+            steps.push(Step {
+                own,
+                inverse,
+                later,
+                size,
+            });
+        }
+        Self { steps }
+    }
+
+    pub fn solve(&self, graph: &mut Graph, right: &[Id]) -> Vec<Id> {
+        let mut right = right.to_vec();
+        for step in &self.steps {
+            let known = of_matrix(graph, &step.inverse, &right[step.own.clone()]);
+            for (row, factors) in step.later.iter().enumerate() {
+                let less = product(graph, factors, &known);
+                let place = step.own.end + row;
+                let left = graph.subtract(right[place], less);
+                right[place] = graph.quantity(left);
+            }
+        }
+        let mut values = vec![graph.zero(); right.len()];
+        for step in self.steps.iter().rev() {
+            let known: Vec<Id> = step
+                .own
+                .clone()
+                .enumerate()
+                .map(|(place, row)| {
+                    let slopes: Vec<Id> = step.later.iter().map(|later| later[place]).collect();
+                    let less = product(graph, &slopes, &values[step.own.end..]);
+                    graph.subtract(right[row], less)
+                })
+                .collect();
+            let found = of_matrix(graph, &step.inverse, &known);
+            for (row, value) in step.own.clone().zip(found) {
+                values[row] = graph.quantity(value);
+            }
+        }
+        values
+    }
+}
+
+/// `N_k / e_k`; `size` is one of the eigenvalues.
+fn inverse(graph: &mut Graph, block: &[Vec<Id>], rank: usize, size: Id) -> Vec<Vec<Id>> {
+    let count = block.len();
+    let (zero, one) = (graph.zero(), graph.one());
+    if rank == 0 {
+        return vec![vec![zero; count]; count];
+    }
+    let unit = |own: usize, other: usize, value: Id| if own == other { value } else { zero };
+    let mut along: Vec<Vec<Id>> = (0..count)
+        .map(|own| (0..count).map(|other| unit(own, other, one)).collect())
+        .collect();
+    let mut degree = 1;
+    loop {
+        let next: Vec<Vec<Id>> = (0..count)
+            .map(|own| {
+                let column = |other: usize| along.iter().map(|row| row[other]).collect::<Vec<Id>>();
+                (0..count)
+                    .map(|other| product(graph, &block[own], &column(other)))
+                    .collect()
+            })
+            .collect();
+        let trace: Vec<Id> = (0..count).map(|own| next[own][own]).collect();
+        let trace = graph.sum(&trace);
+        let degree_of = graph.integer(degree);
+        let sum = graph.divide(trace, degree_of);
+        let sum = graph.quantity(sum);
+        if usize::try_from(degree) == Ok(rank) {
+            let bound = graph.powi(size, i32::try_from(rank).unwrap_or(1));
+            let pivot = graph.checked_reciprocal(sum, bound);
+            let all = along.iter().map(|row| {
+                let row = row.iter().map(|entry| {
+                    let entry = graph.multiply(pivot, *entry);
+                    graph.quantity(entry)
+                });
+                row.collect()
+            });
+            return all.collect();
+        }
+        for own in 0..count {
+            for other in 0..count {
+                let entry = graph.subtract(unit(own, other, sum), next[own][other]);
+                along[own][other] = graph.quantity(entry);
+            }
+        }
+        degree += 1;
+    }
+}
+
+fn of_matrix(graph: &mut Graph, matrix: &[Vec<Id>], vector: &[Id]) -> Vec<Id> {
+    let all = matrix.iter().map(|row| product(graph, row, vector));
+    all.collect()
+}
+
+/// The sum of the products.
+pub fn product(graph: &mut Graph, first: &[Id], second: &[Id]) -> Id {
+    let parts = first.iter().zip(second);
+    let parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
+    graph.sum(&parts)
+}

@@ -323,7 +323,7 @@ fn names_in_the_constructor_are_distinct() {
 /// Beyond the stated limit there is one error, whatever else is in the description.
 #[test]
 fn descriptions_have_a_size() {
-    let tokens = expand_description(many_dampers(130)).to_string();
+    let tokens = expand_description(many_forces(2000)).to_string();
     assert!(
         tokens.contains("here this description has more than 50000 tokens"),
         "{tokens}"

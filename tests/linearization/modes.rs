@@ -1,6 +1,6 @@
 //! Modes of matrices with known eigenvalues.
 
-use nalgebra::{Complex, Normed, SMatrix};
+use nalgebra::{Complex, SMatrix};
 use newton_euler::linearization::{Linearized, Modes};
 
 struct Known<const N: usize>(SMatrix<f64, N, N>);

@@ -1,7 +1,7 @@
 //! Taylor series of systems: each satisfies the equations of motion, and the motions are those of
 //! other methods.
 
-use newton_euler::integrate::DormandPrince;
+use newton_euler::integrate::{DormandPrince, RungeKuttaPair};
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;
 use newton_euler::taylor::Taylor;
@@ -163,6 +163,6 @@ fn many_products_are_left_to_runge_kutta_steps() {
     let input = SpreadInput { push: 0.7 };
     let best = system.integrate(&state).input(input).tolerance(1e-9);
     let other = system.integrate(&state).input(input);
-    let other = other.method(DormandPrince { tolerance: 1e-9 });
+    let other = other.method(RungeKuttaPair { tolerance: 1e-9 });
     assert_eq!(best.to(0.1).unwrap(), other.to(0.1).unwrap());
 }

@@ -18,7 +18,7 @@ rigid_body!(Drone {
         drag = -0.1[N * s / m] * (velocity - wind),
     ],
     moments: [spin = body(0, 0, -0.01 * angular_velocity.z)],
-    outputs: [energy, regressor],
+    outputs: [energy, momentun],
 });
 
 fn main() {}

@@ -1,12 +1,13 @@
-//! What stands in the lists of a description, entry by entry.
+//! The keys of a description, and what stands in its lists, entry by entry.
 
 mod charges;
 mod checks;
 mod composition;
 mod entry;
 mod foreign;
+mod parse;
 
-pub use checks::parse_check;
 pub use composition::{Composition, Part};
-pub use entry::{parse_entry, parse_name, parse_value};
+pub use entry::{parse_name, parse_value};
 pub use foreign::{Constant, Function};
+pub use parse::{check_length, key_meant, key_value, parse_description, parse_key, parse_keys};

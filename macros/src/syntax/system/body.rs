@@ -4,9 +4,8 @@ use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenTree};
 use quote::format_ident;
 
 use crate::errors::{Errors, Extent, similar};
-use crate::syntax::entries::{parse_name, parse_value};
+use crate::syntax::entries::{key_meant, key_value, parse_keys, parse_name, parse_value};
 use crate::syntax::expression::{Expression, Kind};
-use crate::syntax::parse::{key_meant, key_value, parse_keys};
 use crate::syntax::tokens::{Entry, is_punct, split, start, stream, without_attributes};
 use crate::syntax::words::check_name;
 use crate::syntax::{Definition, Description};

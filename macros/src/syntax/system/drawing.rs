@@ -4,8 +4,8 @@ use proc_macro2::{Ident, TokenTree};
 
 use crate::errors::Errors;
 use crate::syntax::Description;
+use crate::syntax::entries::key_value;
 use crate::syntax::expression::{Expression, Kind};
-use crate::syntax::parse::key_value;
 use crate::syntax::tokens::start;
 
 use super::System;

@@ -7,8 +7,8 @@ use proc_macro2::{Ident, Span, TokenTree};
 
 use crate::errors::{Errors, Extent};
 use crate::syntax::Description;
+use crate::syntax::entries::key_value;
 use crate::syntax::mjcf;
-use crate::syntax::parse::key_value;
 use crate::syntax::tokens::{stream, string};
 use crate::syntax::urdf;
 use crate::syntax::xml::{Beside, Told};

@@ -15,10 +15,9 @@ use crate::errors::{Errors, similar};
 
 pub use file::{File, file_beside};
 
-use super::entries::{parse_name, parse_value};
+use super::entries::{check_length, key_meant, key_value, parse_key, parse_name, parse_value};
 use super::expression::{Expression, call};
 use super::head::parse_head;
-use super::parse::{check_length, key_meant, key_value, parse_key};
 use super::tokens::{Entry, split, start, without_attributes};
 use super::{Definition, Description, Motion};
 

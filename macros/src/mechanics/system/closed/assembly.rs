@@ -64,6 +64,10 @@ impl<'a> Assembly<'a> {
     /// Which rows are independent of those before them in closed states that move, if these are fewer
     /// there than anywhere else.
     pub fn independent(&self) -> Option<Vec<bool>> {
+        // without a freedom nothing moves on
+        if self.rates.is_empty() {
+            return None;
+        }
         let mut begun = (0..STARTS).map(|start| (start, Random::new(start)));
         let anywhere = begun.clone().map(|(start, mut random)| {
             let values = self.start(&mut random, start);

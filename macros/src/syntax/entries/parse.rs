@@ -4,15 +4,17 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent, similar};
 
-use super::entries::{Composition, parse_check, parse_entry, parse_name};
-use super::expression::Expression;
-use super::head::parse_head;
-use super::motion::parse_motion;
-use super::tokens::{
+use super::checks::parse_check;
+use super::composition::Composition;
+use super::entry::{parse_entry, parse_name};
+use crate::syntax::expression::Expression;
+use crate::syntax::head::parse_head;
+use crate::syntax::motion::parse_motion;
+use crate::syntax::tokens::{
     Entry, after_sign, is_punct, split, start, stream, string, token_beyond, without_attributes,
 };
-use super::words::is_keyword;
-use super::{Description, Written};
+use crate::syntax::words::is_keyword;
+use crate::syntax::{Description, Written};
 
 /// Keys whose value is a list, each with an entry to show.
 const LISTS: [(&str, &str); 18] = [

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::code::{Scalar, Shapes, allow_constants, local_name, private};
-use crate::model::{Declared, Dimension, Outline};
+use crate::model::{Declared, Outline};
 
 use super::constructor::Constructor;
 use super::docs::{Documentation, declared_doc};
@@ -134,15 +134,14 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
 fn docs_of_part(outline: &Outline, name: &Ident) -> [String; 2] {
     let mut states = outline.states.iter();
     let Some(state) = states.find(|state| state.name == *name) else {
-        let doc = if outline.is_system {
-            format!(" The joint `{name}`.")
+        let joint = format!(" The joint `{name}`.");
+        return if outline.is_system {
+            [joint.clone(), joint]
         } else {
-            " The motion of the body.".to_owned()
+            [" The motion", " The acceleration"].map(|what| format!("{what} of the body."))
         };
-        return [doc.clone(), doc];
     };
-    let rate = state.dimension.over(Dimension::TIME);
-    let rate = rate.unwrap_or(Dimension::ANY);
+    let rate = state.shown_rate();
     [
         declared_doc(state),
         format!(" The rate of `{name}` in {rate}."),

@@ -279,7 +279,7 @@ fn singular_configurations() {
         motion: translation,
         mass: 1,
         constraints: [wire = position.norm_squared() - 1[m ^ 2]],
-        reactions: [tension = _ * position],
+        reactions: [tension = _ * (position / 1[m])],
     });
     for (description, mass, constraints) in [(rocket, true, false), (bead, false, true)] {
         let expansion = pretty(description);

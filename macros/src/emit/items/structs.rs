@@ -9,7 +9,7 @@ use crate::model::{Declared, Outline};
 use super::constructor::Constructor;
 use super::docs::{Documentation, declared_doc};
 use super::open::{open_drives, open_reactions};
-use super::record::{Field, Record, lints};
+use super::record::{Field, Record, snake_case};
 
 /// One field for each quantity that is declared.
 fn declared_fields(outline: &Outline, declared: &[Declared]) -> Vec<Field> {
@@ -121,7 +121,8 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
         let [first_doc, second_doc] = docs_of_part(outline, name);
         quote!(#[doc = #first_doc] #name: #kind #[doc = #second_doc] => #second)
     });
-    let lints = lints(all.iter().map(|(name, _)| name));
+    let lints = snake_case(all.iter().map(|(name, _)| name)).into_iter();
+    let lints: TokenStream = lints.map(|lint| quote!(#[allow(#lint)])).collect();
     Some(quote! {
         #private::system_state! {
             #[doc = #of_state] #lints #state

@@ -114,12 +114,14 @@ macro_rules! __system_state {
     ) => {
         $($on_state)*
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[allow(clippy::struct_field_names)]
         pub struct $state<$($generic: $crate::private::Scalar)?> {
             $($($on_field)* pub $field: $first,)+
         }
 
         $($on_acceleration)*
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[allow(clippy::struct_field_names)]
         pub struct $acceleration<$($generic: $crate::private::Scalar)?> {
             $($($on_second)* pub $field: $second,)+
         }

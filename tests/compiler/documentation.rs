@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::pretty;
+use crate::{expand_description, pretty};
 
 /// The lines under "Inertia about G:".
 fn class(inertia: TokenStream) -> Vec<String> {
@@ -209,4 +209,85 @@ fn closed_forms() {
             "the axis turns along a great circle"
         ]
     );
+}
+
+/// The documentation of the fields of parameters, inputs, the state and the acceleration.
+fn of_fields(description: TokenStream) -> Vec<String> {
+    let text = expand_description(description).to_string();
+    let docs = text.split("doc = \" ").skip(1);
+    let docs = docs.filter_map(|rest| rest.split("\"]").next());
+    docs.map(str::to_owned).collect()
+}
+
+/// Units are those that were written, a rate's are theirs by the second; what has none is in SI.
+#[test]
+fn units_of_fields() {
+    let fields = of_fields(quote!(Body {
+        motion: translation,
+        mass: 3[kg] + fuel,
+        params: [
+            flow = 1.5[kg / s],
+            damper = -2[N * s / m],
+            heat = 300[g / s],
+            conductance = 6[W / K],
+            reach = world(1, 0, 0)[m],
+        ],
+        inputs: [turn[rad].moving, wind = world(_, _, _)[J / (N * s)]],
+        states: [fuel[kg], thrust[N], work[J], speed[m / s], share],
+        rates: [
+            fuel = -flow - 0 * heat,
+            thrust = 2[N / s] * turn * conductance * 1[K / W],
+            work = 0[W],
+            speed = 0[m / s ^ 2],
+            share = 0,
+        ],
+        forces: [push = world(thrust, 0, 0) + damper * wind + reach * 1[N / m] * turn_rate * 1[s]],
+    }));
+    for line in [
+        "`flow` in kg / s.",
+        "`damper` in N * s / m.",
+        "`heat` in kg / s.",
+        "`conductance` in W / K.",
+        "`reach` in m, world axes.",
+        "`turn_rate` in rad / s.",
+        "`turn_acceleration` in rad / s ^ 2.",
+        "`wind` in J / (N * s), world axes.",
+        "The rate of `fuel` in kg / s.",
+        "The rate of `thrust` in N / s.",
+        "The rate of `work` in J / s.",
+        "The rate of `speed` in m / s ^ 2.",
+        "The rate of `share` in no unit.",
+    ] {
+        assert!(
+            fields.iter().any(|field| field == line),
+            "{line}: {fields:?}"
+        );
+    }
+}
+
+/// A changing mass may vanish, and nothing is said of constraints where there are none.
+#[test]
+fn singular_configurations() {
+    let rocket = quote!(Body {
+        motion: translation,
+        mass: 1[kg] + fuel,
+        states: [fuel[kg]],
+        rates: [fuel = -1[kg / s]],
+        forces: [push = world(1[N], 0, 0)],
+    });
+    let bead = quote!(Body {
+        motion: translation,
+        mass: 1,
+        constraints: [wire = position.norm_squared() - 1[m ^ 2]],
+        reactions: [tension = _ * (position / 1[m])],
+    });
+    for (description, mass, constraints) in [(rocket, true, false), (bead, false, true)] {
+        let expansion = pretty(description);
+        assert!(expansion.contains("# Singular configurations"));
+        assert_eq!(expansion.contains("Where the mass or an inertia"), mass);
+        assert_eq!(
+            expansion.contains("Where the constraints do not"),
+            constraints
+        );
+    }
 }

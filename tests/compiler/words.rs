@@ -270,3 +270,26 @@ fn constants_that_nobody_tells_apart() {
         );
     }
 }
+
+/// A unit is one with a name, one with a name over a base unit, or a product of base units.
+#[test]
+fn units_are_spelt_as_readers_would() {
+    for (written, shown) in [
+        ("N * s / m", "kg / s"),
+        ("J / s ^ 2", "W / s"),
+        ("kg * m / s ^ 3", "N / s"),
+        ("kg / s ^ 2", "N / m"),
+        ("J / K", "N * m / K"),
+        ("V / A", "V / A"),
+        ("Pa * s", "kg / (m * s)"),
+        ("N * s", "kg * m / s"),
+        ("J * s", "N * m * s"),
+        ("kg * m ^ 2", "kg * m ^ 2"),
+        ("C / s", "A"),
+        ("m / s ^ 2", "m / s ^ 2"),
+    ] {
+        let entries = format!("forces: [push = world(1[{written}], 0)]");
+        let expected = format!("a force is in N, and this is in {shown}");
+        assert_eq!(said_of(&entries), [expected], "{written}");
+    }
+}

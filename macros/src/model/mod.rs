@@ -25,7 +25,7 @@ pub use system::{
 };
 pub use words::{
     AXES, Answers, Check, Checks, Claim, Dimension, Doubtful, ForeignConstant, ForeignFunction,
-    Frame, FrameWord, Labels, Meaning, Variable, shown, why_not,
+    Frame, FrameWord, Labels, Meaning, Unit, Variable, shown, why_not,
 };
 
 use crate::symbolic::{Components, Graph, Id};

@@ -30,7 +30,7 @@ mod equations_of_Glider {
     #[allow(clippy::struct_field_names)]
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct GliderParams {
-        /// `drag` in kg * m ^ 2.
+        /// `drag` in N * m * s ^ 2.
         pub drag: f64,
     }
     impl Glider {

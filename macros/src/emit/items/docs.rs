@@ -38,10 +38,11 @@ impl Documentation {
         let text = equations_text(acceleration, constructor);
         let mut lines = lines(outline, &text, &costs, report);
         if acceleration.facts.has_pivots {
+            let singular = singular(outline);
             lines.extend(quote! {
                 #[doc = ""]
                 #[doc = " # Singular configurations"]
-                #[doc = " Where the constraints do not determine their reactions, `acceleration` is not a number; `reactions`, if it is there, returns an error."]
+                #[doc = #singular]
             });
         }
         for remark in &addition.remarks {
@@ -135,6 +136,17 @@ fn spaced(line: &str) -> String {
     }
 }
 
+/// Where there is no acceleration, of what is divided by a number that may vanish.
+fn singular(outline: &Outline) -> &'static str {
+    if outline.is_constrained {
+        " Where the constraints do not determine their reactions, `acceleration` is not a number; \
+         `reactions`, if it is there, returns an error."
+    } else {
+        " Where the mass or an inertia, with what loads add that follow the acceleration, is not \
+         positive, `acceleration` is not a number."
+    }
+}
+
 fn counts(cost: Cost) -> [(u32, &'static str); 6] {
     [
         (cost.mul, "mul"),
@@ -193,6 +205,7 @@ pub fn declared_doc(declared: &Declared) -> String {
     };
     format!(
         " `{}` in {}{axes}{moving}.",
-        declared.name, declared.dimension
+        declared.name,
+        declared.shown_unit()
     )
 }

@@ -70,10 +70,15 @@ impl Record {
     }
 }
 
-/// Users may call a parameter `J`, a reaction `R_v`, and inputs `thrust_1`, `thrust_2`, ...
-pub fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
+/// Users may call inputs `thrust_1`, `thrust_2`, ...
+fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
+    let snake_case = snake_case(names).map(|lint| quote!(, #lint));
+    quote!(#[allow(clippy::struct_field_names #snake_case)])
+}
+
+/// The lint that is broken by a parameter `J`, or a reaction `R_v`.
+pub fn snake_case<'n>(names: impl IntoIterator<Item = &'n Ident>) -> Option<TokenStream> {
     let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
     let unusual = names.into_iter().any(has_capitals);
-    let snake_case = unusual.then(|| quote!(, non_snake_case));
-    quote!(#[allow(clippy::struct_field_names #snake_case)])
+    unusual.then(|| quote!(non_snake_case))
 }

@@ -4,12 +4,12 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::code::{Scalar, Shapes, allow_constants, local_name, private};
-use crate::model::{Declared, Dimension, Outline};
+use crate::model::{Declared, Outline};
 
 use super::constructor::Constructor;
 use super::docs::{Documentation, declared_doc};
 use super::open::{open_drives, open_reactions};
-use super::record::{Field, Record, lints};
+use super::record::{Field, Record, snake_case};
 
 /// One field for each quantity that is declared.
 fn declared_fields(outline: &Outline, declared: &[Declared]) -> Vec<Field> {
@@ -121,7 +121,8 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
         let [first_doc, second_doc] = docs_of_part(outline, name);
         quote!(#[doc = #first_doc] #name: #kind #[doc = #second_doc] => #second)
     });
-    let lints = lints(all.iter().map(|(name, _)| name));
+    let lints = snake_case(all.iter().map(|(name, _)| name)).into_iter();
+    let lints: TokenStream = lints.map(|lint| quote!(#[allow(#lint)])).collect();
     Some(quote! {
         #private::system_state! {
             #[doc = #of_state] #lints #state
@@ -134,15 +135,14 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
 fn docs_of_part(outline: &Outline, name: &Ident) -> [String; 2] {
     let mut states = outline.states.iter();
     let Some(state) = states.find(|state| state.name == *name) else {
-        let doc = if outline.is_system {
-            format!(" The joint `{name}`.")
+        let joint = format!(" The joint `{name}`.");
+        return if outline.is_system {
+            [joint.clone(), joint]
         } else {
-            " The motion of the body.".to_owned()
+            [" The motion", " The acceleration"].map(|what| format!("{what} of the body."))
         };
-        return [doc.clone(), doc];
     };
-    let rate = state.dimension.over(Dimension::TIME);
-    let rate = rate.unwrap_or(Dimension::ANY);
+    let rate = state.shown_rate();
     [
         declared_doc(state),
         format!(" The rate of `{name}` in {rate}."),

@@ -65,6 +65,7 @@ pub fn outline(
             name: declaration.name.clone(),
             frame,
             dimension: Dimension::ANY,
+            unit: None,
             moves: declaration.moving.is_some(),
             order: declaration.order,
             default: has_default.then(|| vec![Number::zero(); components]),

@@ -1,9 +1,9 @@
 //! Parameters and inputs: their symbols, shapes, dimensions and defaults.
 
 use crate::lower::expressions::{
-    Lowering, UNTURNED, Value, dimension, has_placeholder, lower_unit, strip_unit,
+    Lowering, UNTURNED, Value, dimension, has_placeholder, lower_unit, strip_unit, written_unit,
 };
-use crate::model::{Declared, Defaults, Dimension, FrameWord, Meaning, Point};
+use crate::model::{Declared, Defaults, Dimension, FrameWord, Meaning, Point, Unit};
 use crate::symbolic::{Id, Number, Stage};
 use crate::syntax::{Declaration, Expression, Kind};
 
@@ -18,7 +18,7 @@ impl Lowering<'_> {
     ) -> Option<Value> {
         let scalar = Meaning::Param(index, None);
         let Some(value) = &written.value else {
-            declared.dimension = self.declared_unit(written)?;
+            self.declared_unit(written, declared)?;
             let symbol = self.work.symbol(Stage::Parameter, scalar);
             return Some(Value::Scalar(symbol, declared.dimension));
         };
@@ -38,6 +38,7 @@ impl Lowering<'_> {
             );
         };
         declared.dimension = found;
+        declared.unit = self.unit_of_default(value);
         if let Value::Scalar(id, _) = default {
             declared.default = Some(vec![self.constant(id, value)?]);
             let symbol = self.work.symbol(Stage::Parameter, scalar);
@@ -95,7 +96,7 @@ impl Lowering<'_> {
         declared: &mut Declared,
     ) -> Option<Value> {
         let Some(value) = &written.value else {
-            declared.dimension = self.declared_unit(written)?;
+            self.declared_unit(written, declared)?;
             self.differentiate(written, declared)?;
             let symbol = self.work.symbol(Stage::State, Meaning::Input(index, None));
             return Some(Value::Scalar(symbol, declared.dimension));
@@ -133,6 +134,7 @@ impl Lowering<'_> {
                 );
             };
             declared.dimension = rate;
+            declared.unit = declared.unit.take().and_then(Unit::per_second);
         }
         Some(())
     }
@@ -160,9 +162,9 @@ impl Lowering<'_> {
         Some(())
     }
 
-    pub fn declared_unit(&mut self, written: &Declaration) -> Option<Dimension> {
+    pub fn declared_unit(&mut self, written: &Declaration, declared: &mut Declared) -> Option<()> {
         let Some(unit) = &written.unit else {
-            return Some(Dimension::ANY);
+            return Some(());
         };
         let (factor, dimension) = lower_unit(unit, self.errors)?;
         if factor != Number::one() {
@@ -176,7 +178,21 @@ impl Lowering<'_> {
                 ),
             );
         }
-        Some(dimension)
+        declared.dimension = dimension;
+        declared.unit = Some(written_unit(unit));
+        Some(())
+    }
+
+    /// The unit of a default, as it is written; one that is not of SI is not that of the field.
+    fn unit_of_default(&mut self, value: &Expression) -> Option<Unit> {
+        match &value.kind {
+            Kind::Prefix(_, inner) => self.unit_of_default(inner),
+            Kind::Unit(_, unit) => {
+                let (factor, _) = lower_unit(unit, self.errors)?;
+                (factor == Number::one()).then(|| written_unit(unit))
+            }
+            _ => None,
+        }
     }
 
     /// `world(_, _, _)[unit]`: a vector given from outside.
@@ -199,6 +215,7 @@ impl Lowering<'_> {
                 );
             }
             declared.dimension = dimension;
+            declared.unit = Some(written_unit(unit));
         }
         let frame = declared.frame.map(|word| self.state.frame(word));
         let (Some(frame), Kind::Call(_, parts)) = (frame, &strip_unit(value).kind) else {

@@ -37,7 +37,7 @@ impl Lowering<'_> {
                 ),
             );
         }
-        declared.dimension = self.declared_unit(written)?;
+        self.declared_unit(written, declared)?;
         let symbol = self.work.symbol(Stage::State, Meaning::Own(index));
         Some(Value::Scalar(symbol, declared.dimension))
     }

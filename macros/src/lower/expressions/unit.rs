@@ -2,7 +2,7 @@
 
 use crate::errors::{Errors, hint};
 use crate::fraction::Fraction;
-use crate::model::Dimension;
+use crate::model::{Dimension, Unit};
 use crate::symbolic::{Function, Number};
 use crate::syntax::UnitExpression;
 
@@ -133,6 +133,16 @@ pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number,
         }
     }
     known.filter(|_| is_known)
+}
+
+/// The unit as it is shown: in the words that are written.
+pub fn written_unit(unit: &UnitExpression) -> Unit {
+    let factors = unit.factors.iter();
+    Unit(
+        factors
+            .map(|(name, exponent)| (name.to_string(), *exponent))
+            .collect(),
+    )
 }
 
 /// What is said of a dimension that is none.

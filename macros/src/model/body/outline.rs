@@ -7,7 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::model::joints::{Group, Motion, OWN, Shape};
-use crate::model::words::{Dimension, Frame, FrameWord, Variable};
+use crate::model::words::{Dimension, Frame, FrameWord, Unit, Variable};
 use crate::symbolic::Number;
 
 /// An output that is asked for, and where.
@@ -192,6 +192,8 @@ pub struct Declared {
     /// Whether it is a vector, and in which axes its components are written.
     pub frame: Option<FrameWord>,
     pub dimension: Dimension,
+    /// The unit as it was written, if it is one of SI.
+    pub unit: Option<Unit>,
     /// Of an input: whether it is given with its rate and acceleration, and which derivative it is
     /// itself.
     pub moves: bool,
@@ -201,6 +203,22 @@ pub struct Declared {
 }
 
 impl Declared {
+    /// Its unit, in the words of the description if it has any.
+    pub fn shown_unit(&self) -> String {
+        let unit = self.unit.as_ref();
+        unit.map_or_else(|| self.dimension.to_string(), Unit::to_string)
+    }
+
+    /// The unit of its rate.
+    pub fn shown_rate(&self) -> String {
+        let rate = self.unit.clone().and_then(Unit::per_second);
+        let of_dimension = || self.dimension.over(Dimension::TIME);
+        rate.map_or_else(
+            || of_dimension().unwrap_or(Dimension::ANY).to_string(),
+            |rate| rate.to_string(),
+        )
+    }
+
     /// How many derivatives of it are given.
     pub fn derivatives(&self) -> usize {
         if self.moves {

@@ -5,22 +5,24 @@ use core::fmt;
 use crate::fraction::Fraction;
 use crate::symbolic::Number;
 
+use super::unit::Unit;
+
 /// Base units, in the order of the exponents.
 const BASE: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
 
 /// Products with a name of their own in messages and documentation.
-const NAMED: [(&str, [i16; 7]); 10] = [
+const NAMED: [(&str, [i16; 7]); 8] = [
     ("N", [1, 1, -2, 0, 0, 0, 0]),
-    ("N * m", [1, 2, -2, 0, 0, 0, 0]),
     ("W", [1, 2, -3, 0, 0, 0, 0]),
     ("Pa", [1, -1, -2, 0, 0, 0, 0]),
-    ("N / m", [1, 0, -2, 0, 0, 0, 0]),
-    ("N * s / m", [1, 0, -1, 0, 0, 0, 0]),
-    ("N * m * s", [1, 2, -1, 0, 0, 0, 0]),
-    ("C", [0, 0, 1, 1, 0, 0, 0]),
     ("V", [1, 2, -3, -1, 0, 0, 0]),
     ("T", [1, 0, -2, -1, 0, 0, 0]),
+    ("N * m", [1, 2, -2, 0, 0, 0, 0]),
+    ("C", [0, 0, 1, 1, 0, 0, 0]),
+    ("N * m * s", [1, 2, -1, 0, 0, 0, 0]),
 ];
+/// How many of them, from the first, are also shown over a base unit: `N / m`, `W / K`.
+const DIVIDED: usize = 6;
 
 /// Powers of the base units, or [`Dimension::ANY`] for what was written without a unit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -115,6 +117,27 @@ impl Dimension {
         self.0.is_some()
     }
 
+    fn name(self) -> Option<&'static str> {
+        let mut named = NAMED.iter();
+        let (name, _) = named.find(|(_, exponents)| Self::base(*exponents) == self)?;
+        Some(name)
+    }
+
+    /// What it is a named unit over a base unit of.
+    fn quotient(self) -> Option<(&'static str, &'static str)> {
+        let mut named = NAMED[..DIVIDED].iter();
+        named.find_map(|(name, exponents)| {
+            let per = Self::base(*exponents).over(self)?;
+            let mut units = BASE.iter().enumerate().skip(1);
+            let (_, unit) = units.find(|(place, _)| {
+                let mut exponents = [0; 7];
+                exponents[*place] = 1;
+                Self::base(exponents) == per
+            })?;
+            Some((*name, *unit))
+        })
+    }
+
     fn combine(
         self,
         other: Self,
@@ -136,34 +159,13 @@ impl fmt::Display for Dimension {
         let Some(exponents) = self.0 else {
             return f.write_str("no unit");
         };
-        if *self == Self::NONE {
-            return f.write_str("a pure number");
-        }
-        if let Some((name, _)) = NAMED.iter().find(|(_, named)| Self::base(*named) == *self) {
+        if let Some(name) = self.name() {
             return f.write_str(name);
         }
-        let part = |positive: bool| {
-            let factors = BASE
-                .iter()
-                .zip(exponents)
-                .filter(|(_, exponent)| exponent.is_positive() == positive)
-                .filter(|(_, exponent)| *exponent != Fraction::ZERO);
-            let words = factors.map(|(unit, exponent)| match exponent.abs() {
-                Fraction::ONE => (*unit).to_owned(),
-                power => format!("{unit} ^ {power}"),
-            });
-            words.collect::<Vec<_>>()
-        };
-        let (above, below) = (part(true), part(false));
-        let numerator = if above.is_empty() {
-            "1".to_owned()
-        } else {
-            above.join(" * ")
-        };
-        match below.len() {
-            0 => f.write_str(&numerator),
-            1 => write!(f, "{numerator} / {}", below[0]),
-            _ => write!(f, "{numerator} / ({})", below.join(" * ")),
+        if let Some((name, per)) = self.quotient() {
+            return write!(f, "{name} / {per}");
         }
+        let words = BASE.map(str::to_owned).into_iter().zip(exponents);
+        Unit(words.collect()).fmt(f)
     }
 }

@@ -8,6 +8,7 @@ mod frame;
 mod labels;
 mod meanings;
 pub mod shown;
+mod unit;
 
 pub use check::{Answers, Check, Checks, Claim};
 pub use dimension::Dimension;
@@ -17,3 +18,4 @@ pub use frame::{Frame, FrameWord};
 pub use labels::{AXES, Labels};
 pub use meanings::{Meaning, Meanings, Variable};
 pub use shown::shown;
+pub use unit::Unit;

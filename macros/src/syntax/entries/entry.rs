@@ -31,7 +31,7 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
     match key {
         "constants" => into.constants.push(parse_constant(name, rest, errors)),
         "params" => {
-            let param = parse_declaration(name, rest, errors);
+            let param = parse_declaration(name, key, rest, errors);
             if let Some(word) = &param.moving {
                 errors.push(
                     word.span(),
@@ -41,14 +41,14 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.params.push(param);
         }
         "inputs" => {
-            let input = parse_declaration(name, rest, errors);
+            let input = parse_declaration(name, key, rest, errors);
             let orders = if input.moving.is_some() { 1..3 } else { 1..1 };
             let derivatives: Vec<_> = orders.map(|order| input.derivative(order)).collect();
             into.inputs.push(input);
             into.inputs.extend(derivatives);
         }
         "states" => {
-            let state = parse_declaration(name, rest, errors);
+            let state = parse_declaration(name, key, rest, errors);
             if let Some(word) = &state.moving {
                 errors.push(
                     word.span(),
@@ -137,7 +137,12 @@ fn family(key: &str) -> (Family, Option<LoadKind>) {
     }
 }
 
-fn parse_declaration(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Declaration {
+fn parse_declaration(
+    name: Ident,
+    key: &str,
+    rest: &[TokenTree],
+    errors: &mut Errors,
+) -> Declaration {
     let (rest, moving) = match rest {
         [rest @ .., TokenTree::Punct(dot), TokenTree::Ident(word)]
             if dot.as_char() == '.' && word == "moving" =>
@@ -167,6 +172,17 @@ fn parse_declaration(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> De
                 );
                 (None, Some(None))
             }
+        }
+        [TokenTree::Punct(colon), unit @ ..] if key != "params" && colon.as_char() == ':' => {
+            let unit = match unit {
+                [] => "unit".to_owned(),
+                _ => stream(unit).to_string(),
+            };
+            errors.push(
+                colon.span(),
+                format!("write `{name}[{unit}]`: a unit stands in brackets"),
+            );
+            (None, Some(None))
         }
         _ => (None, Some(parse_value(&name, rest, errors))),
     };

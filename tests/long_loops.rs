@@ -66,7 +66,7 @@ fn energy_and_branch_of_a_crank_rocker() {
         linkage.kinetic_energy(state) + linkage.potential_energy(0.0, state, &())
     };
     let (first, kinetic) = (energy(&start), linkage.kinetic_energy(&start));
-    let side = |state: &CrankRockerState| state.b.angle.sin().signum();
+    let side = |state: &CrankRockerState| state.b.angle.sin() > 0.0;
     let method = Projected(Fixed {
         method: DormandPrince8,
         step: STEP,

@@ -106,7 +106,7 @@ pub fn close(
         let others = others.iter().map(|other| kept[*other].1.name.clone());
         unsettled.add(&kept[*row].0, others.collect());
     }
-    let spare = spare(system, work, (&kept, &idle), &found);
+    let spare = spare(system, work, [&kept, &idle], &found);
     let symbols_of_motion = accelerations.into_iter();
     let moved = symbols_of_motion.zip(found.accelerations.iter().copied());
     let moved: Vec<(Id, Id)> = moved.collect();
@@ -234,7 +234,7 @@ fn where_closed(
 fn spare(
     system: &System,
     work: &mut Workspace,
-    (kept, idle): (&[(Keeper, Row)], &[(Keeper, Row)]),
+    [kept, idle]: [&[(Keeper, Row)]; 2],
     found: &Found,
 ) -> Vec<(Vec<[Components; 2]>, Vec<Id>)> {
     let always = found.spare.iter().map(|(.., loads)| loads);

@@ -1,11 +1,12 @@
-//! rapier3d: a step of a world with one free body.
+//! rapier3d: a step of a world with one free body, and of one with a multibody of two arms.
 
 use std::hint::black_box;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use newton_euler::{integrate, prelude::*};
 use rapier3d_f64::prelude::{
-    IntegrationParameters, MassProperties, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle, Vector,
+    IntegrationParameters, MassProperties, PhysicsWorld, RevoluteJointBuilder, RigidBodyBuilder,
+    RigidBodyHandle, Vector,
 };
 
 use crate::bodies::{General, GeneralInput};
@@ -20,18 +21,22 @@ struct World {
     body: RigidBodyHandle,
 }
 
+/// Each step is made of a number of substeps.
+fn empty(gravity: Vector, step: f64, substeps: usize) -> PhysicsWorld {
+    PhysicsWorld {
+        gravity,
+        integration_parameters: IntegrationParameters {
+            dt: step,
+            num_solver_iterations: substeps,
+            ..IntegrationParameters::default()
+        },
+        ..PhysicsWorld::default()
+    }
+}
+
 impl World {
-    /// Each step is made of a number of substeps.
     fn new(start: &Spatial, step: f64, substeps: usize) -> Self {
-        let mut world = PhysicsWorld {
-            gravity: Vector::new(0.0, 0.0, -9.80665),
-            integration_parameters: IntegrationParameters {
-                dt: step,
-                num_solver_iterations: substeps,
-                ..IntegrationParameters::default()
-            },
-            ..PhysicsWorld::default()
-        };
+        let mut world = empty(Vector::new(0.0, 0.0, -9.80665), step, substeps);
         let [i, j, k, real]: [f64; 4] = start.attitude.coords.into();
         let rotation = rapier3d_f64::math::Rotation::from_xyzw(i, j, k, real);
         let angular_velocity = start.attitude * start.angular_velocity;
@@ -70,6 +75,11 @@ fn vector(v: &Vector3<f64>) -> Vector {
 }
 
 pub fn measure(table: &mut Table) {
+    one_body(table);
+    two_arms(table);
+}
+
+fn one_body(table: &mut Table) {
     let body = General::<f64>::default();
     let unpushed = GeneralInput::default();
     let start = state(0.7);
@@ -108,6 +118,123 @@ pub fn measure(table: &mut Table) {
         );
         black_box((&state, world.state()));
         let what = format!("a step of cf4, against rapier, substeps: {substeps}");
+        table.row(what, times, None);
+    }
+}
+
+rigid_system!(Arms {
+    doc: "The double pendulum of the examples.",
+    motion: planar,
+    bodies: [
+        upper {
+            mass: 1.2[kg],
+            inertia: 0.04[kg * m ^ 2],
+            points: [hinge = (-0.28, 0)[m], tip = (0.32, 0)[m]],
+        },
+        lower {
+            mass: 0.8[kg],
+            inertia: 0.015[kg * m ^ 2],
+            points: [hinge = (-0.22, 0)[m]]
+        },
+    ],
+    joints: [
+        shoulder = revolute(world(0, 0), upper.hinge),
+        elbow = revolute(upper.tip, lower.hinge),
+    ],
+    fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+});
+
+/// The same arms as a multibody, which begins with all its angles zero.
+struct Multibody {
+    world: PhysicsWorld,
+    arms: [RigidBodyHandle; 2],
+}
+
+impl Multibody {
+    fn new(step: f64, substeps: usize) -> Self {
+        let mut world = empty(Vector::new(0.0, -9.80665, 0.0), step, substeps);
+        let mut carrier = world.insert_body(RigidBodyBuilder::fixed());
+        let mut anchor = 0.0;
+        // mass, inertia, and where the hinge and the tip are
+        let arms = [(1.2, 0.04, -0.28, 0.32, 0.28), (0.8, 0.015, -0.22, 0.0, 0.82)];
+        let arms = arms.map(|(mass, inertia, hinge, tip, center)| {
+            let moments = Vector::new(inertia, inertia, inertia);
+            let arm = RigidBodyBuilder::dynamic()
+                .translation(Vector::new(center, 0.0, 0.0))
+                .can_sleep(false)
+                .additional_mass_properties(MassProperties::new(Vector::ZERO, mass, moments));
+            let arm = world.insert_body(arm);
+            let joint = RevoluteJointBuilder::new(Vector::Z)
+                .local_anchor1(Vector::new(anchor, 0.0, 0.0))
+                .local_anchor2(Vector::new(hinge, 0.0, 0.0));
+            world.insert_multibody_joint(carrier, arm, joint);
+            (carrier, anchor) = (arm, tip);
+            arm
+        });
+        Self { world, arms }
+    }
+
+    /// Angles of the arms in the world, and their rates.
+    fn state(&self) -> [f64; 4] {
+        let [upper, lower] = self.arms.map(|arm| &self.world.bodies[arm]);
+        let angle = |arm: &rapier3d_f64::prelude::RigidBody| arm.rotation().to_scaled_axis().z;
+        [angle(upper), angle(lower), upper.angvel().z, lower.angvel().z]
+    }
+}
+
+fn in_world(state: &ArmsState) -> [f64; 4] {
+    let (shoulder, elbow) = (state.shoulder, state.elbow);
+    [
+        shoulder.angle,
+        shoulder.angle + elbow.angle,
+        shoulder.angular_velocity,
+        shoulder.angular_velocity + elbow.angular_velocity,
+    ]
+}
+
+/// The largest difference; angles are up to whole turns.
+fn between(one: [f64; 4], other: [f64; 4]) -> f64 {
+    let turn = core::f64::consts::TAU;
+    let differences = (0..4).map(|k| {
+        let difference = one[k] - other[k];
+        let turns = if k < 2 { (difference / turn).round() } else { 0.0 };
+        (difference - turns * turn).abs()
+    });
+    differences.fold(0.0, f64::max)
+}
+
+fn two_arms(table: &mut Table) {
+    let arms = Arms::default();
+    let start = ArmsState::default();
+    let exact = in_world(&arms.integrate(&start).tolerance(1e-13).to(1.0).expect("it moves"));
+    println!("errors of two arms after 1 s: rad, rad/s, the largest");
+    for (steps, step) in [(100, 1e-2), (1000, 1e-3), (10_000, 1e-4)] {
+        let cf4 = integrate::cf4(&arms, &start, &(), 0.0..1.0, steps);
+        let errors = [1, 4].map(|substeps| {
+            let mut multibody = Multibody::new(step, substeps);
+            for _ in 0..steps {
+                multibody.world.step();
+            }
+            between(multibody.state(), exact)
+        });
+        println!(
+            "  steps of {step:.0e} s: cf4 {:.1e}, rapier with 1 substep {:.1e}, with 4 {:.1e}",
+            between(in_world(&cf4), exact),
+            errors[0],
+            errors[1]
+        );
+    }
+    for substeps in [1, 4] {
+        let step = black_box(1e-3);
+        let mut state = start;
+        let mut multibody = Multibody::new(step, substeps);
+        let times = paired(
+            1,
+            || state = integrate::cf4_step(&arms, 0.0, &state, &(), step),
+            || multibody.world.step(),
+        );
+        black_box((&state, multibody.state()));
+        let what = format!("two arms, a step of cf4, against rapier's multibody, substeps: {substeps}");
         table.row(what, times, None);
     }
 }

@@ -18,6 +18,7 @@ macro_rules! examples {
 
 examples! {
     apollo "../../examples/apollo.rs";
+    attitude_filter "../../examples/attitude_filter.rs";
     auv "../../examples/auv.rs";
     compound_pendulum "../../examples/compound_pendulum.rs";
     crane "../../examples/crane.rs";
@@ -67,6 +68,7 @@ macro_rules! bodies {
 pub const BODIES: &[Body] = bodies![
     apollo::AsProducts,
     apollo::AsTensor,
+    attitude_filter::Satellite,
     auv::Auv,
     compound_pendulum::Pendulum,
     crane::Crane,
@@ -139,6 +141,17 @@ impl Somewhere for Spatial {
             attitude,
             velocity: Vector3::new(0.7, 1.1, -0.4),
             angular_velocity,
+        }
+    }
+}
+
+impl Somewhere for attitude_filter::SatelliteState {
+    fn somewhere() -> Self {
+        Self {
+            motion: Rotation::somewhere(),
+            bias_x: 1e-3,
+            bias_y: -2e-3,
+            bias_z: 3e-3,
         }
     }
 }

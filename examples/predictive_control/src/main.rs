@@ -1,0 +1,218 @@
+//! A cart that carries a pole upright to another place, under model-predictive control: the motor pushes 4 N at most.
+//!
+//! Twenty times a second the forces of the next second are chosen anew, of which the first acts. They minimise
+//!
+//! ```text
+//! sum of x.W x + r u^2  +  x_N.S x_N,    x_(k+1) = P x_k + q u_k,    |u_k| <= 4 N
+//! ```
+//!
+//! P and q follow from the description by `linearize` and `discretized`, S is what the motion costs from there on, by
+//! Riccati's equation. With the states written as sums of the forces this is a quadratic program in the forces alone, and
+//! the crate `clarabel` solves it. What moves is the whole system, not its linearisation.
+//!
+//! To be checked: the bound holds, and is reached; each solution satisfies the conditions of Karush, Kuhn and Tucker; where
+//! no bound is near, the force is that of the linear-quadratic regulator; the pole stands at the new place. The regulator
+//! alone, its force cut off at the bound, lets it fall.
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, SupportedConeT,
+};
+use newton_euler::nalgebra::{RowSVector, SMatrix, SVector};
+use newton_euler::prelude::*;
+
+rigid_system!(CartPole {
+    doc: "A pole on a pin of a cart that runs on a rail; angles are from the upright.",
+    motion: planar,
+    inputs: [force[N]],
+    bodies: [
+        cart {
+            mass: 0.8[kg],
+            inertia: 0.01[kg * m ^ 2]
+        },
+        pole {
+            mass: 0.2[kg],
+            inertia: 0.006[kg * m ^ 2],
+            points: [pin = (0, -0.3)[m]]
+        },
+    ],
+    joints: [
+        rail = prismatic(world(0, 0), cart.G, body(1, 0)),
+        hinge = revolute(cart.G, pole.pin),
+    ],
+    fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    drives: [motor = force.on(rail)],
+    outputs: [linearization],
+});
+
+const PERIOD: f64 = 0.05;
+const HORIZON: usize = 20;
+/// The motor pushes so much at most [N].
+const MOST: f64 = 4.0;
+const EFFORT: f64 = 0.1;
+
+type States = SMatrix<f64, 4, 4>;
+type State = SVector<f64, 4>;
+type Forces = SVector<f64, HORIZON>;
+type Hessian = SMatrix<f64, HORIZON, HORIZON>;
+
+/// W: of place, angle and their rates.
+fn weights() -> States {
+    States::from_diagonal(&State::new(10.0, 10.0, 1.0, 1.0))
+}
+
+/// S, and the gains of the regulator u = -k x that has no bounds.
+fn regulator(p: &States, q: &State) -> (States, RowSVector<f64, 4>) {
+    let mut s = weights();
+    for _period in 0..2000 {
+        let gains = q.transpose() * s * p / (EFFORT + q.dot(&(s * q)));
+        s = weights() + p.transpose() * s * (p - q * gains);
+    }
+    (s, q.transpose() * s * p / (EFFORT + q.dot(&(s * q))))
+}
+
+/// The quadratic program: half of u.H u + u.G x is to be least.
+struct Program {
+    hessian: Hessian,
+    slopes: SMatrix<f64, HORIZON, 4>,
+}
+
+impl Program {
+    /// The state after k periods is `P^k x + sum of P^(k-1-j) q u_j`.
+    fn new(p: &States, q: &State, s: &States) -> Self {
+        let mut free = States::identity();
+        let mut pushed = SMatrix::<f64, 4, HORIZON>::zeros();
+        let (mut hessian, mut slopes) = (Hessian::identity() * EFFORT, SMatrix::zeros());
+        for k in 1..=HORIZON {
+            free = p * free;
+            pushed = p * pushed;
+            pushed.set_column(k - 1, q);
+            let weights = if k == HORIZON { *s } else { weights() };
+            hessian += pushed.transpose() * weights * pushed;
+            slopes += pushed.transpose() * weights * free;
+        }
+        Self { hessian, slopes }
+    }
+
+    /// The forces from a state on.
+    fn solve(&self, x: &State) -> Forces {
+        let linear: Vec<f64> = (self.slopes * x).iter().copied().collect();
+        // u <= MOST, -u <= MOST
+        let rows = Hessian::identity();
+        let bounds: Vec<[f64; HORIZON]> = [rows, -rows]
+            .iter()
+            .flat_map(|rows| rows.row_iter().map(|row| row.transpose().into()))
+            .collect();
+        let upper: Vec<[f64; HORIZON]> = (self.hessian.upper_triangle().row_iter())
+            .map(|row| row.transpose().into())
+            .collect();
+        let cones: [SupportedConeT<f64>; 1] = [NonnegativeConeT(2 * HORIZON)];
+        let settings = DefaultSettings {
+            verbose: false,
+            tol_gap_abs: 1e-12,
+            tol_gap_rel: 1e-12,
+            tol_feas: 1e-12,
+            ..DefaultSettings::default()
+        };
+        let mut solver = DefaultSolver::new(
+            &CscMatrix::from(&upper),
+            &linear,
+            &CscMatrix::from(&bounds),
+            &[MOST; 2 * HORIZON],
+            &cones,
+            settings,
+        )
+        .expect("sizes fit");
+        solver.solve();
+        assert_eq!(solver.solution.status, SolverStatus::Solved);
+        Forces::from_column_slice(&solver.solution.x)
+    }
+
+    /// How far forces are from those that minimise: the gradient, as far as no bound stands against it.
+    fn residual(&self, x: &State, forces: &Forces) -> f64 {
+        let gradient = self.hessian * forces + self.slopes * x;
+        let moved =
+            (forces - gradient / self.hessian[(0, 0)]).map(|force| force.clamp(-MOST, MOST));
+        (moved - forces).amax()
+    }
+}
+
+/// How far a state is from the pole upright at the new place.
+fn off(state: &CartPoleState) -> State {
+    let (rail, hinge) = (&state.rail, &state.hinge);
+    State::new(
+        rail.position,
+        hinge.angle,
+        rail.velocity,
+        hinge.angular_velocity,
+    )
+}
+
+/// How the cart goes from 1.5 m beside the place, under a controller of the force, and what was asked at each instant.
+fn drive<L>(
+    system: &CartPole,
+    mut controller: impl FnMut(&State) -> (f64, L),
+) -> (Vec<(f64, State, L)>, State) {
+    let rail = Slide {
+        position: -1.5,
+        velocity: 0.0,
+    };
+    let start = CartPoleState {
+        rail,
+        ..CartPoleState::default()
+    };
+    let mut log = Vec::new();
+    let motion = system.integrate(&start).control(PERIOD, |time, state| {
+        let x = off(state);
+        let (force, told) = controller(&x);
+        log.push((time, x, told));
+        CartPoleInput { force }
+    });
+    let end = off(&motion.to(5.0).expect("it moves"));
+    (log, end)
+}
+
+fn main() {
+    let system = CartPole::default();
+    let free = CartPoleInput { force: 0.0 };
+    let upright = system.linearize(0.0, &CartPoleState::default(), &free);
+    let (p, q) = upright.discretized(PERIOD);
+    let (s, gains) = regulator(&p, &q);
+    let program = Program::new(&p, &q, &s);
+
+    let (log, end) = drive(&system, |x| {
+        let forces = program.solve(x);
+        (forces[0], forces)
+    });
+    println!("  t/s    off/m   tilt/°   force/N");
+    let (mut bound, mut regulated) = (0, 0);
+    for (step, (time, x, forces)) in log.iter().enumerate() {
+        let force = forces[0];
+        if step % 4 == 0 {
+            let (place, tilt) = (x[0], x[1].to_degrees());
+            println!("{time:5.2} {place:8.4} {tilt:8.3} {force:9.5}");
+        }
+        assert!(forces.amax() < MOST + 1e-9);
+        assert!(program.residual(x, forces) < 1e-5);
+
+        if force.abs() > 0.999 * MOST {
+            bound += 1;
+        }
+        if forces.amax() < 0.9 * MOST {
+            regulated += 1;
+            assert!((force + (gains * x)[0]).abs() < 1e-5);
+        }
+    }
+    println!(
+        "{bound} of {} forces at their bound, {regulated} by the regulator",
+        log.len()
+    );
+    assert!(bound >= 5 && regulated >= 50);
+    println!("after 5 s off by {:.0e} m and {:.0e} rad", end[0], end[1]);
+    assert!(end.amax() < 1e-3);
+
+    let (_, end) = drive(&system, |x| ((-(gains * x)[0]).clamp(-MOST, MOST), ()));
+    let tilt = end[1].to_degrees();
+    println!("the regulator with its force cut off at 4 N ends at {tilt:.0}°: the pole has fallen");
+    assert!(tilt.abs() > 90.0);
+}

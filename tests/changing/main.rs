@@ -1,5 +1,16 @@
 //! Mass and inertia that change, beside closed forms and laws by hand.
 
+#[path = "../systems/balances.rs"]
+mod balances;
+#[allow(dead_code, reason = "not every joint is here")]
+#[path = "../systems/compare.rs"]
+mod compare;
+mod linkages;
+#[allow(dead_code, reason = "not every load is here")]
+#[path = "../systems/oracle.rs"]
+mod oracle;
+mod systems;
+
 use nalgebra::Vector3;
 use newton_euler::ensemble::Ensemble;
 use newton_euler::integrate::{Classical4, DormandPrince, Fixed, IntegrationError};

@@ -1,11 +1,9 @@
 //! A description, read in order: what it declares, the body, its loads.
 
 use crate::errors::{Errors, every};
-use crate::lower::definitions::{INVERSE, LINEARIZATION, check_names, unused};
+use crate::lower::definitions::{INVERSE, LINEARIZATION, check_changing, check_names, unused};
 use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
-use crate::model::{
-    Declared, Drawn, ENTRIES, Labels, Meaning, Model, Outline, Substance, Workspace, state_symbols,
-};
+use crate::model::{Declared, Drawn, ENTRIES, Labels, Model, Outline, Workspace, state_symbols};
 use crate::syntax::{self, Description};
 
 /// Gives a description its meaning. `None` if anything was wrong with it.
@@ -38,8 +36,12 @@ pub fn lower_description(
     let mass = lowering.definitions(description, &defaults);
     let inertia = lowering.inertia(description, mass, &defaults);
     if let Some(inertia) = inertia {
-        let mass = mass.known();
-        lowering.check_of_state(Substance { mass, inertia }, outline);
+        let known = [
+            inertia.distinct_entries(),
+            mass.known().into_iter().collect(),
+        ]
+        .concat();
+        check_changing(lowering.work, &known, outline, lowering.errors);
     }
     let potentials = lowering.potentials(description);
     let [unknown, driving, known] = loads_by_kind(description);
@@ -84,34 +86,6 @@ pub fn lower_description(
     };
     name_properties(&model, &mut work.labels);
     Some((model, work))
-}
-
-/// Outputs that are of a state alone, and know no time.
-const OF_STATE: [&str; 2] = ["energy", "momentum"];
-
-impl Lowering<'_> {
-    /// What is asked of a state alone follows from it.
-    fn check_of_state(&mut self, substance: Substance, outline: &Outline) {
-        let known = [
-            substance.inertia_entries(),
-            substance.mass.into_iter().collect(),
-        ]
-        .concat();
-        let is_time = |id| self.work.meaning(id) == Some(Meaning::Time);
-        if !self.work.graph.depends_on(&known, is_time) {
-            return;
-        }
-        for (word, place) in OF_STATE
-            .iter()
-            .filter_map(|word| Some((word, outline.place(word)?)))
-        {
-            let message = format!(
-                "`{word}` is that of a state, and mass or inertia follow `t`: make it one of the `states`, \
-                 `states: [clock[s]], rates: [clock = 1]`"
-            );
-            self.errors.push(place, message);
-        }
-    }
 }
 
 /// The loads that are no fields: unknown reactions, unknown drives, and those that are known.

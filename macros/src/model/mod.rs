@@ -75,17 +75,9 @@ impl Model {
         Some(support.direction.unwrap_or(z))
     }
 
-    /// What the body is made of.
-    pub fn substance(&self) -> Substance {
-        Substance {
-            mass: self.mass,
-            inertia: self.inertia,
-        }
-    }
-
     /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the one of a planar body.
     pub fn inertia_entries(&self) -> Vec<Id> {
-        self.substance().inertia_entries()
+        self.inertia.distinct_entries()
     }
 }
 

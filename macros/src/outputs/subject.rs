@@ -33,7 +33,7 @@ pub trait Subject: Sized + 'static {
     fn equated(&self, outline: &Outline, equations: &Self::Equations) -> Equated;
 
     /// What its bodies are made of.
-    fn substances(&self) -> Vec<Substance>;
+    fn substances(&self, outline: &Outline) -> Vec<Substance>;
 
     /// What its links and cables are made with.
     fn properties(&self) -> &[Property];
@@ -145,8 +145,14 @@ impl Subject for Model {
         }
     }
 
-    fn substances(&self) -> Vec<Substance> {
-        vec![self.substance()]
+    fn substances(&self, outline: &Outline) -> Vec<Substance> {
+        let (mass, inertia) = (self.mass, self.inertia);
+        let name = outline.name.to_string();
+        vec![Substance {
+            name,
+            mass,
+            inertia,
+        }]
     }
 
     fn properties(&self) -> &[Property] {
@@ -262,8 +268,9 @@ impl Subject for System {
         }
     }
 
-    fn substances(&self) -> Vec<Substance> {
+    fn substances(&self, _: &Outline) -> Vec<Substance> {
         let bodies = self.bodies.iter().map(|body| Substance {
+            name: body.name.to_string(),
             mass: Some(body.mass),
             inertia: body.inertia,
         });

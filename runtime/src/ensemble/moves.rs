@@ -145,6 +145,15 @@ fn end_alone<B: Generic, M: Method<B>>(
     Ok(course.run.state())
 }
 
+/// Whether there is a body of the mass and the inertia that a member has at a time.
+fn is_possible<B: Generic>(ensemble: &Ensemble<B>, index: usize, time: f64) -> bool {
+    let Ensemble {
+        states, members, ..
+    } = ensemble;
+    let (body, input) = (members.body(index), members.inputs.get(index));
+    body.possible(time, &states.get(index), &input).is_ok()
+}
+
 /// Puts members where they came to; returns those that came to no end.
 fn put<S: Columns<f64>>(
     states: &mut Blocks<S>,
@@ -199,6 +208,7 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
     observer: impl Fn(f64) + Sync,
 ) -> Vec<MemberError<B::State>> {
     let count = ensemble.len();
+    let before = B::CHANGES.then(|| ensemble.states.clone());
     let left: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
     let done = Done::of(count, observer);
     if times.start.is_finite() && times.end.is_finite() {
@@ -226,9 +236,18 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
             one.store(true, Ordering::Relaxed);
         }
     }
-    let left = left.iter().enumerate();
-    let left = left.filter(|(_, is_left)| is_left.load(Ordering::Relaxed));
-    let left: Vec<usize> = left.map(|(index, _)| index).collect();
+    let mut left: Vec<usize> = (0..count)
+        .filter(|index| left[*index].load(Ordering::Relaxed))
+        .collect();
+    if let Some(before) = before {
+        let ended = (0..count).filter(|index| !is_possible(ensemble, *index, times.end));
+        left.extend(ended);
+        left.sort_unstable();
+        left.dedup();
+        for index in &left {
+            ensemble.states.set(*index, &before.get(*index));
+        }
+    }
     let ends = indices(left.len()).map(|number| {
         let index = left[number];
         (index, end_alone(ensemble, method, index, times, limits))
@@ -323,14 +342,12 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             limits,
         };
         in_lanes(&plan, steps, ensemble.width, &mut ensemble.states, &done);
-        let is_lost = |state: B::State| {
-            let coordinates = state.coordinates();
-            !coordinates.as_ref().iter().sum::<f64>().is_finite()
+        let is_lost = |index: &usize| {
+            let coordinates = ensemble.states.get(*index).coordinates();
+            let is_finite = coordinates.as_ref().iter().sum::<f64>().is_finite();
+            !is_finite || B::CHANGES && !is_possible(ensemble, *index, end)
         };
-        let ends = ensemble.states.iter().enumerate();
-        let lost: Vec<usize> = ends
-            .filter_map(|(index, end)| is_lost(end).then_some(index))
-            .collect();
+        let lost: Vec<usize> = (0..before.len()).filter(is_lost).collect();
         for index in &lost {
             ensemble.states.set(*index, &before.get(*index));
         }

@@ -23,9 +23,9 @@ pub fn check_finite<T: Scalar>(params: &[(&'static str, T)]) -> Result<(), Inval
 ///
 /// # Errors
 /// [`InvalidBody::Mass`].
-pub fn check_mass<T: Scalar>(value: T) -> Result<(), InvalidBody> {
+pub fn check_mass<T: Scalar>(body: &'static str, value: T) -> Result<(), InvalidBody> {
     match find(value, |value| !is_positive(value)) {
-        Some(value) => Err(InvalidBody::Mass { value }),
+        Some(value) => Err(InvalidBody::Mass { body, value }),
         None => Ok(()),
     }
 }
@@ -34,9 +34,9 @@ pub fn check_mass<T: Scalar>(value: T) -> Result<(), InvalidBody> {
 ///
 /// # Errors
 /// [`InvalidBody::PlanarInertia`].
-pub fn check_planar_inertia<T: Scalar>(value: T) -> Result<(), InvalidBody> {
+pub fn check_planar_inertia<T: Scalar>(body: &'static str, value: T) -> Result<(), InvalidBody> {
     match find(value, |value| !is_positive(value)) {
-        Some(value) => Err(InvalidBody::PlanarInertia { value }),
+        Some(value) => Err(InvalidBody::PlanarInertia { body, value }),
         None => Ok(()),
     }
 }
@@ -67,11 +67,11 @@ pub fn check_property<T: Scalar>(
 ///
 /// # Errors
 /// [`InvalidBody::Inertia`] with the violated condition.
-pub fn check_inertia<T: Scalar>(entries: [T; 6]) -> Result<(), InvalidBody> {
+pub fn check_inertia<T: Scalar>(body: &'static str, entries: [T; 6]) -> Result<(), InvalidBody> {
     for lane in 0..T::LANES {
         let [xx, yy, zz, xy, yz, zx] = entries.map(|entry| entry.lane(lane));
         let matrix = Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz);
-        check_turning(&matrix, T::EPSILON)?;
+        check_turning(&matrix, T::EPSILON).map_err(|error| InvalidBody::Inertia { body, error })?;
     }
     Ok(())
 }

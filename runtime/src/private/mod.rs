@@ -74,6 +74,6 @@ pub use path::{
     axial_torque, lagrange_top, principal_axes, principal_rotation, rotation_about, rotation_along,
     symmetric_rotation,
 };
-pub use pivots::{determined, reciprocal};
+pub use pivots::{determined, positive, reciprocal};
 pub use projection::{Row, Size, check, project};
 pub use tables::{constant, table};

@@ -1,4 +1,4 @@
-//! Divisors that depend on the configuration.
+//! Divisors that depend on the configuration, and what is positive.
 
 use crate::bodies::body::Singular;
 use crate::numbers::scalar::Scalar;
@@ -39,4 +39,12 @@ pub fn determined<T: Scalar>(divisor: T, scale: T) -> T {
         reciprocal,
         divisor.constant(f64::NAN, f32::NAN),
     )
+}
+
+/// What is positive, as a mass is; where it is not, it is not a number.
+#[inline(always)]
+#[must_use]
+pub fn positive<T: Scalar>(value: T) -> T {
+    let zero = value.constant(0.0, 0.0);
+    T::select(zero.less(value), value, value.constant(f64::NAN, f32::NAN))
 }

@@ -8,12 +8,13 @@ rigid_body!(Drone {
     inertia: principal(0.02, 0.03, 0.04 * attitude.w)[kg * m ^ 2],
 });
 
-// in systems it is fixed
+// and in systems
 rigid_system!(Arm {
     motion: planar,
     states: [fuel[kg]],
     rates: [fuel = -0.1[kg / s]],
-    bodies: [rod { mass: 2[kg] + fuel, inertia: 0.3[kg * m ^ 2] }],
+    inputs: [supply[kg]],
+    bodies: [rod { mass: 2[kg] + fuel + supply, inertia: 0.3[kg * m ^ 2] }],
     joints: [hinge = revolute(world(0, 0), rod.G)],
 });
 

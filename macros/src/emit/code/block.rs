@@ -98,6 +98,7 @@ impl Block<'_> {
             }
             Node::Divide(..) => (None, "ratio"),
             Node::Pivot(..) => (None, "reciprocal"),
+            Node::Positive(_) => (None, "positive"),
             Node::Foreign(function, _) => {
                 let functions = &self.writer.work.functions;
                 (functions[function.number()].word(function), "value")

@@ -84,6 +84,10 @@ impl Block<'_> {
                 (self.foreign_call(function, &arguments), Precedence::Atom)
             }
             Node::Pivot(divisor, scale) => (self.guarded(id, divisor, scale), Precedence::Atom),
+            Node::Positive(a) => {
+                let (private, a) = (&self.writer.shapes.private, self.value(a));
+                (quote!(#private::positive(#a)), Precedence::Atom)
+            }
             Node::Select(condition, a, b) => {
                 let [condition, a, b] = [condition, a, b].map(|id| self.value(id));
                 // alone on the right of a statement, or in parentheses

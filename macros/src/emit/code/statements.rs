@@ -34,12 +34,20 @@ pub struct Facts {
     pub has_notes: bool,
     /// Whether numbers are compared for equality.
     pub has_equality: bool,
-    /// Whether it divides by what may vanish.
-    pub has_pivots: bool,
+    pub guards: Guards,
     /// The statements as text, for documentation.
     pub text: Vec<String>,
     /// What was asked for as text.
     pub output_text: Vec<String>,
+}
+
+/// What code looks at, and gives no number if it is not so.
+#[derive(Clone, Copy, Default)]
+pub struct Guards {
+    /// Whether it divides by what may vanish.
+    pub pivots: bool,
+    /// Whether what is positive, as masses are, changes.
+    pub positives: bool,
 }
 
 /// One statement: what is assigned, its value, and what is said of it.
@@ -101,7 +109,10 @@ impl Writer<'_> {
             output_text: outputs.iter().map(to_text).collect(),
             cost: graph.cost(&program.nodes),
             has_notes: !block.noted.is_empty(),
-            has_pivots: has(|node| matches!(node, Node::Pivot(..))),
+            guards: Guards {
+                pivots: has(|node| matches!(node, Node::Pivot(..))),
+                positives: has(|node| matches!(node, Node::Positive(_))),
+            },
             has_equality: has(|node| {
                 matches!(
                     node,

@@ -53,12 +53,17 @@ pub fn to_text(tokens: &TokenStream) -> String {
         }
     }
     // `$crate::private::math::sin(x)` and `self.inverse_mass` are read better without their paths
+    let functions = without_path(&text, "private::math::");
+    without_path(&functions, "private::").replace("self.", "")
+}
+
+/// Without a path that ends so, wherever it begins.
+fn without_path(text: &str, end: &str) -> String {
     let is_path = |c: char| c.is_alphanumeric() || matches!(c, '_' | ':' | '$');
-    let mut parts: Vec<&str> = text.split("private::math::").collect();
+    let mut parts: Vec<&str> = text.split(end).collect();
     let last = parts.pop().unwrap_or_default();
     let before = parts.iter().map(|part| part.trim_end_matches(is_path));
-    let text = before.collect::<String>() + last;
-    text.replace("self.", "")
+    before.collect::<String>() + last
 }
 
 fn reversed(tokens: TokenStream) -> Vec<TokenTree> {

@@ -8,6 +8,8 @@ use crate::emit::code::{Fields, Names, PRINCIPAL_AXES, Writer, local, to_text};
 use crate::model::{AXES, Meaning, Outline, Property, Substance, Workspace};
 use crate::symbolic::{Cost, Id, Stage};
 
+use super::possible::Checked;
+
 /// All expressions that code is generated for.
 pub struct Roots {
     /// Those that have to be finite.
@@ -93,13 +95,9 @@ impl Constructor {
             ..Writer::new(outline, work, Fields::NONE)
         };
         let is_open = |id: &Id| work.graph.stage(*id) == Stage::Parameter;
-        let mass = bodies.iter().filter_map(|body| body.mass);
-        let mass: Vec<Id> = mass.filter(is_open).collect();
-        let inertia = bodies.iter().map(Substance::inertia_entries);
-        let open: Vec<Vec<Id>> = inertia
-            .filter(|entries| entries.iter().any(is_open) && work.graph.are_early(entries))
-            .collect();
-        let inertia = open.concat();
+        let checked = Checked::of(bodies, |ids| {
+            ids.iter().any(is_open) && work.graph.are_early(ids)
+        });
         let tensor = roots.tensor.filter(|_| outline.scalar.is_none());
         let tensor: Vec<Id> = tensor.into_iter().flatten().collect();
         let properties = roots.properties.iter();
@@ -107,16 +105,10 @@ impl Constructor {
         let properties: Vec<&Property> = properties.collect();
         let made_with = properties.iter().map(|property| property.value).collect();
         let stored = fields.0.iter().map(|(id, _)| *id).collect();
-        let all = [
-            mass.clone(),
-            inertia.clone(),
-            made_with,
-            tensor.clone(),
-            stored,
-        ];
+        let possible = checked.values();
+        let all = [possible.clone(), made_with, tensor.clone(), stored];
         let code = writer.function(&all.concat());
-        let (mass, values) = code.outputs.split_at(mass.len());
-        let (inertia, values) = values.split_at(inertia.len());
+        let (possible, values) = code.outputs.split_at(possible.len());
         let (made_with, values) = values.split_at(properties.len());
         let (tensor, values) = values.split_at(tensor.len());
 
@@ -126,7 +118,7 @@ impl Constructor {
         let text = [constants_text(work), code.facts.text, text_of_rest].concat();
         let private = &writer.shapes.private;
         let (finite, statements) = (finite_checks(outline), code.statements);
-        let possible = check_possible(&open, mass, inertia, private);
+        let possible = checked.emit(possible, private);
         let made = check_properties(&properties, made_with, private);
         let derived = check_derived(work, roots, fields, private);
         let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
@@ -194,25 +186,6 @@ fn let_fields(
         (statement, format!("{name} = {text}"))
     });
     both.unzip()
-}
-
-/// Whether there is a body of this mass and inertia, as far as parameters decide it.
-fn check_possible(
-    open: &[Vec<Id>],
-    mass: &[TokenStream],
-    inertia: &[TokenStream],
-    private: &TokenStream,
-) -> TokenStream {
-    let mut rest = inertia;
-    let inertia = open.iter().map(|entries| {
-        let (own, others) = rest.split_at(entries.len());
-        rest = others;
-        match own {
-            [moment] => quote!(#private::check_planar_inertia(#moment)?;),
-            entries => quote!(#private::check_inertia([#(#entries),*])?;),
-        }
-    });
-    quote!(#(#private::check_mass(#mass)?;)* #(#inertia)*)
 }
 
 /// Whether links and cables can be made with what parameters decide of them.

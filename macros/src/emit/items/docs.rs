@@ -37,13 +37,16 @@ impl Documentation {
         let costs: Vec<_> = stored.into_iter().chain(evaluated).collect();
         let text = equations_text(acceleration, constructor);
         let mut lines = lines(outline, &text, &costs, report);
-        if acceleration.facts.has_pivots {
-            let singular = singular(outline);
-            lines.extend(quote! {
-                #[doc = ""]
-                #[doc = " # Singular configurations"]
-                #[doc = #singular]
-            });
+        let guards = acceleration.facts.guards;
+        let singular = [
+            guards.pivots.then(|| singular(outline)),
+            guards.positives.then_some(CHANGING),
+        ];
+        if guards.pivots || guards.positives {
+            lines.extend(quote!(#[doc = ""] #[doc = " # Singular configurations"]));
+        }
+        for remark in singular.into_iter().flatten() {
+            lines.extend(quote!(#[doc = ""] #[doc = #remark]));
         }
         for remark in &addition.remarks {
             lines.extend(quote!(#[doc = ""] #[doc = #remark]));
@@ -135,6 +138,10 @@ fn spaced(line: &str) -> String {
         format!(" {line}")
     }
 }
+
+/// Where there is no acceleration, of what changes.
+const CHANGING: &str =
+    " Where the mass or an inertia, which change, is not positive, `acceleration` is not a number.";
 
 /// Where there is no acceleration, of what is divided by a number that may vanish.
 fn singular(outline: &Outline) -> &'static str {

@@ -6,6 +6,7 @@ mod constructor;
 mod docs;
 mod foreign;
 mod open;
+mod possible;
 mod record;
 mod rigid_body;
 mod structs;

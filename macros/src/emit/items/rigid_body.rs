@@ -8,6 +8,8 @@ use crate::mechanics::{Partial, Switch};
 use crate::model::Substance;
 use crate::symbolic::{Id, Number};
 
+use super::possible::Checked;
+
 /// The accelerations, and when they change; in the order in which the state has them.
 pub struct Equated {
     pub accelerations: Vec<Id>,
@@ -109,35 +111,25 @@ fn emit_lost_load(site: &Site<'_>, partial: &[Partial]) -> Option<TokenStream> {
     Some(quote!(#[cold] #method))
 }
 
-/// `check_mass(mass)?; check_inertia([xx, ..])?;` of what changes in the course of a motion.
+/// `check_mass("Body", mass)?; ..` of what changes in the course of a motion.
 fn emit_possible(site: &Site<'_>, bodies: &[Substance]) -> Option<TokenStream> {
     let method = site.method(Some(bodies), |writer, bodies| {
         let graph = &writer.work.graph;
-        let changes = |ids: &[Id]| !graph.are_early(ids);
-        let mass = bodies.iter().filter_map(|body| body.mass);
-        let mass: Vec<Id> = mass.filter(|mass| changes(&[*mass])).collect();
-        let inertia = bodies.iter().map(Substance::inertia_entries);
-        let inertia: Vec<Vec<Id>> = inertia.filter(|entries| changes(entries)).collect();
-        if mass.is_empty() && inertia.is_empty() {
+        let checked = Checked::of(bodies, |ids| !graph.are_early(ids));
+        if checked.is_empty() {
             return Method::default();
         }
-        let outputs = [mass.clone(), inertia.concat()].concat();
+        // what is said of them are their values, whatever these are
+        let outputs = checked.values();
+        let outputs: Vec<Id> = outputs.into_iter().map(|id| graph.unchecked(id)).collect();
         let writer = Writer {
             is_whole: true,
             ..writer.clone()
         };
         let private = &writer.shapes.private;
         Method::write(&writer, &outputs, |values| {
-            let mass: Vec<_> = values.take(mass.len()).collect();
-            let inertia = inertia.iter().map(|entries| {
-                let entries: Vec<_> = values.take(entries.len()).collect();
-                match &entries[..] {
-                    [moment] => quote!(#private::check_planar_inertia(#moment)?;),
-                    entries => quote!(#private::check_inertia([#(#entries),*])?;),
-                }
-            });
-            let inertia: Vec<TokenStream> = inertia.collect();
-            quote!(#(#private::check_mass(#mass)?;)* #(#inertia)* ::core::result::Result::Ok(()))
+            let checks = checked.emit(values.as_slice(), private);
+            quote!(#checks ::core::result::Result::Ok(()))
         })
     });
     if method.body.is_empty() || bodies.is_empty() {
@@ -146,7 +138,7 @@ fn emit_possible(site: &Site<'_>, bodies: &[Substance]) -> Option<TokenStream> {
     let private = &site.shapes.private;
     let result = quote!(::core::result::Result<(), #private::InvalidBody>);
     let method = method.declared("possible", &site.arguments(&method, &COMMON), &result);
-    Some(quote!(#[cold] #method))
+    Some(quote!(const CHANGES: bool = true; #method))
 }
 
 /// `fn switches(..)`, if there are times at which the equations change.

@@ -149,7 +149,8 @@ impl Lowering<'_> {
                 self.work.met_still = false;
                 self.definition(*definition, description, defaults, mass);
             }
-            if follows.is_some() || self.work.met_still || self.is_late(&name) {
+            let is_late = *definition != Definition::Mass && self.is_late(&name);
+            if follows.is_some() || self.work.met_still || is_late {
                 // of a body that stands still another value is wrong than of one that moves
                 self.errors.take_back(reported);
                 self.scope.forget(&name);
@@ -163,7 +164,9 @@ impl Lowering<'_> {
     fn is_late(&self, name: &str) -> bool {
         let graph = &self.work.graph;
         match self.scope.peek(name) {
-            Some(Value::Scalar(id, _) | Value::Condition(id)) => !graph.is_early(id),
+            // what follows time and states of one's own is known before the motion
+            Some(Value::Scalar(id, _)) => self.work.follows_motion(&[id]),
+            Some(Value::Condition(id)) => !graph.is_early(id),
             Some(Value::Components(_, components, _)) => !graph.are_early(&components),
             Some(Value::Vector(vector, _) | Value::Point(Point::Moving(vector))) => {
                 !graph.are_early(&self.work.entries(&[vector]))
@@ -248,7 +251,7 @@ impl Lowering<'_> {
             Some(number) if !number.fits_f64() => {
                 self.report(value.extent, "this mass is out of the range of `f64`")
             }
-            _ => Some(mass),
+            _ => Some(self.work.graph.positive_quantity(mass)),
         }
     }
 

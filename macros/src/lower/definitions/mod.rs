@@ -1,5 +1,6 @@
 //! Parameters, inputs, points and locals, in the order of what they refer to.
 
+mod changing;
 mod checks;
 mod foreign;
 mod in_order;
@@ -10,6 +11,7 @@ mod parameters;
 mod states;
 mod support;
 
+pub use changing::check_changing;
 pub use names::{check_distinct, check_names, unused};
 pub use order::{Definition, definition_order, split_at_points};
 pub use outline::{INVERSE, LINEARIZATION, Offer, outline};

@@ -6,8 +6,7 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
 use crate::model::{
-    Composed, Defaults, Dimension, Doubtful, Drawn, Meaning, Motion, State, Vector, Workspace,
-    why_not,
+    Composed, Defaults, Dimension, Doubtful, Drawn, Motion, State, Vector, Workspace, why_not,
 };
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind};
@@ -245,29 +244,14 @@ impl Lowering<'_> {
     /// What a body is made of may change with time and with states of its own, which know nothing of
     /// how it moves; in systems it is fixed.
     pub fn check_course(&mut self, written: &Expression, ids: &[Id], rule: &str) -> Option<()> {
-        if self.members.is_system() {
-            return self.check_early(written, ids, rule);
-        }
-        let is_course = |work: &Workspace, id: Id| {
-            let meaning = work.meaning(id);
-            let is_open = matches!(meaning, Some(Meaning::Time | Meaning::Own(_)));
-            work.graph.is_early(id) || is_open
-        };
-        let work = &*self.work;
-        if !work
-            .graph
-            .depends_on(ids, |symbol| !is_course(work, symbol))
-        {
+        if !self.work.follows_motion(ids) {
             return Some(());
         }
         let mut place = written.extent;
         for name in written.names() {
             let word = name.to_string();
             let is_other = match self.scope.peek(&word) {
-                Some(Value::Scalar(id, _)) => self
-                    .work
-                    .graph
-                    .depends_on(&[id], |id| !is_course(self.work, id)),
+                Some(Value::Scalar(id, _)) => self.work.follows_motion(&[id]),
                 Some(_) => false,
                 None => word != "t" && Scope::is_changing(&word),
             };

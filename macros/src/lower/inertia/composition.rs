@@ -80,8 +80,8 @@ impl Lowering<'_> {
             self.check_composed(inertia, has_holes, &written.word, defaults)?;
         }
         Some(Composed {
-            mass,
-            inertia,
+            mass: self.work.graph.positive_quantity(mass),
+            inertia: inertia.positive(&mut self.work.graph),
             origin: Origin { first, center },
         })
     }

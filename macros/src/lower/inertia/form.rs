@@ -69,7 +69,7 @@ impl Lowering<'_> {
             }
         }
         Some(if turns {
-            draft.inertia
+            draft.inertia.positive(&mut self.work.graph)
         } else {
             Inertia::Absent
         })

@@ -18,9 +18,9 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::lower::definitions::unused;
+use crate::lower::definitions::{check_changing, unused};
 use crate::model::{Closing, Constraint, Member, Outline, System, TreeJoint, Workspace};
-use crate::symbolic::Components;
+use crate::symbolic::{Components, Id};
 use crate::syntax;
 
 use reading::body::{Draft, common_gravity};
@@ -59,6 +59,12 @@ pub fn lower_system(
     });
     let checks = reader.at_top(errors, |lowering| lowering.checks(&system.top));
     outline.unused = reader.unused(&drafts);
+    let made_of = bodies.iter().flatten().flat_map(|body| {
+        let entries = body.inertia.distinct_entries();
+        entries.into_iter().chain([body.mass])
+    });
+    let made_of: Vec<Id> = made_of.collect();
+    check_changing(&reader.work, &made_of, outline, errors);
     let (constraints, (links, lengths)) = (constraints?, reader.links(errors)?);
     let (mut bodies, mut joints, mut points, between) = (bodies?, joints?, points?, between?);
     for (body, load) in between.loads {

@@ -299,7 +299,7 @@ fn pieces_of(graph: &mut Graph, pieces: &Pieces, id: Id) -> Option<Vec<Piece>> {
     };
     let minus = graph.integer(-1);
     match *graph.node(id) {
-        Node::Quantity(a) => known(a),
+        Node::Quantity(a) | Node::Positive(a) => known(a),
         Node::Negate(a) => known(a).map(|a| scaled(graph, &a, minus)),
         Node::Add(a, b) => sums(graph, &known(a)?, &known(b)?),
         Node::Subtract(a, b) => {

@@ -87,7 +87,6 @@ fn linear_acceleration(
     let resultant = resultant(work, loads);
     let inverse_mass = work.graph.inverse_of_positive(mass);
     work.labels.name(inverse_mass, "inverse_mass");
-    work.labels.divide_for(inverse_mass, "mass".to_owned());
     let specific = work.map(resultant, |graph, force| {
         force.map(|component| graph.distribute(inverse_mass, component))
     });
@@ -156,7 +155,6 @@ fn about_axis(
     let inverse = graph.inverse_of_positive(about_axis);
     let driving = graph.dot(d, moment);
     work.labels.name(inverse, "inverse_inertia");
-    work.labels.divide_for(inverse, "inertia".to_owned());
     let zero = graph.zero();
     [zero, zero, graph.distribute(inverse, driving)]
 }

@@ -39,12 +39,7 @@ pub fn derive_flow(
              `flow`, and the motion is integrated",
         );
     }
-    let substance = model.substance();
-    let known = [
-        substance.inertia_entries(),
-        substance.mass.into_iter().collect(),
-    ]
-    .concat();
+    let known = [model.inertia_entries(), model.mass.into_iter().collect()].concat();
     if !work.graph.are_early(&known) {
         return errors.report(
             place,

@@ -185,7 +185,7 @@ fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
             Node::Compare(_, a, b) => guards.push(graph.subtract(a, b)),
             Node::Unary(function, a) if function.is_piecewise() => guards.push(a),
             Node::Binary(function, a, b) if function.is_piecewise() => guards.extend([a, b]),
-            Node::Unary(Function::Tan | Function::Ln, a) => guards.push(a),
+            Node::Unary(Function::Tan | Function::Ln, a) | Node::Positive(a) => guards.push(a),
             Node::Binary(Function::Atan2, a, b) => guards.extend([a, b]),
             Node::Divide(_, b) | Node::Pivot(b, _) => guards.push(b),
             Node::Foreign(_, arguments) => guards.extend(arguments),

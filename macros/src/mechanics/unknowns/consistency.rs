@@ -153,7 +153,7 @@ pub fn summed_size(graph: &mut Graph, value: Id) -> Id {
                 factors.push(a);
                 rest = graph.divide(rest, b);
             }
-            Node::Negate(a) | Node::Quantity(a) => factors.push(a),
+            Node::Negate(a) | Node::Quantity(a) | Node::Positive(a) => factors.push(a),
             Node::Add(..) | Node::Subtract(..) => sums.push(factor),
             _ => rest = graph.multiply(rest, factor),
         }

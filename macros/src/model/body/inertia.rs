@@ -59,6 +59,20 @@ impl Inertia {
         }
     }
 
+    /// Its moments are positive, or not numbers.
+    pub fn positive(self, graph: &mut Graph) -> Self {
+        match self {
+            Self::Absent => Self::Absent,
+            Self::Scalar(moment) => Self::Scalar(graph.positive(moment)),
+            Self::Spatial(mut rows) => {
+                for (axis, row) in rows.iter_mut().enumerate() {
+                    row[axis] = graph.positive(row[axis]);
+                }
+                Self::Spatial(rows)
+            }
+        }
+    }
+
     /// All nine entries; of what is not known, zeros.
     pub fn rows(self, graph: &mut Graph) -> [Components; 3] {
         let mut rows = [graph.zeros(); 3];
@@ -76,6 +90,15 @@ impl Inertia {
             Self::Absent => Self::Absent,
             Self::Scalar(_) => Self::Scalar(rows[2][2]),
             Self::Spatial(_) => Self::Spatial(rows),
+        }
+    }
+
+    /// The one number, or the entries xx, yy, zz, xy, yz, zx.
+    pub fn distinct_entries(self) -> Vec<Id> {
+        match self {
+            Self::Absent => Vec::new(),
+            Self::Scalar(moment) => vec![moment],
+            Self::Spatial(rows) => entries(&rows).to_vec(),
         }
     }
 

@@ -2,11 +2,12 @@
 
 use crate::symbolic::Id;
 
-use super::inertia::{Inertia, entries};
+use super::inertia::Inertia;
 
 /// Mass and inertia of a body, as far as they are known.
-#[derive(Clone, Copy)]
 pub struct Substance {
+    /// What the body is called.
+    pub name: String,
     pub mass: Option<Id>,
     pub inertia: Inertia,
 }
@@ -14,10 +15,6 @@ pub struct Substance {
 impl Substance {
     /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the one of a planar body.
     pub fn inertia_entries(&self) -> Vec<Id> {
-        match self.inertia {
-            Inertia::Absent => Vec::new(),
-            Inertia::Scalar(moment) => vec![moment],
-            Inertia::Spatial(rows) => entries(&rows).to_vec(),
-        }
+        self.inertia.distinct_entries()
     }
 }

@@ -167,6 +167,15 @@ impl Workspace {
         }
     }
 
+    /// Whether expressions depend on the motion or on inputs, and not on time and states of one's own
+    /// alone.
+    pub fn follows_motion(&self, roots: &[Id]) -> bool {
+        self.graph.depends_on(roots, |id| {
+            let is_course = matches!(self.meaning(id), Some(Meaning::Time | Meaning::Own(_)));
+            !is_course && !self.graph.is_early(id)
+        })
+    }
+
     /// Whether expressions depend on one of these variables of a motion.
     pub fn depend_on(&self, roots: &[Id], variables: &[Variable]) -> bool {
         self.graph.depends_on(roots, |id| match self.meaning(id) {

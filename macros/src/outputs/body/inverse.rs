@@ -60,9 +60,9 @@ impl Output<Model> for Inverse {
             write_open(&guarded, &record, &outline.drives, solved)
         });
         if self.0.is_none() {
-            method.facts.has_pivots = outline.has_turning_drive;
+            method.facts.guards.pivots = outline.has_turning_drive;
         }
-        let has_pivots = method.facts.has_pivots;
+        let has_pivots = method.facts.guards.pivots;
         let kind = site.fallible(site.own_type("Drives"), has_pivots);
         let arguments = [
             Source::Time,

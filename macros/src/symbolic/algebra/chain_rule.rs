@@ -20,7 +20,7 @@ pub fn change<A: Algebra>(
     }
     let d = |operand: Id| change(operand);
     match *node {
-        Node::Quantity(a) => d(a),
+        Node::Quantity(a) | Node::Positive(a) => d(a),
         Node::Negate(a) => negated(of, d(a)),
         Node::Add(a, b) => sum(of, d(a), d(b)),
         Node::Subtract(a, b) => difference(of, d(a), d(b)),

@@ -18,6 +18,7 @@ impl Graph {
                 Node::Undefined | Node::Foreign(..) => f64::NAN,
                 Node::Symbol(_) => symbol(id),
                 Node::Quantity(a) => value(a),
+                Node::Positive(a) => positive(value(a)),
                 Node::Negate(a) => -value(a),
                 Node::Add(a, b) => value(a) + value(b),
                 Node::Subtract(a, b) => value(a) - value(b),
@@ -39,6 +40,10 @@ impl Graph {
         }
         roots.iter().map(|root| values[root.index()]).collect()
     }
+}
+
+fn positive(a: f64) -> f64 {
+    if a > 0.0 { a } else { f64::NAN }
 }
 
 pub(in crate::symbolic) fn unary(function: Function, a: f64) -> f64 {

@@ -145,6 +145,14 @@ impl Algebra for Exactly {
         })
     }
 
+    fn positive(&mut self, a: &Exact) -> Exact {
+        match a {
+            Exact::Number(number) if number.is_undecided() => Exact::Undecided,
+            Exact::Number(number) if !number.is_positive() => Exact::Absent,
+            other => other.clone(),
+        }
+    }
+
     fn apply(&mut self, function: Function, arguments: &[Exact]) -> Exact {
         let numbers = arguments.iter().map(|argument| match argument {
             Exact::Number(number) => Some(number.clone()),

@@ -77,6 +77,11 @@ pub trait Algebra {
         a.clone()
     }
 
+    /// What is positive, or else has no value.
+    fn positive(&mut self, a: &Self::Value) -> Self::Value {
+        a.clone()
+    }
+
     fn pivot(&mut self, divisor: &Self::Value, _scale: &Self::Value) -> Self::Value {
         let one = self.one();
         self.divide(&one, divisor)
@@ -90,6 +95,7 @@ pub fn value<A: Algebra>(of: &mut A, node: &Node, known: impl Fn(Id) -> A::Value
         Node::Truth(holds) => of.truth(holds),
         Node::Undefined | Node::Symbol(_) => of.undefined(),
         Node::Quantity(a) => of.quantity(&known(a)),
+        Node::Positive(a) => of.positive(&known(a)),
         Node::Negate(a) => of.negate(&known(a)),
         Node::Add(a, b) => of.add(&known(a), &known(b)),
         Node::Subtract(a, b) => of.subtract(&known(a), &known(b)),

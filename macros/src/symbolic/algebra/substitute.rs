@@ -121,6 +121,10 @@ impl Algebra for Graph {
         self.quantity(*a)
     }
 
+    fn positive(&mut self, a: &Id) -> Id {
+        self.positive(*a)
+    }
+
     fn pivot(&mut self, divisor: &Id, scale: &Id) -> Id {
         self.pivot(*divisor, *scale)
     }

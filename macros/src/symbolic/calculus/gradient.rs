@@ -232,7 +232,7 @@ impl Graph {
     /// The slopes of the operands of a node that is neither a power nor a choice.
     fn pull_back(&mut self, id: Id, slope: Id) -> Vec<(Id, Id)> {
         match *self.node(id) {
-            Node::Quantity(a) => vec![(a, slope)],
+            Node::Quantity(a) | Node::Positive(a) => vec![(a, slope)],
             Node::Negate(a) => vec![(a, self.negate(slope))],
             Node::Add(a, b) => vec![(a, slope), (b, slope)],
             Node::Subtract(a, b) => vec![(a, slope), (b, self.negate(slope))],

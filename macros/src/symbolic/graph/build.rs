@@ -122,19 +122,10 @@ impl Graph {
         self.intern(Node::Pivot(divisor, scale))
     }
 
-    /// `1 / divisor` of what is positive: checked in the constructor where it is known early, and
-    /// elsewhere not a number where it is not. Then `|x| - x` is not zero, and with a factor beyond
-    /// all rounding takes the place of the size of its terms.
+    /// `1 / divisor` of what is [positive](Self::positive).
     pub fn inverse_of_positive(&mut self, divisor: Id) -> Id {
-        if self.is_early(divisor) {
-            let one = self.one();
-            return self.divide(one, divisor);
-        }
-        let size = self.apply(Function::Abs, &[divisor]);
-        let below = self.subtract(size, divisor);
-        let factor = self.integer(1 << 60);
-        let scale = self.multiply(factor, below);
-        self.intern(Node::Pivot(divisor, scale))
+        let (one, divisor) = (self.one(), self.positive(divisor));
+        self.divide(one, divisor)
     }
 
     /// The negative of `a`, if anybody made it.

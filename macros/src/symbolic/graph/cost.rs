@@ -59,7 +59,8 @@ impl Graph {
                 | Node::And(..)
                 | Node::Or(..)
                 | Node::Not(_)
-                | Node::Select(..) => cost.other += 1,
+                | Node::Select(..)
+                | Node::Positive(_) => cost.other += 1,
                 Node::Unary(..) | Node::Binary(..) | Node::Foreign(..) => cost.trig += 1,
                 Node::Number(_)
                 | Node::Truth(_)

@@ -68,6 +68,8 @@ pub enum Node {
     Symbol(Symbol),
     /// An expression that stands for itself: a statement of the code, which no rule looks into.
     Quantity(Id),
+    /// What is positive, as a mass is: where it is not, it is not a number.
+    Positive(Id),
     Negate(Id),
     Add(Id, Id),
     Subtract(Id, Id),
@@ -99,9 +101,11 @@ impl Node {
     fn operands_in_place(&self) -> ([Id; 3], usize) {
         match *self {
             Self::Number(_) | Self::Truth(_) | Self::Undefined | Self::Symbol(_) => ([ZERO; 3], 0),
-            Self::Quantity(a) | Self::Negate(a) | Self::Not(a) | Self::Unary(_, a) => {
-                ([a, ZERO, ZERO], 1)
-            }
+            Self::Quantity(a)
+            | Self::Positive(a)
+            | Self::Negate(a)
+            | Self::Not(a)
+            | Self::Unary(_, a) => ([a, ZERO, ZERO], 1),
             Self::Add(a, b)
             | Self::Subtract(a, b)
             | Self::Multiply(a, b)
@@ -137,6 +141,7 @@ impl Node {
             Self::Select(..) => (16, 0),
             Self::Pivot(..) => (17, 0),
             Self::Foreign(..) => (18, 0),
+            Self::Positive(_) => (19, 0),
         };
         let ([a, b, c], _) = self.operands_in_place();
         // three operands leave no place for more than the operation, and the 24 bits of a function

@@ -62,7 +62,7 @@ impl Expansion<'_> {
             .map(|operand| self.next[operand.index()])
             .collect();
         let next = match (&node, &coefficients[..]) {
-            (Node::Quantity(_), &[a]) => a,
+            (Node::Quantity(_) | Node::Positive(_), &[a]) => a,
             (Node::Negate(_), &[a]) => self.graph.negate(a),
             (Node::Add(..), &[a, b]) => self.graph.add(a, b),
             (Node::Subtract(..), &[a, b]) => self.graph.subtract(a, b),

@@ -17,11 +17,15 @@ pub enum InvalidBody {
     },
     /// The mass is not a positive finite number.
     Mass {
+        /// Of which body.
+        body: &'static str,
         /// What was given \[kg\].
         value: f64,
     },
     /// The moment of inertia `J_G` of a planar body or of a rod is not a positive finite number.
     PlanarInertia {
+        /// Of which body.
+        body: &'static str,
         /// What was given \[kg m²\].
         value: f64,
     },
@@ -36,7 +40,12 @@ pub enum InvalidBody {
         value: f64,
     },
     /// No body that can turn has this inertia tensor.
-    Inertia(InvalidInertia),
+    Inertia {
+        /// Of which body.
+        body: &'static str,
+        /// The violated condition.
+        error: InvalidInertia,
+    },
 }
 
 impl InvalidBody {
@@ -44,10 +53,10 @@ impl InvalidBody {
     pub(crate) fn is_of_no_number(&self) -> bool {
         match self {
             Self::NotFinite { value, .. }
-            | Self::Mass { value }
-            | Self::PlanarInertia { value }
+            | Self::Mass { value, .. }
+            | Self::PlanarInertia { value, .. }
             | Self::Property { value, .. } => value.is_nan(),
-            Self::Inertia(_) => false,
+            Self::Inertia { .. } => false,
         }
     }
 }
@@ -56,16 +65,22 @@ impl fmt::Display for InvalidBody {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite { name, value } => write!(f, "`{name}` must be finite, is {value}"),
-            Self::Mass { value } => write!(f, "mass must be positive and finite, is {value} kg"),
-            Self::PlanarInertia { value } => {
-                write!(f, "inertia must be positive and finite, is {value} kg m²")
-            }
+            Self::Mass { body, value } => write!(
+                f,
+                "the mass of `{body}` must be positive and finite, is {value} kg"
+            ),
+            Self::PlanarInertia { body, value } => write!(
+                f,
+                "the inertia of `{body}` must be positive and finite, is {value} kg m²"
+            ),
             Self::Property {
                 of,
                 property,
                 value,
             } => write!(f, "the {property} of `{of}` cannot be {value}"),
-            Self::Inertia(error) => write!(f, "impossible inertia: {error}"),
+            Self::Inertia { body, error } => {
+                write!(f, "impossible inertia of `{body}`: {error}")
+            }
         }
     }
 }
@@ -73,14 +88,8 @@ impl fmt::Display for InvalidBody {
 impl core::error::Error for InvalidBody {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Inertia(error) => Some(error),
+            Self::Inertia { error, .. } => Some(error),
             _ => None,
         }
-    }
-}
-
-impl From<InvalidInertia> for InvalidBody {
-    fn from(error: InvalidInertia) -> Self {
-        Self::Inertia(error)
     }
 }

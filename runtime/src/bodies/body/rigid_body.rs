@@ -34,6 +34,10 @@ pub trait RigidBody {
     /// What is given anew at each evaluation, such as controls; the default is zero.
     type Input: Default;
 
+    /// Whether its mass or inertia change, so that [`possible`](Self::possible) is asked where a step
+    /// begins and ends.
+    const CHANGES: bool = false;
+
     /// The acceleration: of G in world axes \[m/s²\], angular in body axes \[rad/s²\].
     fn acceleration(
         &self,
@@ -92,8 +96,9 @@ pub trait RigidBody {
     }
 
     /// Whether there is a body of the mass and the inertia that this one has in a state. There is,
-    /// unless it is said here: a body of [`rigid_body!`](crate::rigid_body) says it where they
-    /// change, and the error of an integration names what ran out.
+    /// unless it is said here, and by [`CHANGES`](Self::CHANGES) that it may not be:
+    /// [`rigid_body!`](crate::rigid_body) and [`rigid_system!`](crate::rigid_system) say so of what changes,
+    /// and the error of an integration names what ran out.
     ///
     /// # Errors
     /// [`InvalidBody`]: no body has this mass or inertia.

@@ -164,7 +164,7 @@ where
             return Ok(false);
         }
         let limit = self.limit()?;
-        let reached = self.run.advance(limit, &self.input);
+        let reached = self.run.step(limit, &self.input);
         self.named(reached)?;
         self.show();
         Ok(true)
@@ -175,7 +175,7 @@ where
         while self.is_before(time) || time.is_nan() || !self.run.time().is_finite() {
             let limit = self.limit()?;
             let reached = if self.pace.max_step < f64::INFINITY {
-                self.run.advance(limit, &self.input)
+                self.run.step(limit, &self.input)
             } else {
                 let aim = self.nearer(time, limit);
                 self.run.seek(aim, limit, &self.input)

@@ -174,6 +174,11 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
         };
         let lost = |after: f64| {
             let (time, there) = there(after);
+            // no load is to blame where there is no body
+            let invalid = body.possible(time, &there, input).err();
+            if invalid.is_some_and(|invalid| !invalid.is_of_no_number()) {
+                return None;
+            }
             body.lost_load(time, &there, input)
         };
         let ran_out = impossible(0.0);

@@ -46,6 +46,27 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     /// [`IntegrationError`]; the motion stays where it is.
     fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>>;
 
+    /// The same; if mass or inertia change, there is a body of them where it begins and ends.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance), and [`IntegrationError::InvalidBody`].
+    fn step(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+        if !B::CHANGES {
+            return self.advance(end, input);
+        }
+        let (time, state) = (self.time(), self.state());
+        let mut possible = self.body().possible(time, &state, input);
+        if possible.is_ok() {
+            self.advance(end, input)?;
+            possible = self.body().possible(self.time(), &self.state(), input);
+        }
+        possible.map_err(|invalid| IntegrationError::InvalidBody {
+            time,
+            state,
+            invalid,
+        })
+    }
+
     /// The state within the step taken last, which was under this input.
     fn within(&self, time: f64, input: &B::Input) -> B::State;
 
@@ -75,7 +96,7 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
         let forwards = end >= self.time();
         let is_before = |now: f64| if forwards { now < time } else { now > time };
         while is_before(self.time()) {
-            self.advance(end, input)?;
+            self.step(end, input)?;
         }
         Ok(())
     }

@@ -69,6 +69,8 @@ impl<B: RigidBody<Scalar: Scalar>> RigidBody for Given<'_, B> {
     type State = B::State;
     type Input = B::Input;
 
+    const CHANGES: bool = B::CHANGES;
+
     #[inline(always)]
     fn acceleration(
         &self,
@@ -138,6 +140,8 @@ impl<B: RigidBody<Scalar: Scalar>> RigidBody for Within<'_, B> {
     type Scalar = B::Scalar;
     type State = B::State;
     type Input = B::Input;
+
+    const CHANGES: bool = B::CHANGES;
 
     #[inline(always)]
     fn acceleration(

@@ -242,7 +242,7 @@ impl Compiled {
                 // none from outside is drawn
                 Node::Undefined | Node::Foreign(..) => f64::NAN.into(),
                 Node::Symbol(_) => self.symbol(given, &known, id),
-                Node::Quantity(a) => value(a),
+                Node::Quantity(a) | Node::Positive(a) => value(a),
                 Node::Negate(a) => -value(a),
                 Node::Add(a, b) => value(a) + value(b),
                 Node::Subtract(a, b) => value(a) - value(b),

@@ -322,8 +322,6 @@ fn fall(work: &mut Workspace, body: &Member, load: &Load) -> Option<Components> 
     let at_center = offset.is_some_and(|offset| work.graph.is_zero_vector(&offset));
     let is_uniform = work.is_in(load.force, Frame::WORLD) && load.moment.is_zero() && at_center;
     let force = work.part(load.force, Frame::WORLD);
-    if !is_uniform || !work.graph.are_early(&force) {
-        return None;
-    }
-    Some(force.map(|part| work.graph.divide(part, body.mass)))
+    let fall = force.map(|part| work.graph.divide(part, body.mass));
+    (is_uniform && work.graph.are_early(&fall)).then_some(fall)
 }

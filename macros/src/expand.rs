@@ -100,7 +100,7 @@ fn solve<S: Listed>(
         tensor: outputs.tensor(),
         properties: model.properties().to_vec(),
     };
-    let bodies = model.substances(outline);
+    let bodies = model.substances();
     let known = (&bodies[..], model.defaults());
     check_range(known, &mut work, outline, &roots.finite, errors);
     let sound = Sound {

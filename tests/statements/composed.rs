@@ -369,13 +369,7 @@ fn what_the_constructor_checks() {
     assert!((dumbbell.kinetic_energy(&state) - 0.25).abs() <= 2e-16);
     assert_eq!(
         new(-1.0, 0.5, 0.1).unwrap_err(),
-        InvalidBody::Mass {
-            body: "Dumbbell",
-            value: -1.5
-        }
+        InvalidBody::Mass { value: -1.5 }
     );
-    assert!(matches!(
-        new(1.0, 0.5, 0.0),
-        Err(InvalidBody::Inertia { .. })
-    ));
+    assert!(matches!(new(1.0, 0.5, 0.0), Err(InvalidBody::Inertia(_))));
 }

@@ -167,7 +167,11 @@ impl Multibody {
             let joint = RevoluteJointBuilder::new(Vector::Z)
                 .local_anchor1(Vector::new(anchor, 0.0, 0.0))
                 .local_anchor2(Vector::new(hinge, 0.0, 0.0));
-            world.insert_multibody_joint(carrier, arm, joint);
+            let joint = world.insert_multibody_joint(carrier, arm, joint);
+            let joint = joint.expect("the arms are a chain");
+            let (multibody, _) = world.multibody_joints.get_mut(joint).expect("the joint just made");
+            // by default a hinge has friction
+            multibody.damping_mut().fill(0.0);
             (carrier, anchor) = (arm, tip);
             arm
         });

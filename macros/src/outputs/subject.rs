@@ -33,7 +33,7 @@ pub trait Subject: Sized + 'static {
     fn equated(&self, outline: &Outline, equations: &Self::Equations) -> Equated;
 
     /// What its bodies are made of.
-    fn substances(&self, outline: &Outline) -> Vec<Substance>;
+    fn substances(&self) -> Vec<Substance>;
 
     /// What its links and cables are made with.
     fn properties(&self) -> &[Property];
@@ -145,13 +145,11 @@ impl Subject for Model {
         }
     }
 
-    fn substances(&self, outline: &Outline) -> Vec<Substance> {
-        let (mass, inertia) = (self.mass, self.inertia);
-        let name = outline.name.to_string();
+    fn substances(&self) -> Vec<Substance> {
         vec![Substance {
-            name,
-            mass,
-            inertia,
+            name: None,
+            mass: self.mass,
+            inertia: self.inertia,
         }]
     }
 
@@ -268,9 +266,9 @@ impl Subject for System {
         }
     }
 
-    fn substances(&self, _: &Outline) -> Vec<Substance> {
+    fn substances(&self) -> Vec<Substance> {
         let bodies = self.bodies.iter().map(|body| Substance {
-            name: body.name.to_string(),
+            name: Some(body.name.to_string()),
             mass: Some(body.mass),
             inertia: body.inertia,
         });

@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 
-use crate::bodies::body::InvalidBody;
+use crate::bodies::body::{Impossible, InvalidBody};
 use crate::mechanics::inertia::check_turning;
 use crate::numbers::scalar::Scalar;
 
@@ -22,10 +22,10 @@ pub fn check_finite<T: Scalar>(params: &[(&'static str, T)]) -> Result<(), Inval
 /// The mass \[kg\]: finite and positive.
 ///
 /// # Errors
-/// [`InvalidBody::Mass`].
-pub fn check_mass<T: Scalar>(body: &'static str, value: T) -> Result<(), InvalidBody> {
+/// [`Impossible::Mass`].
+pub fn check_mass<T: Scalar>(value: T) -> Result<(), Impossible> {
     match find(value, |value| !is_positive(value)) {
-        Some(value) => Err(InvalidBody::Mass { body, value }),
+        Some(value) => Err(Impossible::Mass(value)),
         None => Ok(()),
     }
 }
@@ -33,10 +33,10 @@ pub fn check_mass<T: Scalar>(body: &'static str, value: T) -> Result<(), Invalid
 /// The moment of inertia of a planar body, or of a rod \[kg m²\]: finite and positive.
 ///
 /// # Errors
-/// [`InvalidBody::PlanarInertia`].
-pub fn check_planar_inertia<T: Scalar>(body: &'static str, value: T) -> Result<(), InvalidBody> {
+/// [`Impossible::PlanarInertia`].
+pub fn check_planar_inertia<T: Scalar>(value: T) -> Result<(), Impossible> {
     match find(value, |value| !is_positive(value)) {
-        Some(value) => Err(InvalidBody::PlanarInertia { body, value }),
+        Some(value) => Err(Impossible::PlanarInertia(value)),
         None => Ok(()),
     }
 }
@@ -66,14 +66,22 @@ pub fn check_property<T: Scalar>(
 /// invertible.
 ///
 /// # Errors
-/// [`InvalidBody::Inertia`] with the violated condition.
-pub fn check_inertia<T: Scalar>(body: &'static str, entries: [T; 6]) -> Result<(), InvalidBody> {
+/// [`Impossible::Inertia`] with the violated condition.
+pub fn check_inertia<T: Scalar>(entries: [T; 6]) -> Result<(), Impossible> {
     for lane in 0..T::LANES {
         let [xx, yy, zz, xy, yz, zx] = entries.map(|entry| entry.lane(lane));
         let matrix = Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz);
-        check_turning(&matrix, T::EPSILON).map_err(|error| InvalidBody::Inertia { body, error })?;
+        check_turning(&matrix, T::EPSILON).map_err(Impossible::Inertia)?;
     }
     Ok(())
+}
+
+/// What was found of a body of a system, with its name.
+///
+/// # Errors
+/// [`InvalidBody::Member`].
+pub fn member(body: &'static str, found: Result<(), Impossible>) -> Result<(), InvalidBody> {
+    found.map_err(|impossible| InvalidBody::Member { body, impossible })
 }
 
 /// The first of the numbers of a scalar that is such.

@@ -65,10 +65,14 @@ mod equations_of_Gyroscope {
             let inertia_about_support_xx = 0.0005 + across;
             let from_rotor_across = rotor
                 / (rotor + 2.0 * inertia_about_support_xx - rotor);
-            ::newton_euler::private::check_inertia(
-                "Gyroscope",
-                [across, across, rotor, 0.0, 0.0, 0.0],
-            )?;
+            ::newton_euler::private::check_inertia([
+                across,
+                across,
+                rotor,
+                0.0,
+                0.0,
+                0.0,
+            ])?;
             let coupling_x = (across - rotor + 0.0005) / inertia_about_support_xx;
             let from_across = 0.196133 / inertia_about_support_xx;
             let from_across_1 = -0.196133 / inertia_about_support_xx;

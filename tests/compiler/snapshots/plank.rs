@@ -78,7 +78,7 @@ mod equations_of_Plank {
             let PlankParams { length } = params;
             let length_squared = length * length;
             let inertia = 0.3333333333333333 * length_squared;
-            ::newton_euler::private::check_planar_inertia("Plank", inertia)?;
+            ::newton_euler::private::check_planar_inertia(inertia)?;
             let from_length = 0.16666666666666666 * length_squared;
             ::newton_euler::private::check_finite(
                 &[("inertia", inertia), ("from_length", from_length)],

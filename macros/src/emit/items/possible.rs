@@ -6,11 +6,11 @@ use quote::quote;
 use crate::model::Substance;
 use crate::symbolic::Id;
 
-/// Masses and inertias that are checked together, each with the name of its body: masses first, on
-/// which inertias may depend.
+/// Masses and inertias that are checked together, in systems with the names of their bodies: masses
+/// first, on which inertias may depend.
 pub struct Checked<'a> {
-    masses: Vec<(&'a str, Id)>,
-    inertias: Vec<(&'a str, Vec<Id>)>,
+    masses: Vec<(Option<&'a str>, Id)>,
+    inertias: Vec<(Option<&'a str>, Vec<Id>)>,
 }
 
 impl<'a> Checked<'a> {
@@ -18,10 +18,10 @@ impl<'a> Checked<'a> {
     pub fn of(bodies: &'a [Substance], wanted: impl Fn(&[Id]) -> bool) -> Self {
         let masses = bodies
             .iter()
-            .filter_map(|body| Some((&*body.name, body.mass?)));
+            .filter_map(|body| Some((body.name.as_deref(), body.mass?)));
         let inertias = bodies
             .iter()
-            .map(|body| (&*body.name, body.inertia_entries()));
+            .map(|body| (body.name.as_deref(), body.inertia_entries()));
         Self {
             masses: masses.filter(|(_, mass)| wanted(&[*mass])).collect(),
             inertias: inertias.filter(|(_, entries)| wanted(entries)).collect(),
@@ -39,19 +39,25 @@ impl<'a> Checked<'a> {
         masses.chain(entries.copied()).collect()
     }
 
-    /// `check_mass("Body", mass)?; check_inertia("Body", [xx, ..])?;` of these values.
+    /// `check_mass(mass)?; member("arm", check_inertia([xx, ..]))?;` of these values.
     pub fn emit(&self, values: &[TokenStream], private: &TokenStream) -> TokenStream {
+        let with_name = |name: &Option<&str>, check: TokenStream| match name {
+            Some(name) => quote!(#private::member(#name, #check)?;),
+            None => quote!(#check?;),
+        };
         let (masses, mut rest) = values.split_at(self.masses.len());
         let masses = self.masses.iter().zip(masses);
-        let masses = masses.map(|((name, _), mass)| quote!(#private::check_mass(#name, #mass)?;));
+        let masses =
+            masses.map(|((name, _), mass)| with_name(name, quote!(#private::check_mass(#mass))));
         let masses: Vec<TokenStream> = masses.collect();
         let inertias = self.inertias.iter().map(|(name, entries)| {
             let (own, others) = rest.split_at(entries.len());
             rest = others;
-            match own {
-                [moment] => quote!(#private::check_planar_inertia(#name, #moment)?;),
-                entries => quote!(#private::check_inertia(#name, [#(#entries),*])?;),
-            }
+            let check = match own {
+                [moment] => quote!(#private::check_planar_inertia(#moment)),
+                entries => quote!(#private::check_inertia([#(#entries),*])),
+            };
+            with_name(name, check)
         });
         let inertias: Vec<TokenStream> = inertias.collect();
         quote!(#(#masses)* #(#inertias)*)

@@ -111,7 +111,7 @@ fn emit_lost_load(site: &Site<'_>, partial: &[Partial]) -> Option<TokenStream> {
     Some(quote!(#[cold] #method))
 }
 
-/// `check_mass("Body", mass)?; ..` of what changes in the course of a motion.
+/// `check_mass(mass)?; ..` of what changes in the course of a motion.
 fn emit_possible(site: &Site<'_>, bodies: &[Substance]) -> Option<TokenStream> {
     let method = site.method(Some(bodies), |writer, bodies| {
         let graph = &writer.work.graph;

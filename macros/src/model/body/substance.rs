@@ -6,8 +6,8 @@ use super::inertia::Inertia;
 
 /// Mass and inertia of a body, as far as they are known.
 pub struct Substance {
-    /// What the body is called.
-    pub name: String,
+    /// What a body of a system is called.
+    pub name: Option<String>,
     pub mass: Option<Id>,
     pub inertia: Inertia,
 }

@@ -17,15 +17,11 @@ pub enum InvalidBody {
     },
     /// The mass is not a positive finite number.
     Mass {
-        /// Of which body.
-        body: &'static str,
         /// What was given \[kg\].
         value: f64,
     },
     /// The moment of inertia `J_G` of a planar body or of a rod is not a positive finite number.
     PlanarInertia {
-        /// Of which body.
-        body: &'static str,
         /// What was given \[kg m²\].
         value: f64,
     },
@@ -40,12 +36,25 @@ pub enum InvalidBody {
         value: f64,
     },
     /// No body that can turn has this inertia tensor.
-    Inertia {
-        /// Of which body.
+    Inertia(InvalidInertia),
+    /// A body of a system has such a mass or inertia.
+    Member {
+        /// Its name.
         body: &'static str,
-        /// The violated condition.
-        error: InvalidInertia,
+        /// What it cannot have.
+        impossible: Impossible,
     },
+}
+
+/// A mass or an inertia that no body has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Impossible {
+    /// A mass that is not a positive finite number \[kg\].
+    Mass(f64),
+    /// A moment of inertia `J_G` that is not a positive finite number \[kg m²\].
+    PlanarInertia(f64),
+    /// An inertia tensor.
+    Inertia(InvalidInertia),
 }
 
 impl InvalidBody {
@@ -53,11 +62,28 @@ impl InvalidBody {
     pub(crate) fn is_of_no_number(&self) -> bool {
         match self {
             Self::NotFinite { value, .. }
-            | Self::Mass { value, .. }
-            | Self::PlanarInertia { value, .. }
+            | Self::Mass { value }
+            | Self::PlanarInertia { value }
             | Self::Property { value, .. } => value.is_nan(),
-            Self::Inertia { .. } => false,
+            Self::Inertia(_) => false,
+            Self::Member { impossible, .. } => Self::from(*impossible).is_of_no_number(),
         }
+    }
+}
+
+impl From<Impossible> for InvalidBody {
+    fn from(impossible: Impossible) -> Self {
+        match impossible {
+            Impossible::Mass(value) => Self::Mass { value },
+            Impossible::PlanarInertia(value) => Self::PlanarInertia { value },
+            Impossible::Inertia(error) => Self::Inertia(error),
+        }
+    }
+}
+
+impl From<InvalidInertia> for InvalidBody {
+    fn from(error: InvalidInertia) -> Self {
+        Self::Inertia(error)
     }
 }
 
@@ -65,21 +91,18 @@ impl fmt::Display for InvalidBody {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite { name, value } => write!(f, "`{name}` must be finite, is {value}"),
-            Self::Mass { body, value } => write!(
-                f,
-                "the mass of `{body}` must be positive and finite, is {value} kg"
-            ),
-            Self::PlanarInertia { body, value } => write!(
-                f,
-                "the inertia of `{body}` must be positive and finite, is {value} kg m²"
-            ),
+            Self::Mass { value } => write!(f, "mass must be positive and finite, is {value} kg"),
+            Self::PlanarInertia { value } => {
+                write!(f, "inertia must be positive and finite, is {value} kg m²")
+            }
             Self::Property {
                 of,
                 property,
                 value,
             } => write!(f, "the {property} of `{of}` cannot be {value}"),
-            Self::Inertia { body, error } => {
-                write!(f, "impossible inertia of `{body}`: {error}")
+            Self::Inertia(error) => write!(f, "impossible inertia: {error}"),
+            Self::Member { body, impossible } => {
+                write!(f, "`{body}`: {}", Self::from(*impossible))
             }
         }
     }
@@ -88,7 +111,11 @@ impl fmt::Display for InvalidBody {
 impl core::error::Error for InvalidBody {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Inertia { error, .. } => Some(error),
+            Self::Inertia(error)
+            | Self::Member {
+                impossible: Impossible::Inertia(error),
+                ..
+            } => Some(error),
             _ => None,
         }
     }

@@ -26,6 +26,6 @@ pub use answers::{
     Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, Inverse, Jacobian, MassMatrix, Momentum,
     Reactions, Regressor,
 };
-pub use invalid::InvalidBody;
+pub use invalid::{Impossible, InvalidBody};
 pub use rigid_body::RigidBody;
 pub use singular::Singular;

@@ -70,6 +70,17 @@ impl<B: Constrained<Scalar = f64>> Within<'_, B> {
         }
     }
 
+    /// The constraint that depends on others in a state, where no load is lost.
+    fn dependent(&self, time: f64, state: &B::State, input: &B::Input) -> Option<&'static str> {
+        let side = self.side(time);
+        let moved = self.moved(input, time);
+        let input = moved.as_ref().unwrap_or(input);
+        if self.body.lost_load(side, state, input).is_some() {
+            return None;
+        }
+        self.body.dependent(side, state, input)
+    }
+
     /// Puts a state on the constraints, as they are then.
     fn project(
         &self,
@@ -105,6 +116,30 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
         self.run.replace(&state);
         Ok(())
     }
+
+    /// What has ended the motion where constraints depend on each other, if it is no load.
+    #[cold]
+    fn explained(
+        &self,
+        error: IntegrationError<B::State>,
+        input: &B::Input,
+    ) -> IntegrationError<B::State> {
+        let is_undetermined = match &error {
+            IntegrationError::NotFinite { load, .. } => load.is_none(),
+            IntegrationError::Inconsistent { violated, .. } => !violated.is_start,
+            _ => false,
+        };
+        let (time, state) = (error.time(), error.state().clone());
+        let found = is_undetermined.then(|| self.within.dependent(time, &state, input));
+        match found.flatten() {
+            Some(constraint) => IntegrationError::Undetermined {
+                time,
+                state,
+                constraint,
+            },
+            None => error,
+        }
+    }
 }
 
 impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> {
@@ -138,8 +173,9 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
             self.project(input, good.clone())?;
             self.is_on_constraints = true;
         }
-        self.run.advance(end, input)?;
-        self.project(input, good)
+        let reached = self.run.advance(end, input);
+        let reached = reached.and_then(|()| self.project(input, good));
+        reached.map_err(|error| self.explained(error, input))
     }
 
     /// On the constraints, if a state near by is.

@@ -39,6 +39,8 @@ impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
             run: self.0.start(body, time, state),
             is_checked: false,
             is_on_constraints: false,
+            longest: 0.0,
+            short: 0,
         }
     }
 }
@@ -50,7 +52,16 @@ pub struct ProjectedRun<'b, B: RigidBody, R> {
     /// Whether the start was found to be on the constraints.
     is_checked: bool,
     is_on_constraints: bool,
+    /// The longest step so far \[s\].
+    longest: f64,
+    /// How many short ones were taken in a row where constraints depend on each other.
+    short: usize,
 }
+
+/// A step is short that is no more than this fraction of the longest.
+const SHORT: f64 = 1e-3;
+/// So many short steps in a row come to no end: rounding tells there which way the motion goes on.
+const MANY: usize = 20;
 
 impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -117,6 +128,32 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
         Ok(())
     }
 
+    /// Whether the motion gets through where constraints depend on each other, after a step from the last
+    /// state that was good.
+    fn passes(
+        &mut self,
+        input: &B::Input,
+        (since, state): &(f64, B::State),
+    ) -> Result<(), IntegrationError<B::State>> {
+        let step = (self.run.time() - since).abs();
+        self.longest = self.longest.max(step);
+        let found = if step < SHORT * self.longest {
+            self.within
+                .dependent(self.run.time(), &self.run.state(), input)
+        } else {
+            None
+        };
+        self.short = if found.is_some() { self.short + 1 } else { 0 };
+        match found.filter(|_| self.short > MANY) {
+            None => Ok(()),
+            Some(constraint) => Err(IntegrationError::Undetermined {
+                time: *since,
+                state: state.clone(),
+                constraint,
+            }),
+        }
+    }
+
     /// What has ended the motion where constraints depend on each other, if it is no load.
     #[cold]
     fn explained(
@@ -174,8 +211,9 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
             self.is_on_constraints = true;
         }
         let reached = self.run.advance(end, input);
-        let reached = reached.and_then(|()| self.project(input, good));
-        reached.map_err(|error| self.explained(error, input))
+        let reached = reached.and_then(|()| self.project(input, good.clone()));
+        reached.map_err(|error| self.explained(error, input))?;
+        self.passes(input, &good)
     }
 
     /// On the constraints, if a state near by is.

@@ -212,7 +212,7 @@ const JOINTS: [&[&str]; 9] = [
 
 /// The one of the known kinds of joints that a word means elsewhere.
 pub fn joint_meant<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let word = word.to_lowercase().replace('-', "_");
+    let word = word.to_lowercase();
     let row = JOINTS.iter().find(|row| row.contains(&word.as_str()))?;
     known.into_iter().find(|known| row.contains(known))
 }

@@ -12,3 +12,4 @@ mod rates;
 mod reference;
 mod spatial;
 mod supported;
+mod turntable;

@@ -1,5 +1,7 @@
 //! Structs with a field for each joint or body of a system, and what there is of each body.
 
+use std::collections::HashSet;
+
 use proc_macro2::{Ident, TokenStream};
 
 use crate::emit::code::{Site, Values};
@@ -14,13 +16,17 @@ pub fn reactions_by_name(site: &Site<'_>) -> Record {
     let kept = outline.kept.iter().filter(|name| outline.is_held(name));
     let scalars = driving_of(outline).map(|(_, name)| name).chain(kept);
     let scalars = scalars.map(|name| Field::new(name, scalar.clone()));
+    // names that collide are reported, and are one field in the stub
+    let mut seen = HashSet::new();
+    let fields = wrenches.chain(scalars);
+    let fields = fields.filter(|field| seen.insert(field.name.to_string()));
     Record {
         suffix: "Reactions",
         doc: format!(
             " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
             outline.name
         ),
-        fields: wrenches.chain(scalars).collect(),
+        fields: fields.collect(),
         has_default: true,
     }
 }

@@ -167,6 +167,11 @@ impl Screen<'_> {
                         word.span(),
                         "`compose([..])` is a whole body: it stands alone behind `inertia:`",
                     ),
+                    _ if has_comma(group) => (
+                        group.span_open(),
+                        "no list can stand here: a vector is `world(x, y, z)` or `body(x, y, z)`, \
+                         an inertia `principal(x, y, z)` or `tensor { .. }`",
+                    ),
                     _ => (
                         group.span_open(),
                         "no list can stand here: brackets hold a unit behind a number, as in \
@@ -355,4 +360,11 @@ fn ends_operand(token: &TokenTree) -> bool {
 
 fn is_parenthesised(token: &TokenTree) -> bool {
     matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis)
+}
+
+fn has_comma(group: &Group) -> bool {
+    group
+        .stream()
+        .into_iter()
+        .any(|token| is_punct(&token, ','))
 }

@@ -41,6 +41,8 @@ pub fn check_name(name: &Ident, what: &str, errors: &mut Errors) -> Option<()> {
         } else {
             format!("write `{plain}`, without `r#`")
         }
+    } else if word == "for" {
+        "there are no loops: write each entry, and several bodies as `copies`".to_owned()
     } else if is_keyword(&word) {
         format!("`{word}` is a keyword of Rust: choose another name")
     } else if word == "_" {

@@ -169,7 +169,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         }
         let is_last = step == steps;
         if worst.0.is_nan() || worst.0 > 0.5 * previous || is_last {
-            if worst.0 <= Inconsistent::TOLERANCE {
+            if worst.0 <= Inconsistent::TOLERANCE || is_rounding(&system, &values, &sizes) {
                 return Ok(());
             }
             // far from the constraints, some steps overshoot
@@ -196,6 +196,23 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         }
     }
     Ok(())
+}
+
+/// Whether all values are rounding beside the motion that the largest terms of any row amount to:
+/// all terms of one row may vanish where those of another do not.
+fn is_rounding<R, const N: usize>(
+    system: &[Row<R, N>; N],
+    values: &[Option<f64>; N],
+    sizes: &[f64; N],
+) -> bool {
+    let coupling = |own: usize| system[own].coupling[own];
+    // twice the kinetic energy, or of places its like, of a motion across one row alone
+    let across = |own: usize| sizes[own] * sizes[own] / coupling(own);
+    let all = (0..N).filter(|own| coupling(*own) > 0.0);
+    let most = all.map(across).fold(0.0, f64::max);
+    let allowed = |own: usize| Inconsistent::TOLERANCE * (coupling(own) * most).sqrt();
+    let mut all = values.iter().enumerate();
+    all.all(|(own, value)| value.is_none_or(|value| value.abs() <= allowed(own)))
 }
 
 /// What couplings are for rows of the sizes that these have: one may be flat where all hold.

@@ -22,6 +22,11 @@ pub use series::Series;
 pub(crate) use series::{after, increment, slope};
 
 /// A body whose motion has Taylor series.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `taylor`",
+    label = "not among the `outputs` of its description",
+    note = "write `outputs: [.., taylor]`"
+)]
 pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
     /// What is needed on the way, to be used again: see [`Products`].
     type Products<A: Arithmetic, const N: usize>: From<A>;

@@ -10,9 +10,23 @@ impl Lowering<'_> {
     pub fn support(&mut self, description: &Description, defaults: &Defaults) -> Option<()> {
         let motion = description.motion.as_ref()?;
         let word = motion.word.to_string();
-        let support = self.read_support(motion.support.as_ref()?, &word, defaults)?;
+        let found = self.read_support(motion.support.as_ref()?, &word, defaults);
+        // what was wrong with it is reported: the rest is read with another one
+        let support = found.unwrap_or_else(|| self.any_support());
         self.state.hold(self.work, support);
         Some(())
+    }
+
+    /// At the origin, about z.
+    fn any_support(&mut self) -> Support {
+        let graph = &mut self.work.graph;
+        let zeros = graph.zeros();
+        let direction = [graph.zero(), graph.zero(), graph.one()];
+        Support {
+            offset: zeros,
+            anchor: zeros,
+            direction: self.motion.has_written_axis().then_some(direction),
+        }
     }
 
     fn read_support(

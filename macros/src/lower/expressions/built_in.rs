@@ -109,7 +109,12 @@ impl Lowering<'_> {
                 of_body.map_or_else(
                     || {
                         let hint = self.members.hint(&word, self.scope.known());
-                        format!("nothing here is called `{word}`{hint}")
+                        let advice = if hint.is_empty() {
+                            of_rust(&word)
+                        } else {
+                            hint
+                        };
+                        format!("nothing here is called `{word}`{advice}")
                     },
                     |named| format!("of which body? write for example `{named}`"),
                 )
@@ -204,4 +209,16 @@ impl Lowering<'_> {
         }
         Some(())
     }
+}
+
+/// What a name in capitals probably is.
+fn of_rust(word: &str) -> String {
+    let is_capital = |letter: char| !letter.is_lowercase();
+    if word.len() < 2 || !word.chars().all(is_capital) {
+        return String::new();
+    }
+    let name = word.to_lowercase();
+    format!(
+        "; a constant of Rust is declared with its unit, as in `constants: [{name} = {word}[m]]`"
+    )
 }

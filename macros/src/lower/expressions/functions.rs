@@ -82,8 +82,12 @@ impl Lowering<'_> {
             .iter()
             .map(String::as_str)
             .chain(["body", "world", "table"]);
-        let hint = hint(&word, known);
-        let message = format!("there is no function `{word}` here{hint}");
+        let mut advice = hint(&word, known);
+        if advice.is_empty() {
+            let form = format!("functions: [{word}(x[m]) = {word}[N]]");
+            advice = format!("; a function of Rust is declared with its units, as in `{form}`");
+        }
+        let message = format!("there is no function `{word}` here{advice}");
         self.report(function.span(), message)
     }
 

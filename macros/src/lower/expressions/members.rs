@@ -156,7 +156,7 @@ impl Lowering<'_> {
         }
         let message = if is_unknown {
             "this is fixed: it cannot depend on how the system moves".to_owned()
-        } else if written == "attitude" {
+        } else if ["attitude", "angle", "rotation", "orientation"].contains(&written.as_str()) {
             format!(
                 "the attitude of `{name}` follows from its joints: write what you need of it with the \
                      angles of these, or with vectors"

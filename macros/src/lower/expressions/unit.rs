@@ -173,6 +173,11 @@ fn advice(word: &str) -> String {
             return format!(": write `{unit}`");
         }
     }
+    let digits = word.trim_start_matches(char::is_alphabetic);
+    let unit = word.trim_end_matches(digits);
+    if !digits.is_empty() && look_up(unit).is_some() {
+        return format!(": write `{unit} ^ {digits}`");
+    }
     let halves = word.char_indices().skip(1).map(|(at, _)| word.split_at(at));
     let is_known = |half: &str| half == "kg" || METRIC.iter().any(|unit| unit.0 == half);
     if let Some((a, b)) = halves.into_iter().find(|(a, b)| is_known(a) && is_known(b)) {

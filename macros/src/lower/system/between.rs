@@ -7,7 +7,7 @@ use crate::model::{Dimension, Frame, Load, Point, Property, Tie, Vector};
 use crate::symbolic::{Comparison, Components, Id, Number};
 use crate::syntax::{Definition, Expression, Kind, call};
 
-use super::drives::behind;
+use super::drives::{behind, behind_operand, report_operand};
 use super::joints::joint::End;
 use super::reading::reader::Reader;
 use super::ties::{LENGTH_OF_CABLE, STIFFNESS_OF_CABLE};
@@ -50,6 +50,9 @@ impl Reader<'_> {
     /// `tension.between(P, Q)`: along the line PQ, positive if it pulls them together.
     fn tension(&mut self, load: &Definition, errors: &mut Errors) -> Option<Loads> {
         let value = load.value.as_ref()?;
+        if let Some(word) = behind_operand(value, &["between"]) {
+            return report_operand(word, errors);
+        }
         let Some((tension, [p, q])) = behind(value, "between") else {
             return errors.report(
                 value.extent,
@@ -187,6 +190,9 @@ impl Reader<'_> {
     /// the first with the opposite sign.
     fn couple(&mut self, load: &Definition, errors: &mut Errors) -> Option<Loads> {
         let value = load.value.as_ref()?;
+        if let Some(word) = behind_operand(value, &["on", "between"]) {
+            return report_operand(word, errors);
+        }
         let on = behind(value, "on").filter(|(_, bodies)| bodies.len() == 1);
         let between = behind(value, "between").filter(|(_, bodies)| bodies.len() == 2);
         let written = on

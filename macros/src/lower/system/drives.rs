@@ -20,6 +20,27 @@ pub fn behind<'e>(
     }
 }
 
+/// The method of the last operand alone: `on` of `-x.on(joint)`, which means `-(x.on(joint))`.
+pub fn behind_operand<'e>(value: &'e Expression, methods: &[&str]) -> Option<&'e Ident> {
+    let last = match &value.kind {
+        Kind::Prefix(_, operand) => operand,
+        Kind::Chain(_, steps) => &steps.last()?.operand,
+        _ => return None,
+    };
+    match &last.kind {
+        Kind::Method(_, word, _) => methods.iter().any(|method| word == method).then_some(word),
+        _ => behind_operand(last, methods),
+    }
+}
+
+/// Reports it: such a method acts on the whole load.
+pub fn report_operand<T>(word: &Ident, errors: &mut Errors) -> Option<T> {
+    let message = format!(
+        "`.{word}(..)` is of the last operand alone: put the whole load in parentheses, `(..).{word}(..)`"
+    );
+    errors.report(word.span(), message)
+}
+
 /// `elbow`, or `gimbal.angle_1`: the joint, and its coordinate.
 fn joint_named<'e>(
     target: &'e Expression,
@@ -133,6 +154,9 @@ impl Reader<'_> {
         errors: &mut Errors,
     ) -> Option<()> {
         let value = drive.value.as_ref()?;
+        if let Some(word) = behind_operand(value, &["on"]) {
+            return report_operand(word, errors);
+        }
         let Some((load, [target])) = behind(value, "on") else {
             let message = "a drive acts on a joint: write `torque.on(elbow)`";
             let place = match &value.kind {

@@ -24,7 +24,7 @@ use crate::symbolic::Components;
 use crate::syntax;
 
 use reading::body::{Draft, common_gravity};
-use reading::names::for_copy;
+use reading::names::{check_loads, for_copy};
 use reading::reader::Reader;
 
 pub use outline::outline_system;
@@ -74,6 +74,7 @@ pub fn lower_system(
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
     let written = tell_frames(outline, &joints);
     outline.kept = constraints.list.iter().map(load_of).collect();
+    check_loads(system, outline, &constraints.list, errors);
     // a file may have reported the same
     if errors.is_empty() {
         frames::check_frames(&work, &bodies, &joints, errors);

@@ -93,7 +93,11 @@ pub fn parse_key(
     entry: &[TokenTree],
     errors: &mut Errors,
 ) -> Option<&'static str> {
-    let (key, rest) = key_word(entry, errors)?;
+    let Some((key, rest)) = key_word(entry, errors) else {
+        // what a `let` would define has no other error
+        into.lost.extend(entry.get(1).and_then(name_of));
+        return None;
+    };
     let word = key.to_string();
     let value = key_value(key, rest, errors);
     let meant = key_meant(&word);
@@ -132,10 +136,13 @@ fn key_word<'t>(
             if !is_keyword(&word) && word != "_" && !word.starts_with("r#") {
                 return Some((key, rest));
             }
-            errors.push(
-                key.span(),
-                format!("`{word}` is no key: expected one such as `mass: 1[kg]`"),
-            );
+            let message = match rest.first().and_then(name_of) {
+                Some(name) if word == "let" => {
+                    format!("`let` is no key: write `locals: [{name} = ..]`")
+                }
+                _ => format!("`{word}` is no key: expected one such as `mass: 1[kg]`"),
+            };
+            errors.push(key.span(), message);
         }
         [first, second, ..] if is_punct(first, '.') && is_punct(second, '.') => errors.push(
             Extent::from(first.span()).to(second.span().into()),
@@ -278,11 +285,15 @@ fn names_in(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
     };
     split(group.stream(), Entry::Defined, errors)
         .iter()
-        .filter_map(|entry| match entry.first() {
-            Some(TokenTree::Ident(name)) => Some(name.to_string()),
-            _ => None,
-        })
+        .filter_map(|entry| entry.first().and_then(name_of))
         .collect()
+}
+
+fn name_of(token: &TokenTree) -> Option<String> {
+    match token {
+        TokenTree::Ident(name) => Some(name.to_string()),
+        _ => None,
+    }
 }
 
 fn parse_doc(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {

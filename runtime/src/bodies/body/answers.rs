@@ -5,6 +5,11 @@ use crate::bodies::path::Path;
 use crate::state::State;
 
 /// The balances (1.3) and (1.4), open to inspection; wrenches in world axes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `balance`",
+    label = "not among the `outputs` of its description",
+    note = "write `outputs: [.., balance]`"
+)]
 pub trait Balance: RigidBody {
     /// [`Wrench`](crate::wrench::Wrench), [`PlanarWrench`](crate::wrench::PlanarWrench) or, for
     /// `motion: rotation`, the moment alone.
@@ -40,6 +45,11 @@ pub trait Balance: RigidBody {
 /// work; in general dE/dt is the derivative of the potential in time at fixed state, plus the power
 /// of the other loads, and where the potential depends on states of one's own its slopes along these
 /// times their rates.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `energy`",
+    label = "not among the `outputs` of its description, or it depends on more than the state",
+    note = "write `outputs: [.., energy]`; where it depends on the time or an input, the trait is `DrivenEnergy`"
+)]
 pub trait Energy: RigidBody {
     /// `½ m v² + ½ ω·Jω`, of the degrees of freedom that the motion has.
     fn kinetic_energy(&self, state: &Self::State) -> Self::Scalar;
@@ -113,6 +123,11 @@ pub trait DrivenMomentum: RigidBody {
 /// Momenta of the absolute velocities, world axes.
 ///
 /// About a pole O moving with `v_O`, the angular momentum obeys `dL_O/dt = M_O - v_O × P`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `momentum`",
+    label = "not among the `outputs` of its description, or it depends on more than the state",
+    note = "write `outputs: [.., momentum]`; where it depends on the time or an input, the trait is `DrivenMomentum`"
+)]
 pub trait Momentum: RigidBody {
     /// A vector in space or in the plane.
     type Linear;
@@ -175,6 +190,11 @@ pub trait Momentum: RigidBody {
 /// let bob = Pendulum { mass: 2.0, length: 0.75 };
 /// assert_eq!(bob.reactions(0.0, &Hinge::default(), &()).y, 2.0 * 9.80665);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `reactions`",
+    label = "not among the `outputs` of its description",
+    note = "write `outputs: [.., reactions]`"
+)]
 pub trait Reactions: RigidBody {
     /// One field for each load with unknowns, world axes \[N, N m\]; or a `Result` of that and
     /// [`Singular`](super::Singular).
@@ -196,6 +216,11 @@ pub trait Reactions: RigidBody {
 /// unknown. The motion is taken to be one that the drives can make: a balance in which they have no
 /// part is not looked at, and where they are fewer than the others, the acceleration that they
 /// leave over is least in the metric of the kinetic energy (Gauss's principle).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `inverse`",
+    label = "not among the `outputs` of its description",
+    note = "write `outputs: [.., inverse]`"
+)]
 pub trait Inverse: RigidBody {
     /// One field for each drive with unknown components, in the axes in which it is written \[N, N
     /// m\]; or a `Result` of that and [`Singular`](super::Singular), where drives turn against each
@@ -222,6 +247,11 @@ pub trait Inverse: RigidBody {
 /// Rows and columns are in the order in which the acceleration has its numbers
 /// ([`Columns`](crate::columns::Columns)): joint by joint as they are written; of a free body G
 /// along world axes, then the rotation along body axes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `mass_matrix`",
+    label = "not among the `outputs` of its description",
+    note = "write `outputs: [.., mass_matrix]`"
+)]
 pub trait MassMatrix: RigidBody {
     /// A square matrix.
     type Matrix;
@@ -254,6 +284,11 @@ pub trait MassMatrix: RigidBody {
 ///
 /// A force F and a moment M on the body at P act along the freedoms of the joints as `Jᵀ (F, M)`.
 /// What moves by itself, by a joint that is driven, has no column.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `jacobian(P)`",
+    label = "not among the `outputs` of its description",
+    note = "write `outputs: [.., jacobian(P)]`"
+)]
 pub trait Jacobian: RigidBody {
     /// One field for each point, `arm_tip`: a matrix of six rows, in the plane three (x, y, angle),
     /// and a column for each rate of the state, joint by joint, in the order of
@@ -328,6 +363,11 @@ pub trait Jacobian: RigidBody {
 /// assert_eq!(parameters.as_slice(), [2.0, 0.0, -1.0, 0.1 + 2.0 * 0.25]);
 /// assert!(((rows * parameters).x - 1.5).abs() < 1e-14);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `regressor`",
+    label = "not among the `outputs` of its description",
+    note = "write `outputs: [.., regressor]`"
+)]
 pub trait Regressor: RigidBody {
     /// A matrix; of a system a field with a matrix for each body.
     type Regressor;

@@ -32,6 +32,11 @@ use crate::bodies::body::RigidBody;
 /// let (step, push) = hanging.discretized(1e-3);
 /// assert!((step[(0, 1)] - 1e-3).abs() < 1e-8 && (push[(0, 0)] - 5e-7 * b[(1, 0)]).abs() < 1e-11);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `linearization`",
+    label = "not among the `outputs` of its description",
+    note = "write `outputs: [.., linearization]`"
+)]
 pub trait Linearization: RigidBody {
     /// A struct of the acceleration and of all blocks that are not zero in all states:
     /// `linear_by_attitude`, `angular_by_torque`, of a system `elbow_angular_by_shoulder_angle`; a

@@ -25,6 +25,11 @@ use crate::bodies::body::RigidBody;
 /// assert!((found.angular_by_arm - pull * (0.04 - 0.25) / square.powi(2)).abs() < 1e-13);
 /// assert!((found.angular_by_radius + pull * 0.5 * 0.4 / square.powi(2)).abs() < 1e-13);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `sensitivity`",
+    label = "not among the `outputs` of its description",
+    note = "write `outputs: [.., sensitivity]`"
+)]
 pub trait Sensitivity: RigidBody {
     /// A struct of the acceleration and of all blocks that are not zero in all states:
     /// `linear_by_area`, of a system `elbow_angular_by_length`; a number, or a matrix with a row for

@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use crate::errors::{Errors, silently};
 use crate::lower::definitions::check_distinct;
 use crate::lower::expressions::BUILT_IN;
-use crate::model::Outline;
+use crate::model::{Constraint, Outline};
 use crate::syntax::{self, Definition, Expression, Kind};
 
 /// The names of all bodies, and then of all joints.
@@ -87,6 +87,37 @@ pub fn check_driving(system: &syntax::System, outline: &mut Outline, errors: &mu
         errors.push(joint.span(), message);
         false
     });
+}
+
+/// Reports loads of constraints that have the name of another field of the reactions, such as
+/// `pin_x` of the constraint `pin` and of a joint. Constraints that are called alike are reported
+/// by their own names.
+pub fn check_loads(
+    system: &syntax::System,
+    outline: &Outline,
+    constraints: &[Constraint],
+    errors: &mut Errors,
+) {
+    let is_own = |load: &Ident| system.top.constraints.iter().any(|one| one.name == *load);
+    let all: Vec<_> = outline.kept.iter().zip(constraints).collect();
+    for (number, (load, constraint)) in all.iter().enumerate() {
+        let mut drives = outline.driving.iter().map(|(_, drive)| drive);
+        let mut before = all[..number].iter();
+        let what = if outline.holding.contains(load) && !is_own(load) {
+            "a joint"
+        } else if drives.any(|drive| drive == *load) {
+            "a drive"
+        } else if before.any(|(other, of)| other == load && of.place != constraint.place) {
+            "another load"
+        } else {
+            continue;
+        };
+        let message = format!(
+            "the load of this constraint is `{load}` among the reactions, which is the name of {what} \
+             there: choose another name"
+        );
+        errors.push(load.span(), message);
+    }
 }
 
 /// Reports names of a body that mean something for the whole system, and returns them.

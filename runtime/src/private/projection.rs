@@ -210,7 +210,7 @@ fn is_rounding<R, const N: usize>(
     let across = |own: usize| sizes[own] * sizes[own] / coupling(own);
     let all = (0..N).filter(|own| coupling(*own) > 0.0);
     let most = all.map(across).fold(0.0, f64::max);
-    let allowed = |own: usize| Inconsistent::TOLERANCE * (coupling(own) * most).sqrt();
+    let allowed = |own: usize| Inconsistent::TOLERANCE * libm::sqrt(coupling(own) * most);
     let mut all = values.iter().enumerate();
     all.all(|(own, value)| value.is_none_or(|value| value.abs() <= allowed(own)))
 }

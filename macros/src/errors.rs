@@ -38,6 +38,15 @@ impl Extent {
         }
     }
 
+    /// What stands at the same place in a file, underlined elsewhere.
+    pub fn underlining(self, span: Span) -> Self {
+        Self {
+            first: span,
+            last: span,
+            ..self
+        }
+    }
+
     pub fn to(self, end: Self) -> Self {
         Self {
             first: self.first,
@@ -164,6 +173,55 @@ pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .filter(|(distance, known)| (1..=tolerated).contains(distance) && known.len() > 1)
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, known)| known)
+}
+
+/// Words of which all in a row mean one kind of joint: here, in files, and in other tools.
+const JOINTS: [&[&str]; 9] = [
+    &[
+        "revolute",
+        "hinge",
+        "pin",
+        "fixed_axis",
+        "continuous",
+        "rotary",
+        "rotational",
+    ],
+    &["prismatic", "slide", "slider", "sliding", "linear"],
+    &[
+        "spherical",
+        "ball",
+        "ball_joint",
+        "ball_and_socket",
+        "fixed_point",
+        "pivot",
+    ],
+    &["weld", "fixed", "rigid"],
+    &[
+        "free",
+        "floating",
+        "free_joint",
+        "freejoint",
+        "six_dof",
+        "spatial",
+    ],
+    &["universal", "cardan", "hooke"],
+    &["screw", "helical"],
+    &["pin_in_slot", "slot", "pin_slot"],
+    &["planar", "plane"],
+];
+
+/// The one of the known kinds of joints that a word means elsewhere.
+pub fn joint_meant<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    let row = JOINTS.iter().find(|row| row.contains(&word.as_str()))?;
+    known.into_iter().find(|known| row.contains(known))
+}
+
+/// `; did you mean ...?` of kinds of joints, or nothing.
+pub fn hint_of_joint(word: &str, known: &[&str]) -> String {
+    let all = || known.iter().copied();
+    let meant = joint_meant(word, all()).or_else(|| similar(word, all()));
+    meant.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
 }
 
 /// `; did you mean ...?`, or nothing.

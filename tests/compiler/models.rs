@@ -288,6 +288,92 @@ fn what_is_wrong_beside_the_bodies_is_said() {
     }
 }
 
+/// A file, and all that is said of it.
+fn check_file(text: &str, expected: &[&str]) {
+    assert_eq!(said(expanded("wrong", text.as_bytes())), expected, "{text}");
+}
+
+#[test]
+fn a_file_that_breaks_off_is_told_by_what_it_leaves_open() {
+    let whole = format!(
+        "<mujoco>\n<!-- > -->\n{}\n</mujoco>",
+        body("\n<geom size=\"1\"/>")
+    );
+    let to = |part: &str| &whole[..whole.find(part).expect("it is there")];
+    let cases = [
+        (
+            "</mujoco>",
+            "1: `<mujoco>` is not closed: the file ends before `</mujoco>`",
+        ),
+        (
+            "</body>",
+            "3: `<body>` is not closed: the file ends before `</body>`",
+        ),
+        (
+            "=\"1\"/>",
+            "5: the file breaks off in `<geom`, which begins here",
+        ),
+        (
+            "ody></worldbody>",
+            "5: the file breaks off in `</b`, which begins here",
+        ),
+        (
+            "-->",
+            "2: the file breaks off in a comment, which begins here",
+        ),
+    ];
+    for (part, expected) in cases {
+        check_file(to(part), &[expected]);
+    }
+    check_file("", &["1: the file has no element"]);
+    check_file(
+        "{ \"a\": 1 }",
+        &["1: this is no XML, which begins with an element"],
+    );
+    let second = "4: this stands outside of the first element of the file, which holds all others";
+    check_file("<mujoco>\n\n</mujoco>\n<mujoco/>", &[second]);
+}
+
+#[test]
+fn what_another_mistake_brings_about_is_not_said() {
+    let elsewhere =
+        "this stands for other elements: let MuJoCo write them out, by `mj_saveLastXML`";
+    let of_others = "<actuator><motor joint=\"j\"/></actuator>\n<equality>\
+        <connect body1=\"a\" anchor=\"0 0 0\"/></equality>";
+    let included = format!("<mujoco>\n<include file=\"b.xml\"/>\n{of_others}</mujoco>");
+    check_file(&included, &[&format!("2, `<include>`: {elsewhere}")]);
+    let turned = body("<geom size=\"1\"/>").replace("<joint", "<joint type=\"revolute\"");
+    let expected = "3, `<joint>` of body `a`: `type` is one of `hinge`, `slide`, `ball`, `free`, and this is \
+                    `revolute`; did you mean `hinge`?";
+    check_file(
+        &format!("<mujoco>\n{turned}\n{of_others}</mujoco>"),
+        &[expected],
+    );
+}
+
+#[test]
+fn what_equations_say_of_a_coupling_has_its_line() {
+    let geom = "<geom size=\"1\" pos=\"1 0 0\"/>";
+    let coupled = |inside: &str| {
+        format!(
+            "<mujoco>\n{}\n<equality>\n{inside}\n</equality>\n</mujoco>",
+            body(geom)
+        )
+    };
+    let one = "<joint joint1=\"j\" polycoef=\"0\"/>";
+    let twice = "6, `<joint>`: `coupling_2` is kept already by `coupling_1`: leave one of them out";
+    check_file(&coupled(&format!("{one}\n{one}")), &[twice]);
+    let itself = "5, `<joint>`: `coupling_1` does not depend on where the body is or how it moves: no load can \
+                  keep it at zero";
+    check_file(&coupled("<joint joint1=\"j\" joint2=\"j\"/>"), &[itself]);
+    let large =
+        "5, `<joint>`: `1e400` is out of the range of `f64`, which is about 5e-324 to 1.8e308";
+    check_file(
+        &coupled("<joint joint1=\"j\" polycoef=\"1e400\"/>"),
+        &[large],
+    );
+}
+
 #[test]
 fn no_model_makes_the_compiler_panic() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mjcf");

@@ -156,7 +156,10 @@ impl Multibody {
         let mut carrier = world.insert_body(RigidBodyBuilder::fixed());
         let mut anchor = 0.0;
         // mass, inertia, and where the hinge and the tip are
-        let arms = [(1.2, 0.04, -0.28, 0.32, 0.28), (0.8, 0.015, -0.22, 0.0, 0.82)];
+        let arms = [
+            (1.2, 0.04, -0.28, 0.32, 0.28),
+            (0.8, 0.015, -0.22, 0.0, 0.82),
+        ];
         let arms = arms.map(|(mass, inertia, hinge, tip, center)| {
             let moments = Vector::new(inertia, inertia, inertia);
             let arm = RigidBodyBuilder::dynamic()
@@ -169,7 +172,10 @@ impl Multibody {
                 .local_anchor2(Vector::new(hinge, 0.0, 0.0));
             let joint = world.insert_multibody_joint(carrier, arm, joint);
             let joint = joint.expect("the arms are a chain");
-            let (multibody, _) = world.multibody_joints.get_mut(joint).expect("the joint just made");
+            let (multibody, _) = world
+                .multibody_joints
+                .get_mut(joint)
+                .expect("the joint just made");
             // by default a hinge has friction
             multibody.damping_mut().fill(0.0);
             (carrier, anchor) = (arm, tip);
@@ -182,7 +188,12 @@ impl Multibody {
     fn state(&self) -> [f64; 4] {
         let [upper, lower] = self.arms.map(|arm| &self.world.bodies[arm]);
         let angle = |arm: &rapier3d_f64::prelude::RigidBody| arm.rotation().to_scaled_axis().z;
-        [angle(upper), angle(lower), upper.angvel().z, lower.angvel().z]
+        [
+            angle(upper),
+            angle(lower),
+            upper.angvel().z,
+            lower.angvel().z,
+        ]
     }
 }
 
@@ -201,7 +212,11 @@ fn between(one: [f64; 4], other: [f64; 4]) -> f64 {
     let turn = core::f64::consts::TAU;
     let differences = (0..4).map(|k| {
         let difference = one[k] - other[k];
-        let turns = if k < 2 { (difference / turn).round() } else { 0.0 };
+        let turns = if k < 2 {
+            (difference / turn).round()
+        } else {
+            0.0
+        };
         (difference - turns * turn).abs()
     });
     differences.fold(0.0, f64::max)
@@ -210,7 +225,13 @@ fn between(one: [f64; 4], other: [f64; 4]) -> f64 {
 fn two_arms(table: &mut Table) {
     let arms = Arms::default();
     let start = ArmsState::default();
-    let exact = in_world(&arms.integrate(&start).tolerance(1e-13).to(1.0).expect("it moves"));
+    let exact = in_world(
+        &arms
+            .integrate(&start)
+            .tolerance(1e-13)
+            .to(1.0)
+            .expect("it moves"),
+    );
     println!("errors of two arms after 1 s: rad, rad/s, the largest");
     for (steps, step) in [(100, 1e-2), (1000, 1e-3), (10_000, 1e-4)] {
         let cf4 = integrate::cf4(&arms, &start, &(), 0.0..1.0, steps);
@@ -227,6 +248,8 @@ fn two_arms(table: &mut Table) {
             errors[0],
             errors[1]
         );
+        // of order one, and so the same motion
+        assert!(errors.into_iter().all(|error| error < 40.0 * step));
     }
     for substeps in [1, 4] {
         let step = black_box(1e-3);
@@ -238,7 +261,8 @@ fn two_arms(table: &mut Table) {
             || multibody.world.step(),
         );
         black_box((&state, multibody.state()));
-        let what = format!("two arms, a step of cf4, against rapier's multibody, substeps: {substeps}");
+        let what =
+            format!("two arms, a step of cf4, against rapier's multibody, substeps: {substeps}");
         table.row(what, times, None);
     }
 }

@@ -4,7 +4,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::emit::code::{COMMON, Method, Site, Source, Values, Writer, local};
+use crate::emit::code::{COMMON, Method, Site, Values, Writer, local};
 use crate::emit::items::Addition;
 use crate::mechanics::{Consistency, Reach};
 use crate::model::Outline;
@@ -53,26 +53,46 @@ impl<S: Subject> Output<S> for Constrained {
     fn emit(&self, site: &Site<'_>) -> Addition {
         let site = site.double();
         let shapes = &site.shapes;
-        let [violations, check, project] = [write_violations, write_check, write_project]
+        let [violations, check, rows] = [write_violations, write_check, write_rows]
             .map(|write| site.method(self.0.as_ref(), write));
         let private = &shapes.private;
         let count = self.0.as_ref().map_or(0, |kept| kept.constraints.len());
         let count = Literal::usize_unsuffixed(count);
         let list = quote!([#private::Violation; #count]);
         let outcome = quote!(::core::result::Result<(), #private::Inconsistent>);
-        let [time, input] =
-            [Source::Time, Source::Input].map(|one| site.arguments(&project, &[one]));
-        let (state, state_type, body) = (local("state"), shapes.state_type(), &project.body);
+        let [time, state, input] = ["time", "state", "input"].map(local);
+        let (state_type, input_type) = (shapes.state_type(), site.input_type());
+        let kept = quote!(#private::Kept::rows);
         let parts = [
             quote!(type Violations = #list;),
-            quote!(fn project(&self, #time, #state: &mut #state_type, #input) -> #outcome { #body }),
+            quote! {
+                fn project(&self, #time: f64, #state: &mut #state_type, #input: &#input_type) -> #outcome {
+                    #private::project(#state, |#state: &#state_type| #kept(self, #time, #state, #input))
+                }
+                fn dependent(
+                    &self,
+                    #time: f64,
+                    #state: &#state_type,
+                    #input: &#input_type,
+                ) -> ::core::option::Option<&'static str> {
+                    #private::dependent(&#kept(self, #time, #state, #input))
+                }
+            },
         ];
         let methods = [
             ("violations", &violations, &COMMON[..], &list),
             ("check", &check, &COMMON, &outcome),
         ];
         let mut addition = Addition::implement(&site, "Constrained", parts, &methods);
-        addition.costs.push(("project", project.facts.cost));
+        addition.costs.push(("project", rows.facts.cost));
+        let row = quote!(#private::Row<<#state_type as #private::State>::Rate, #count>);
+        let rows = rows.declared(
+            "rows",
+            &site.arguments(&rows, &COMMON),
+            &quote!([#row; #count]),
+        );
+        let header = site.header_with("Kept", &quote!(<#count>));
+        addition.implementations.extend(quote!(#header { #rows }));
         addition
     }
 }
@@ -122,8 +142,8 @@ fn write_check(writer: &Writer<'_>, kept: &Kept) -> Method {
     })
 }
 
-/// `project(state, |state| [Row { name, position, velocity, shift, push, coupling }, ..])`
-fn write_project(writer: &Writer<'_>, kept: &Kept) -> Method {
+/// `[Row { name, position, velocity, shift, push, coupling, follows }, ..]`
+fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
     let (shapes, constraints) = (&writer.shapes, &kept.constraints);
     let values = |constraint: &Consistency| {
         let (velocity, size) = constraint.velocity;
@@ -142,10 +162,10 @@ fn write_project(writer: &Writer<'_>, kept: &Kept) -> Method {
         .concat()
     };
     let outputs: Vec<Id> = constraints.iter().flat_map(values).collect();
-    let (private, state, kind) = (&shapes.private, local("state"), shapes.state_type());
-    let mut method = Method::write(writer, &outputs, |values| {
+    let private = &shapes.private;
+    Method::write(writer, &outputs, |values| {
         let list = constraints.iter().map(|constraint| {
-            let name = &constraint.name;
+            let (name, follows) = (&constraint.name, constraint.follows);
             let position = optional(constraint.position.map(|_| pair(values)));
             let velocity = pair(values);
             let (mut fast, mut still) = (values.clone(), values.clone());
@@ -163,14 +183,12 @@ fn write_project(writer: &Writer<'_>, kept: &Kept) -> Method {
                     shift: #private::State::rate(&#fast, &::core::default::Default::default()),
                     push: #private::State::rate(&#still, &#acceleration),
                     coupling: [#(#coupling),*],
+                    follows: #follows,
                 }
             }
         });
         quote!([#(#list),*])
-    });
-    let (lints, rows) = (method.lints(), method.body);
-    method.body = quote!(#private::project(#state, #lints |#state: &#kind| { #rows }));
-    method
+    })
 }
 
 fn optional(value: Option<TokenStream>) -> TokenStream {

@@ -53,6 +53,19 @@ pub trait Constrained: RigidBody {
         state: &mut Self::State,
         input: &Self::Input,
     ) -> Result<(), Inconsistent>;
+
+    /// The constraint that depends on the others in a state, or nearly so, though elsewhere it does not:
+    /// at a dead point or a change point of a linkage, where they do not determine the motion. The
+    /// error of an integration names it. None, unless it is said here:
+    /// [`rigid_system!`](crate::rigid_system) and [`rigid_body!`](crate::rigid_body) do.
+    fn dependent(
+        &self,
+        _time: Self::Scalar,
+        _state: &Self::State,
+        _input: &Self::Input,
+    ) -> Option<&'static str> {
+        None
+    }
 }
 
 /// How far a state is from one constraint.

@@ -76,5 +76,5 @@ pub use path::{
     symmetric_rotation,
 };
 pub use pivots::{determined, positive, reciprocal};
-pub use projection::{Row, Size, check, project};
+pub use projection::{Kept, Row, Size, check, dependent, project};
 pub use tables::{constant, table};

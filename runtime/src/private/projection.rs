@@ -1,8 +1,20 @@
 //! How far it is to the constraints, and the way back: Newton's method in the metric of the kinetic
 //! energy.
 
+use crate::bodies::body::RigidBody;
 use crate::bodies::constrained::Inconsistent;
 use crate::state::State;
+
+/// A body whose motion is kept to `N` constraints.
+pub trait Kept<const N: usize>: RigidBody {
+    /// They, in a state.
+    fn rows(
+        &self,
+        time: Self::Scalar,
+        state: &Self::State,
+        input: &Self::Input,
+    ) -> [Row<<Self::State as State>::Rate, N>; N];
+}
 
 /// One constraint in one state, as generated code tells of it.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +31,8 @@ pub struct Row<R, const N: usize> {
     pub push: R,
     /// Its row of `A M⁻¹ Aᵀ`.
     pub coupling: [f64; N],
+    /// Whether others keep it, wherever all hold.
+    pub follows: bool,
 }
 
 /// The value of a constraint and its rate, and of each the size that it may have in such a state.
@@ -196,7 +210,7 @@ fn is_rounding<R, const N: usize>(
     let across = |own: usize| sizes[own] * sizes[own] / coupling(own);
     let all = (0..N).filter(|own| coupling(*own) > 0.0);
     let most = all.map(across).fold(0.0, f64::max);
-    let allowed = |own: usize| Inconsistent::TOLERANCE * (coupling(own) * most).sqrt();
+    let allowed = |own: usize| Inconsistent::TOLERANCE * libm::sqrt(coupling(own) * most);
     let mut all = values.iter().enumerate();
     all.all(|(own, value)| value.is_none_or(|value| value.abs() <= allowed(own)))
 }
@@ -236,10 +250,29 @@ fn solve<R, const N: usize>(
     }
     let mut values = kept.map(Option::unwrap_or_default);
     let mut used = kept.map(|value| value.is_some());
+    eliminate(&mut matrix, &mut values, |pivot, divisor| {
+        used[pivot] &= divisor > DEPENDENT * natural[pivot];
+        used[pivot]
+    });
+    let mut factors = [0.0; N];
+    for pivot in (0..N).rev().filter(|pivot| used[*pivot]) {
+        let known: f64 = (pivot + 1..N)
+            .map(|column| matrix[pivot][column] * factors[column])
+            .sum();
+        factors[pivot] = (values[pivot] - known) / matrix[pivot][pivot];
+    }
+    factors
+}
+
+/// Takes each row that is used, by its number and its divisor, from those behind it.
+fn eliminate<const N: usize>(
+    matrix: &mut [[f64; N]; N],
+    values: &mut [f64; N],
+    mut is_used: impl FnMut(usize, f64) -> bool,
+) {
     for pivot in 0..N {
         let divisor = matrix[pivot][pivot];
-        used[pivot] &= divisor > DEPENDENT * natural[pivot];
-        if !used[pivot] {
+        if !is_used(pivot, divisor) {
             continue;
         }
         for row in pivot + 1..N {
@@ -251,12 +284,27 @@ fn solve<R, const N: usize>(
             values[row] -= factor * values[pivot];
         }
     }
-    let mut factors = [0.0; N];
-    for pivot in (0..N).rev().filter(|pivot| used[*pivot]) {
-        let known: f64 = (pivot + 1..N)
-            .map(|column| matrix[pivot][column] * factors[column])
-            .sum();
-        factors[pivot] = (values[pivot] - known) / matrix[pivot][pivot];
+}
+
+/// The same for the reason of a failure, which may end just before: an angle of a thousandth.
+const NEARLY_DEPENDENT: f64 = 1e-6;
+
+/// The first constraint that depends on those before it in this state, if fewer are independent here than
+/// wherever else all hold.
+pub fn dependent<R, const N: usize>(system: &[Row<R, N>; N]) -> Option<&'static str> {
+    let mut matrix: [[f64; N]; N] = core::array::from_fn(|row| system[row].coupling);
+    let natural = natural(system);
+    let mut is_new = [false; N];
+    eliminate(&mut matrix, &mut [0.0; N], |pivot, divisor| {
+        is_new[pivot] = divisor > NEARLY_DEPENDENT * natural[pivot];
+        is_new[pivot]
+    });
+    let count = is_new.iter().filter(|is_new| **is_new).count();
+    let expected = system.iter().filter(|row| !row.follows).count();
+    if count >= expected {
+        return None;
     }
-    factors
+    let mut rows = system.iter().zip(is_new).filter(|(_, is_new)| !is_new);
+    let others = rows.clone().find(|(row, _)| !row.follows);
+    others.or_else(|| rows.next()).map(|(row, _)| row.name)
 }

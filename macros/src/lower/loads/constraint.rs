@@ -59,7 +59,8 @@ impl Lowering<'_> {
 
     /// The scalars of one constraint, each with what it speaks of.
     fn constraint(&mut self, written: &Definition) -> Option<Vec<Constraint>> {
-        let name = &written.name;
+        let (name, value) = (&written.name, written.value.as_ref()?);
+        let extent = value.extent.underlining(name.span());
         let mut constraints = Vec::new();
         for (scalar, value) in self.kept_at_zero(written)? {
             let Some(level) = self.level(value) else {
@@ -73,11 +74,12 @@ impl Lowering<'_> {
                          zero"
                     )
                 };
-                return self.report(name.span(), message);
+                return self.report(extent, message);
             };
             constraints.push(Constraint {
                 name: scalar,
                 place: name.clone(),
+                extent,
                 level,
                 value,
             });

@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::errors::{Errors, hint};
 use crate::model::{Dimension, Field, TreeJoint, Variable};
 use crate::symbolic::Id;
-use crate::syntax::{Definition, Expression, Kind};
+use crate::syntax::{Definition, Expression, Kind, call};
 
 use super::reading::reader::Reader;
 
@@ -108,6 +108,13 @@ fn chosen(
         );
     };
     let Some(field) = coordinates(joint).find(|field| *word == field.path) else {
+        if words.is_empty() {
+            let message = format!(
+                "no coordinate of `{name}` is a number: a drive on it is a moment, a vector, as in \
+                 `world(0, 0, torque).on({name})`"
+            );
+            return errors.report(word.span(), message);
+        }
         let all = words.join("`, `");
         return errors.report(
             word.span(),
@@ -166,6 +173,17 @@ impl Reader<'_> {
         let joint = &mut joints[place];
         let all = joint.kind.freedoms(self.system.is_planar);
         let chosen = chosen(joint, &all, word, target, errors)?;
+        if let Some(((word, _), _)) = call(load).filter(|((word, _), _)| *word == "moment") {
+            let form = if chosen.len() == 1 {
+                "torque"
+            } else {
+                "world(0, 0, torque)"
+            };
+            let message = format!(
+                "a drive is written without `moment(..)`, as in `{form}.on({name})`: the coordinate says what it is"
+            );
+            return errors.report(word.span(), message);
+        }
         if matches!(load.kind, Kind::Placeholder) {
             return self.open(drive, load, joint, &chosen, errors);
         }

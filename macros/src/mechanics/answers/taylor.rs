@@ -69,6 +69,7 @@ pub fn derive_taylor(
         coordinates,
         polynomials: polynomials(Some(model.state.time), &model.derivatives, work),
         loads: loads(model, work),
+        cables: Vec::new(),
     };
     moving.expand(work, axes, asked, errors)
 }
@@ -81,6 +82,8 @@ pub struct Moving {
     pub polynomials: Vec<Polynomial>,
     /// Loads by name, for what is to be said of them.
     pub loads: Vec<(String, Vec<Id>)>,
+    /// Those that are cables.
+    pub cables: Vec<String>,
 }
 
 impl Moving {
@@ -122,7 +125,14 @@ impl Moving {
                 && !said.contains(&name.as_str())
             {
                 said.push(name);
-                let reason = reason(work, kink);
+                let reason = if self.cables.contains(name) {
+                    format!(
+                        "a cable goes slack, and its force has a kink where it does, which no series crosses; \
+                         {OTHERWISE}"
+                    )
+                } else {
+                    reason(work, kink)
+                };
                 errors.push(asked, format!("`{name}` has no Taylor series: {reason}"));
             }
         }
@@ -220,18 +230,19 @@ pub fn quaternion_rate(
     [x, y, z, against].map(|twice| graph.multiply(half, twice))
 }
 
+const OTHERWISE: &str = "leave `taylor` out and `integrate` takes Runge-Kutta steps";
+
 /// Why there is no series, and what to do about it.
 fn reason(work: &Workspace, kink: Id) -> String {
-    let otherwise = "leave `taylor` out and `integrate` takes Runge-Kutta steps";
     let word = match work.graph.node(kink) {
         Node::Foreign(function, _) => {
             let name = &work.functions[function.number()].name;
             return format!(
-                "`{name}` is a function of Rust, of which values are known alone; {otherwise}"
+                "`{name}` is a function of Rust, of which values are known alone; {OTHERWISE}"
             );
         }
         Node::Unary(function, _) | Node::Binary(function, ..) => function.name(),
         _ => "if",
     };
-    format!("`{word}` of what moves is not smooth; write it in smooth functions, or {otherwise}")
+    format!("`{word}` of what moves is not smooth; write it in smooth functions, or {OTHERWISE}")
 }

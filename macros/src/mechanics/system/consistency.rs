@@ -4,7 +4,7 @@
 use crate::mechanics::tree::link::Link;
 use crate::mechanics::unknowns::{Consistency, Reach, summed_size};
 use crate::model::{System, Workspace};
-use crate::symbolic::{Function, Id};
+use crate::symbolic::{Function, Graph, Id};
 
 use super::equations::SystemEquations;
 use super::rates::order;
@@ -32,43 +32,56 @@ pub fn derive_system_consistency(
                 .collect()
         })
         .collect();
-    let rows =
-        closed
-            .constraints
-            .iter()
-            .zip(&directions)
-            .enumerate()
-            .map(|(number, (row, direction))| {
-                let coupling: Vec<Id> = directions
-                    .iter()
-                    .map(|other| {
-                        let parts = row.slopes.iter().zip(other);
-                        let parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
-                        graph.sum(&parts)
-                    })
-                    .collect();
-                let position = row.value.map(|value| (value, summed_size(graph, value)));
-                let fast = summed_size(graph, row.rate);
-                // where an angle or a rate alone is kept at zero, its terms do not tell how large it could be
-                let mut reached = |size: Id, of_all: Id| {
-                    let square = graph.multiply(coupling[number], of_all);
-                    let across = graph.apply(Function::Sqrt, &[square]);
-                    graph.apply(Function::Max, &[size, across])
-                };
-                let reach = Reach {
-                    position: position.map(|(_, size)| reached(size, turn)),
-                    velocity: reached(fast, motion),
-                };
-                let consistency = Consistency {
-                    name: row.name.clone(),
-                    position,
-                    velocity: (row.rate, reach.velocity),
-                    direction: order.iter().map(|freedom| direction[*freedom]).collect(),
-                    coupling,
-                };
-                (consistency, reach)
+    let couplings: Vec<Vec<Id>> = closed
+        .constraints
+        .iter()
+        .map(|row| {
+            let others = directions.iter().map(|other| {
+                let parts = row.slopes.iter().zip(other);
+                let parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
+                graph.sum(&parts)
             });
+            others.collect()
+        })
+        .collect();
+    let rows = closed.constraints.iter().enumerate();
+    let rows = rows.map(|(number, row)| {
+        let own = couplings[number][number];
+        // one that is flat where a linkage folds is off by as much as the others of its joint
+        let part = closed.parts[number];
+        let is_alike = |other: usize| part.is_some() && closed.parts[other] == part;
+        let alike = (0..couplings.len()).filter(|other| is_alike(*other));
+        let largest = alike.fold(own, |largest, other| {
+            graph.apply(Function::Max, &[largest, couplings[other][other]])
+        });
+        let mut reach = |coupling: Id| Reach {
+            position: row.value.map(|value| reached(graph, value, coupling, turn)),
+            velocity: reached(graph, row.rate, coupling, motion),
+        };
+        let sizes = reach(own);
+        let consistency = Consistency {
+            name: row.name.clone(),
+            position: row.value.zip(sizes.position),
+            velocity: (row.rate, sizes.velocity),
+            direction: order
+                .iter()
+                .map(|freedom| directions[number][*freedom])
+                .collect(),
+            coupling: couplings[number].clone(),
+            follows: closed.follows[number],
+        };
+        (consistency, reach(largest))
+    });
     rows.collect()
+}
+
+/// What a value may be in a state of this size: where an angle or a rate alone is kept at zero, its terms do
+/// not tell.
+fn reached(graph: &mut Graph, value: Id, coupling: Id, of_state: Id) -> Id {
+    let size = summed_size(graph, value);
+    let square = graph.multiply(coupling, of_state);
+    let across = graph.apply(Function::Sqrt, &[square]);
+    graph.apply(Function::Max, &[size, across])
 }
 
 /// The same as twice the kinetic energy, with an angle of one in the place of the rate of each freedom

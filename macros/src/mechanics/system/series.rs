@@ -41,6 +41,11 @@ pub fn derive_system_taylor(
         coordinates,
         polynomials: polynomials(time, &system.derivatives, work),
         loads: loads(system, work),
+        cables: system
+            .cables
+            .iter()
+            .map(|cable| cable.name.to_string())
+            .collect(),
     };
     moving.expand(work, None, asked, errors)
 }

@@ -25,6 +25,8 @@ pub struct Consistency {
     pub direction: Vec<Id>,
     /// The row of `S`.
     pub coupling: Vec<Id>,
+    /// Whether others keep it, wherever all hold.
+    pub follows: bool,
 }
 
 impl Consistency {
@@ -89,6 +91,7 @@ pub fn derive_consistency(
                 .concat()
             },
             coupling,
+            follows: false,
         }
     });
     list.collect()

@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use crate::errors::Extent;
 use crate::symbolic::Id;
 
 /// A scalar that the motion keeps at zero.
@@ -11,6 +12,8 @@ pub struct Constraint {
     pub name: String,
     /// The name as it was written.
     pub place: Ident,
+    /// What errors underline.
+    pub extent: Extent,
     pub level: Level,
     pub value: Id,
 }

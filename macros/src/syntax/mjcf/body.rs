@@ -159,7 +159,11 @@ impl Reading<'_> {
             self.names.joint(name, &links, span)
         });
         let locked = self.beside.locked(&ident);
-        reader.jointed(node, ident, locked, classes, self.settings)
+        let joint = reader.jointed(node, ident, locked, classes, self.settings);
+        if joint.is_none() {
+            reader.lost.push(given);
+        }
+        joint
     }
 }
 

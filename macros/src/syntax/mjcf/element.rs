@@ -216,9 +216,11 @@ impl Reader<'_> {
             .contains(&tag)
             {
                 let message = "this stands for other elements: let MuJoCo write them out, by `mj_saveLastXML`";
+                self.has_lost_names = true;
                 self.report::<()>(child, message);
             } else {
                 let hint = hint(tag, known.iter().copied());
+                self.lost.extend(child.attribute("name").map(str::to_owned));
                 self.report::<()>(
                     child,
                     format!("this is not read, and may change the motion{hint}"),

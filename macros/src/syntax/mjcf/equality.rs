@@ -2,7 +2,7 @@
 
 use roxmltree::Node;
 
-use crate::errors::{Extent, hint};
+use crate::errors::Extent;
 use crate::syntax::xml::reader::Reader;
 
 use super::body::Body;
@@ -122,8 +122,8 @@ impl Reader<'_> {
         }
         let found = bodies.iter().position(|body| body.name == name);
         if found.is_none() {
-            let hint = hint(name, bodies.iter().map(|body| body.name.as_str()));
-            self.report::<()>(node, format!("there is no body `{name}`{hint}"));
+            let names = bodies.iter().map(|body| body.name.as_str());
+            self.no_such::<()>(node, ("body", name), names);
         }
         found.map(Some)
     }

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 use roxmltree::Node;
 
-use crate::errors::Extent;
+use crate::errors::{Extent, hint_of_joint};
 use crate::syntax::expression::Expression;
 use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
@@ -162,8 +162,9 @@ impl Reader<'_> {
         let word = element.get("type").unwrap_or("hinge");
         let found = MOTIONS.iter().find(|(known, _)| *known == word);
         if found.is_none() {
-            let all = MOTIONS.map(|(known, _)| known).join("`, `");
-            let message = format!("`type` is one of `{all}`, and this is `{word}`");
+            let all = MOTIONS.map(|(known, _)| known);
+            let (hint, all) = (hint_of_joint(word, &all), all.join("`, `"));
+            let message = format!("`type` is one of `{all}`, and this is `{word}`{hint}");
             self.report::<()>(element.node, message);
         }
         found.map(|(_, motion)| *motion)

@@ -3,7 +3,6 @@
 use proc_macro2::Ident;
 use roxmltree::Node;
 
-use crate::errors::hint;
 use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::names::word;
 use crate::syntax::xml::reader::Reader;
@@ -113,8 +112,7 @@ impl Reader<'_> {
         let found = found.or(joints().find(|joint| joint.ident == alias.as_str()));
         let Some(joint) = found else {
             let all: Vec<String> = joints().map(|joint| joint.ident.to_string()).collect();
-            let hint = hint(name, all.iter().map(String::as_str));
-            return self.report(node, format!("there is no joint `{name}`{hint}"));
+            return self.no_such(node, ("joint", name), all.iter().map(String::as_str));
         };
         if !matches!(joint.kind, Motion::Hinge | Motion::Slide) {
             let message =

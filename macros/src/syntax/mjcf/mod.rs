@@ -128,6 +128,9 @@ impl Beside<'_> {
         };
         of("worldbody").for_each(|node| reading.world(node, reader));
         let bodies = reading.bodies;
+        if bodies.is_empty() && reader.has_lost_names {
+            return None;
+        }
         if bodies.is_empty() {
             return reader.report(root, "it has no `<body>`");
         }

@@ -2,7 +2,7 @@
 
 use roxmltree::Node;
 
-use crate::errors::{Extent, hint};
+use crate::errors::Extent;
 use crate::syntax::xml::reader::Reader;
 
 use super::body::Body;
@@ -55,7 +55,11 @@ impl Reader<'_> {
     ) {
         for child in self.parts(node, &["fixed"], &[]) {
             let number = found.len() + 1;
-            found.extend(self.tendon(child, classes, bodies, number));
+            let tendon = self.tendon(child, classes, bodies, number);
+            if tendon.is_none() {
+                self.lost.extend(child.attribute("name").map(str::to_owned));
+            }
+            found.extend(tendon);
         }
     }
 
@@ -137,8 +141,8 @@ impl Reader<'_> {
     ) -> Option<&'t Tendon> {
         let found = tendons.iter().find(|tendon| tendon.name == name);
         if found.is_none() {
-            let hint = hint(name, tendons.iter().map(|tendon| tendon.name.as_str()));
-            self.report::<()>(node, format!("there is no tendon `{name}`{hint}"));
+            let names = tendons.iter().map(|tendon| tendon.name.as_str());
+            self.no_such::<()>(node, ("tendon", name), names);
         }
         found
     }

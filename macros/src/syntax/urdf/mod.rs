@@ -102,7 +102,7 @@ impl Beside<'_> {
             robot.is_lost = true;
         }
         self.check_all_locked(&known, has_lost_names, reader.errors);
-        robot.is_lost |= has_lost_names;
+        robot.is_lost |= has_lost_names || reader.has_lost_names;
         Some(robot)
     }
 

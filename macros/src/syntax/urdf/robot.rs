@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 use roxmltree::Node;
 
-use crate::errors::{Extent, hint};
+use crate::errors::{Extent, hint_of_joint};
 use crate::syntax::expression::Expression;
 
 use crate::syntax::xml::decimal::{Angle, Decimal};
@@ -262,7 +262,7 @@ impl Reader<'_> {
         let found = MOTIONS.iter().find(|(known, _)| *known == word);
         if found.is_none() {
             let all = MOTIONS.map(|(known, _)| known);
-            let hint = hint(word, all);
+            let hint = hint_of_joint(word, &all);
             let all = all.join("`, `");
             self.report::<()>(
                 node,
@@ -287,8 +287,8 @@ impl Reader<'_> {
         let name = self.attribute(node, "link")?;
         let place = robot.links.iter().position(|link| link.name == name);
         if place.is_none() && !robot.lost.iter().any(|lost| lost == name) {
-            let hint = hint(name, robot.links.iter().map(|link| link.name.as_str()));
-            self.report::<()>(node, format!("there is no link `{name}`{hint}"));
+            let names = robot.links.iter().map(|link| link.name.as_str());
+            self.no_such::<()>(node, ("link", name), names);
         }
         place
     }

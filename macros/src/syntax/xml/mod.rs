@@ -3,6 +3,7 @@
 
 pub mod decimal;
 pub mod names;
+pub mod parse;
 pub mod reader;
 pub mod written;
 
@@ -61,9 +62,9 @@ pub fn document<'t>(
     if text.len() > LENGTH {
         return errors.report(span, format!("`{name}` has more than {LENGTH} bytes"));
     }
-    match reader::parse(text) {
+    match parse::parse(text) {
         Ok(document) => Some(document),
-        Err((line, message)) => errors.report(span, format!("{name}:{line}, no XML: {message}")),
+        Err((line, message)) => errors.report(span, format!("{name}:{line}: {message}")),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Elements and attributes of a file, with what is wrong with them.
 
 use proc_macro2::{Ident, Span};
-use roxmltree::{Document, Node};
+use roxmltree::Node;
 
 use crate::errors::{Errors, Extent, hint, similar};
 
@@ -26,6 +26,10 @@ pub struct Reader<'e> {
     pub owner: String,
     /// Elements that mean nothing here, each once.
     pub skipped: Vec<String>,
+    /// Names of what is reported and not read.
+    pub lost: Vec<String>,
+    /// Whether there may be others.
+    pub has_lost_names: bool,
 }
 
 impl<'e> Reader<'e> {
@@ -38,6 +42,8 @@ impl<'e> Reader<'e> {
             lines: breaks.map(|(place, _)| place + 1).collect(),
             owner: String::new(),
             skipped: Vec::new(),
+            lost: Vec::new(),
+            has_lost_names: false,
         }
     }
 
@@ -60,6 +66,20 @@ impl<'e> Reader<'e> {
         self.errors.report(place, message)
     }
 
+    /// Reports a name of nothing, unless what is reported already may have it.
+    pub fn no_such<'n, T>(
+        &mut self,
+        node: Node<'_, '_>,
+        (what, name): (&str, &str),
+        known: impl IntoIterator<Item = &'n str>,
+    ) -> Option<T> {
+        if self.has_lost_names || self.lost.iter().any(|lost| lost == name) {
+            return None;
+        }
+        let hint = hint(name, known);
+        self.report(node, format!("there is no {what} `{name}`{hint}"))
+    }
+
     /// The elements in `node`: of each word of `known` all; what is none of them is skipped, and said
     /// to be, or taken for a misspelt one.
     pub fn children<'n, 'd>(
@@ -79,6 +99,11 @@ impl<'e> Reader<'e> {
                 found.push(child);
             } else if skipped.contains(&name) {
                 self.skip(name);
+            } else if ["link", "joint"].contains(&name) {
+                let message =
+                    "this stands in `<robot>`, beside the links and joints, and not in one";
+                self.has_lost_names = true;
+                self.report::<()>(child, message);
             } else if let Some(meant) = similar(name, known.iter().copied()) {
                 let message = format!("there is no such element; did you mean `<{meant}>`?");
                 self.report::<()>(child, message);
@@ -143,7 +168,13 @@ impl<'e> Reader<'e> {
             let message = format!("`{name}` is a decimal number, and this is `{shown}`");
             self.errors.push(extent, message);
         }
-        found
+        let found = found?;
+        if found.value().is_infinite() {
+            let message =
+                format!("`{text}` is out of the range of `f64`, which is about 5e-324 to 1.8e308");
+            return self.errors.report(extent, message);
+        }
+        Some(found)
     }
 
     /// Three numbers in an attribute; zeros if it is not there.
@@ -201,6 +232,8 @@ impl<'e> Reader<'e> {
                 format!("`{name}` is no name: it has no letter and no digit of ASCII"),
             ),
             Err(Refused::Taken(word)) => {
+                // one of the two was to have another
+                self.has_lost_names = true;
                 let becomes = if word == name {
                     String::new()
                 } else {
@@ -210,15 +243,4 @@ impl<'e> Reader<'e> {
             }
         }
     }
-}
-
-/// The elements of a text, or what is wrong with it: a line and a message.
-pub fn parse(text: &str) -> Result<Document<'_>, (u32, String)> {
-    Document::parse(text).map_err(|error| {
-        let message = error.to_string();
-        // the place is said in front
-        let place = error.pos();
-        let tail = format!(" at {}:{}", place.row, place.col);
-        (place.row, message.replace(&tail, ""))
-    })
 }

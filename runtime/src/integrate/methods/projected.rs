@@ -39,6 +39,8 @@ impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
             run: self.0.start(body, time, state),
             is_checked: false,
             is_on_constraints: false,
+            longest: 0.0,
+            short: 0,
         }
     }
 }
@@ -50,7 +52,16 @@ pub struct ProjectedRun<'b, B: RigidBody, R> {
     /// Whether the start was found to be on the constraints.
     is_checked: bool,
     is_on_constraints: bool,
+    /// The longest step so far \[s\].
+    longest: f64,
+    /// How many short ones were taken in a row where constraints depend on each other.
+    short: usize,
 }
+
+/// A step is short that is no more than this fraction of the longest.
+const SHORT: f64 = 1e-3;
+/// So many short steps in a row come to no end: rounding tells there which way the motion goes on.
+const MANY: usize = 20;
 
 impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -68,6 +79,17 @@ impl<B: Constrained<Scalar = f64>> Within<'_, B> {
             Some(moved) => self.body.check(side, state, &moved),
             None => self.body.check(side, state, input),
         }
+    }
+
+    /// The constraint that depends on others in a state, where no load is lost.
+    fn dependent(&self, time: f64, state: &B::State, input: &B::Input) -> Option<&'static str> {
+        let side = self.side(time);
+        let moved = self.moved(input, time);
+        let input = moved.as_ref().unwrap_or(input);
+        if self.body.lost_load(side, state, input).is_some() {
+            return None;
+        }
+        self.body.dependent(side, state, input)
     }
 
     /// Puts a state on the constraints, as they are then.
@@ -105,6 +127,56 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
         self.run.replace(&state);
         Ok(())
     }
+
+    /// Whether the motion gets through where constraints depend on each other, after a step from the last
+    /// state that was good.
+    fn passes(
+        &mut self,
+        input: &B::Input,
+        (since, state): &(f64, B::State),
+    ) -> Result<(), IntegrationError<B::State>> {
+        let step = (self.run.time() - since).abs();
+        self.longest = self.longest.max(step);
+        let found = if step < SHORT * self.longest {
+            self.within
+                .dependent(self.run.time(), &self.run.state(), input)
+        } else {
+            None
+        };
+        self.short = if found.is_some() { self.short + 1 } else { 0 };
+        match found.filter(|_| self.short > MANY) {
+            None => Ok(()),
+            Some(constraint) => Err(IntegrationError::Undetermined {
+                time: *since,
+                state: state.clone(),
+                constraint,
+            }),
+        }
+    }
+
+    /// What has ended the motion where constraints depend on each other, if it is no load.
+    #[cold]
+    fn explained(
+        &self,
+        error: IntegrationError<B::State>,
+        input: &B::Input,
+    ) -> IntegrationError<B::State> {
+        let is_undetermined = match &error {
+            IntegrationError::NotFinite { load, .. } => load.is_none(),
+            IntegrationError::Inconsistent { violated, .. } => !violated.is_start,
+            _ => false,
+        };
+        let (time, state) = (error.time(), error.state().clone());
+        let found = is_undetermined.then(|| self.within.dependent(time, &state, input));
+        match found.flatten() {
+            Some(constraint) => IntegrationError::Undetermined {
+                time,
+                state,
+                constraint,
+            },
+            None => error,
+        }
+    }
 }
 
 impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> {
@@ -138,8 +210,10 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
             self.project(input, good.clone())?;
             self.is_on_constraints = true;
         }
-        self.run.advance(end, input)?;
-        self.project(input, good)
+        let reached = self.run.advance(end, input);
+        let reached = reached.and_then(|()| self.project(input, good.clone()));
+        reached.map_err(|error| self.explained(error, input))?;
+        self.passes(input, &good)
     }
 
     /// On the constraints, if a state near by is.

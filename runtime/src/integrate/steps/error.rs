@@ -64,6 +64,17 @@ pub enum IntegrationError<S> {
         /// Which constraint.
         violated: Inconsistent,
     },
+    /// The constraints do not determine the motion from here on: one depends on the others, though
+    /// elsewhere it does not. Here is a dead point or a change point of a linkage, from which more than
+    /// one way leads on, or none.
+    Undetermined {
+        /// \[s\]
+        time: f64,
+        /// The last state that was good; the first, if there was none.
+        state: S,
+        /// The constraint, or the joint that closes a loop with the number of its constraint.
+        constraint: &'static str,
+    },
     /// The function of which events are sought is not a number.
     EventNotANumber {
         /// \[s\]
@@ -100,6 +111,7 @@ impl<S> IntegrationError<S> {
             | Self::StepTooLong { time, .. }
             | Self::InvalidBody { time, .. }
             | Self::Inconsistent { time, .. }
+            | Self::Undetermined { time, .. }
             | Self::EventNotANumber { time, .. } => *time,
         }
     }
@@ -113,6 +125,7 @@ impl<S> IntegrationError<S> {
             | Self::StepTooLong { state, .. }
             | Self::InvalidBody { state, .. }
             | Self::Inconsistent { state, .. }
+            | Self::Undetermined { state, .. }
             | Self::EventNotANumber { state, .. } => state,
         }
     }
@@ -135,6 +148,12 @@ impl<S> fmt::Display for IntegrationError<S> {
             ),
             Self::InvalidBody { time, invalid, .. } => write!(f, "after {time} s: {invalid}"),
             Self::Inconsistent { time, violated, .. } => write!(f, "at {time} s: {violated}"),
+            Self::Undetermined {
+                time, constraint, ..
+            } => write!(
+                f,
+                "after {time} s the motion is not determined: `{constraint}` depends there on the other constraints, as at a dead point or a change point"
+            ),
             Self::EventNotANumber { time, .. } => {
                 write!(f, "at {time} s the function of the events is not a number")
             }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, hint};
+use crate::errors::{Errors, hint, hint_of_joint};
 use crate::lower::expressions::{JointNames, Value};
 use crate::model::{Dimension, Frame, Holds, JointKind, Rates};
 use crate::symbolic::{Components, Id};
@@ -50,7 +50,7 @@ fn unknown_kind(word: &Ident, is_planar: bool) -> String {
     }
     let kinds = JointKind::all(is_planar).iter();
     let all: Vec<&str> = kinds.map(|kind| kind.word).chain([CABLE, LINK]).collect();
-    let hint = hint(&word.to_string(), all.iter().copied());
+    let hint = hint_of_joint(&word.to_string(), &all);
     let is_elsewhere = JointKind::all(!is_planar)
         .iter()
         .any(|kind| word == kind.word);

@@ -25,6 +25,8 @@ pub struct Closed {
     pub constraints: Vec<Row>,
     /// For each, its number if it is written.
     pub written: Vec<Option<usize>>,
+    /// For each, its joint by number, and whether it is a moment that keeps it.
+    pub parts: Vec<Option<(usize, bool)>>,
     /// Which of them others keep in closed states.
     pub follows: Vec<bool>,
     /// Of the mass matrix of the tree: what each freedom has alone.
@@ -77,6 +79,10 @@ pub fn close(
         unsettled.add(keeper, BTreeSet::new());
     }
     let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
+    let parts = kept
+        .iter()
+        .map(|(keeper, _)| keeper.joint_part(&work.graph));
+    let parts = parts.collect();
     let written: Vec<Option<usize>> = kept.iter().map(|(keeper, _)| keeper.number()).collect();
     let symbols = &system.constraints.loads;
     let followed: Vec<Option<Id>> = written.iter().map(|one| Some(symbols[(*one)?])).collect();
@@ -142,6 +148,7 @@ pub fn close(
         accelerations,
         constraints: kept.into_iter().map(|(_, row)| row).collect(),
         written,
+        parts,
         follows: found.follows,
         inertias: (0..matrix.driving.len())
             .map(|freedom| matrix.rows[freedom][freedom])

@@ -217,7 +217,7 @@ pub fn check_kept(
             let others = others.join(" and ");
             format!("`{name}` is kept already by {others}: leave one of them out")
         };
-        errors.push(constraint.place.span(), message);
+        errors.push(constraint.extent, message);
     }
     let kept = system
         .constraints
@@ -233,7 +233,7 @@ pub fn check_kept(
                 "loads follow that of `{}`, and the balances do not determine it: others can do all that it does",
                 constraint.name
             );
-            errors.push(constraint.place.span(), message);
+            errors.push(constraint.extent, message);
         }
     }
     (errors.count() == before).then_some(())

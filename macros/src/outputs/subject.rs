@@ -8,10 +8,10 @@ use crate::mechanics::{
     Balance, Consistency, Energy, Equations, Linearization, Momentum, Reach, Regressor, Report,
     SystemEquations, Taylor, check_followers, derive_balance, derive_energy, derive_equations,
     derive_momentum, derive_reach, derive_regressor, derive_system, derive_system_balances,
-    derive_system_consistency, derive_system_energy, derive_system_momentum,
-    derive_system_regressors, derive_system_taylor, derive_taylor, describe_equations,
-    describe_system, linearize_body, linearize_system, sensitivity_of_body, sensitivity_of_system,
-    uniform_field, with_potentials, with_system_potentials,
+    derive_system_consistency, derive_system_energy, derive_system_momentum, derive_system_open,
+    derive_system_reactions, derive_system_regressors, derive_system_taylor, derive_taylor,
+    describe_equations, describe_system, linearize_body, linearize_system, sensitivity_of_body,
+    sensitivity_of_system, uniform_field, with_potentials, with_system_potentials,
 };
 use crate::model::{
     Checks, Defaults, Frame, Load, Model, Outline, Own, Property, Substance, System, Workspace,
@@ -58,8 +58,14 @@ pub trait Subject: Sized + 'static {
             (asked.kinetic, energy.kinetic),
             (asked.potential, energy.potential),
         ];
+        let held = self.held(work, equations);
         let all = self.solved(work, equations).into_iter().chain(energies);
-        all.chain(linear).chain(angular).collect()
+        all.chain(linear).chain(angular).chain(held).collect()
+    }
+
+    /// The symbols of what joints carry, and what they do.
+    fn held(&self, _: &mut Workspace, _: &Self::Equations) -> Vec<(Id, Id)> {
+        Vec::new()
     }
 
     fn energy(&self, work: &mut Workspace) -> Energy;
@@ -291,6 +297,24 @@ impl Subject for System {
 
     fn solved(&self, _: &Workspace, equations: &SystemEquations) -> Vec<(Id, Id)> {
         equations.solved(self)
+    }
+
+    fn held(&self, work: &mut Workspace, equations: &SystemEquations) -> Vec<(Id, Id)> {
+        let asked = &self.checks.held;
+        if asked.is_empty() {
+            return Vec::new();
+        }
+        let open = derive_system_open(self, work, equations);
+        let found = derive_system_reactions(self, work, equations);
+        let known = asked.iter().flat_map(|(joint, symbols)| {
+            let found = found.iter().find(|(name, _)| name == joint);
+            let is_open = open.iter().any(|(name, _)| name == joint);
+            let found = found.filter(|_| !is_open).map(|(_, parts)| parts.concat());
+            let none = work.graph.undefined();
+            let found = found.unwrap_or_else(|| vec![none; 6]);
+            symbols.concat().into_iter().zip(found)
+        });
+        known.collect()
     }
 
     fn energy(&self, work: &mut Workspace) -> Energy {

@@ -154,6 +154,9 @@ impl Block<'_> {
         let symbols: Vec<(Id, Meaning)> = symbols
             .filter_map(|id| Some((*id, work.meaning(*id)?)))
             .collect();
+        if self.writer.is_flat {
+            return self.read_arrays(&symbols);
+        }
         let outline = self.writer.outline;
         let mut tokens = self.read_declared(&symbols, Source::Params, &outline.params);
         tokens.extend(self.read_declared(&symbols, Source::Input, &outline.inputs));

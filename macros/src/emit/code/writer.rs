@@ -53,6 +53,8 @@ pub struct Writer<'a> {
     pub is_fallible: bool,
     /// Whether they compute all that is not stored, for functions that are seldom called.
     pub is_whole: bool,
+    /// Whether state and input are given as arrays, as in constants.
+    pub is_flat: bool,
     /// Whether the functions are given a state.
     pub has_state: bool,
     /// What the numbers are, and the types that hold them.
@@ -70,6 +72,7 @@ impl<'a> Writer<'a> {
             stage: Stage::State,
             is_fallible: false,
             is_whole: false,
+            is_flat: false,
             has_state: true,
             shapes: Shapes::of(outline),
         }

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::emit::code::{Method, Site, Source, Writer};
+use crate::emit::code::{Method, Site, Source, Told, Writer};
 use crate::emit::items::Addition;
 use crate::lower::Offer;
 use crate::model::{Meaning, Outline, Workspace};
@@ -49,7 +49,7 @@ impl<S: Subject> Output<S> for Constant {
         let (site, outline) = (site.double(), site.outline);
         let method = site.method(self.0.as_ref(), |writer, accelerations| {
             let writer = Writer {
-                is_flat: true,
+                told: Told::Arrays,
                 is_whole: true,
                 ..writer.clone()
             };

@@ -8,10 +8,10 @@ use crate::mechanics::{
     Balance, Consistency, Energy, Equations, Linearization, Momentum, Reach, Regressor, Report,
     SystemEquations, Taylor, check_followers, derive_balance, derive_energy, derive_equations,
     derive_momentum, derive_reach, derive_regressor, derive_system, derive_system_balances,
-    derive_system_consistency, derive_system_energy, derive_system_momentum, derive_system_open,
-    derive_system_reactions, derive_system_regressors, derive_system_taylor, derive_taylor,
-    describe_equations, describe_system, linearize_body, linearize_system, sensitivity_of_body,
-    sensitivity_of_system, uniform_field, with_potentials, with_system_potentials,
+    derive_system_consistency, derive_system_energy, derive_system_held, derive_system_momentum,
+    derive_system_regressors, derive_system_taylor, derive_taylor, describe_equations,
+    describe_system, linearize_body, linearize_system, sensitivity_of_body, sensitivity_of_system,
+    uniform_field, with_potentials, with_system_potentials,
 };
 use crate::model::{
     Checks, Defaults, Frame, Load, Model, Outline, Own, Property, Substance, System, Workspace,
@@ -152,13 +152,7 @@ impl Subject for Model {
     }
 
     fn substances(&self, outline: &Outline) -> Vec<Substance> {
-        let (mass, inertia) = (self.mass, self.inertia);
-        let name = outline.name.to_string();
-        vec![Substance {
-            name,
-            mass,
-            inertia,
-        }]
+        vec![self.substance(outline.name.to_string())]
     }
 
     fn properties(&self) -> &[Property] {
@@ -300,21 +294,7 @@ impl Subject for System {
     }
 
     fn held(&self, work: &mut Workspace, equations: &SystemEquations) -> Vec<(Id, Id)> {
-        let asked = &self.checks.held;
-        if asked.is_empty() {
-            return Vec::new();
-        }
-        let open = derive_system_open(self, work, equations);
-        let found = derive_system_reactions(self, work, equations);
-        let known = asked.iter().flat_map(|(joint, symbols)| {
-            let found = found.iter().find(|(name, _)| name == joint);
-            let is_open = open.iter().any(|(name, _)| name == joint);
-            let found = found.filter(|_| !is_open).map(|(_, parts)| parts.concat());
-            let none = work.graph.undefined();
-            let found = found.unwrap_or_else(|| vec![none; 6]);
-            symbols.concat().into_iter().zip(found)
-        });
-        known.collect()
+        derive_system_held(self, work, equations)
     }
 
     fn energy(&self, work: &mut Workspace) -> Energy {

@@ -146,7 +146,8 @@ fn refuted(claim: &Claim, found: &[Exact], context: (&Outline, &Workspace)) -> O
             return Some(lacking(&all, context));
         }
         _ if found.iter().any(|one| matches!(one, Exact::Absent)) => {
-            let message = "has no value in this state: something is divided by zero, or outside of the domain of its function";
+            let message = "has no value in this state: something is divided by zero, or outside of the domain of its function, or \
+                 a load that the balances do not determine";
             return Some(message.to_owned());
         }
         _ => return Some(format!("is not decided: {UNDECIDED}")),

@@ -163,6 +163,24 @@ rigid_system!(Double {
             shoulder.angular_velocity = 3[rad / s],
             elbow.angular_velocity = 0[rad / s]
         ),
+        // the lower arm swings along, 0.8 m from the shoulder
+        carried = (elbow.force.in_world().y == 0.8[kg] * (9.81[m / s ^ 2] + 9[1 / s ^ 2] * 0.8[m])
+            && elbow.force.in_world().x == 0[N]
+            && elbow.moment == 0[N * m])
+            .given(
+                shoulder.angle = -90[deg],
+                elbow.angle = 0,
+                torque = 0[N * m],
+                shoulder.angular_velocity = 3[rad / s],
+                elbow.angular_velocity = 0[rad / s]
+            ),
+        driven = (shoulder.moment == torque).given(
+            shoulder.angle = 20[deg],
+            elbow.angle = 40[deg],
+            torque = 0.7[N * m],
+            shoulder.angular_velocity = 3[rad / s],
+            elbow.angular_velocity = 1[rad / s]
+        ),
         tip_is_fast = (lower.tip.velocity().norm() == 2[m / s]).given(
             shoulder.angle = 0.7[rad],
             elbow.angle = 0,
@@ -175,6 +193,47 @@ rigid_system!(Double {
             shoulder.angular_velocity = 1[rad / s],
             elbow.angular_velocity = -1[rad / s]
         ),
+    ],
+});
+
+// a loop: the joint that closes it carries its link and half of the seat
+rigid_system!(Swing {
+    motion: planar,
+    bodies: [
+        left {
+            mass: 0.3[kg],
+            inertia: 0.02[kg * m ^ 2],
+            points: [top = (0, 0.5), end = (0, -0.5)]
+        },
+        seat {
+            mass: 4[kg],
+            inertia: 0.5[kg * m ^ 2],
+            points: [l = (-0.4, 0), r = (0.4, 0)]
+        },
+        right {
+            mass: 0.3[kg],
+            inertia: 0.02[kg * m ^ 2],
+            points: [top = (0, 0.5), end = (0, -0.5)]
+        },
+    ],
+    joints: [
+        one = revolute(world(0, 0), left.top),
+        two = revolute(left.end, seat.l),
+        three = revolute(seat.r, right.end),
+        four = revolute(world(0.8, 0), right.top),
+    ],
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+    checks: [
+        halved = (four.force.in_world().y == 2.3[kg] * 9.81[m / s ^ 2]
+            && two.force.in_world().y == 2[kg] * 9.81[m / s ^ 2])
+            .given(
+                one.angle = 0,
+                two.angle = 0,
+                three.angle = 0,
+                one.angular_velocity = 0[rad / s],
+                two.angular_velocity = 0[rad / s],
+                three.angular_velocity = 0[rad / s]
+            ),
     ],
 });
 

@@ -75,6 +75,15 @@ impl Model {
         Some(support.direction.unwrap_or(z))
     }
 
+    /// What the body of this name is made of.
+    pub fn substance(&self) -> Substance {
+        Substance {
+            name: None,
+            mass: self.mass,
+            inertia: self.inertia,
+        }
+    }
+
     /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the one of a planar body.
     pub fn inertia_entries(&self) -> Vec<Id> {
         self.inertia.distinct_entries()

@@ -4,6 +4,7 @@
 mod balance;
 mod body;
 mod by_name;
+mod constant;
 mod constrained;
 mod energy;
 mod foreign;

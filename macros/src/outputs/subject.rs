@@ -8,7 +8,7 @@ use crate::mechanics::{
     Balance, Consistency, Energy, Equations, Linearization, Momentum, Reach, Regressor, Report,
     SystemEquations, Taylor, check_followers, derive_balance, derive_energy, derive_equations,
     derive_momentum, derive_reach, derive_regressor, derive_system, derive_system_balances,
-    derive_system_consistency, derive_system_energy, derive_system_momentum,
+    derive_system_consistency, derive_system_energy, derive_system_held, derive_system_momentum,
     derive_system_regressors, derive_system_taylor, derive_taylor, describe_equations,
     describe_system, linearize_body, linearize_system, sensitivity_of_body, sensitivity_of_system,
     uniform_field, with_potentials, with_system_potentials,
@@ -58,8 +58,14 @@ pub trait Subject: Sized + 'static {
             (asked.kinetic, energy.kinetic),
             (asked.potential, energy.potential),
         ];
+        let held = self.held(work, equations);
         let all = self.solved(work, equations).into_iter().chain(energies);
-        all.chain(linear).chain(angular).collect()
+        all.chain(linear).chain(angular).chain(held).collect()
+    }
+
+    /// The symbols of what joints carry, and what they do.
+    fn held(&self, _: &mut Workspace, _: &Self::Equations) -> Vec<(Id, Id)> {
+        Vec::new()
     }
 
     fn energy(&self, work: &mut Workspace) -> Energy;
@@ -146,11 +152,7 @@ impl Subject for Model {
     }
 
     fn substances(&self) -> Vec<Substance> {
-        vec![Substance {
-            name: None,
-            mass: self.mass,
-            inertia: self.inertia,
-        }]
+        vec![self.substance()]
     }
 
     fn properties(&self) -> &[Property] {
@@ -289,6 +291,10 @@ impl Subject for System {
 
     fn solved(&self, _: &Workspace, equations: &SystemEquations) -> Vec<(Id, Id)> {
         equations.solved(self)
+    }
+
+    fn held(&self, work: &mut Workspace, equations: &SystemEquations) -> Vec<(Id, Id)> {
+        derive_system_held(self, work, equations)
     }
 
     fn energy(&self, work: &mut Workspace) -> Energy {

@@ -4,11 +4,13 @@
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
 
+use crate::model::Meaning;
 use crate::symbolic::{Id, Node, Number};
 
-use super::naming::Names;
+use super::naming::{Names, local};
 use super::writer::{Source, Writer};
 
 /// Longer names than this are replaced by the kind of operation.
@@ -109,6 +111,32 @@ impl Block<'_> {
         };
         name.filter(|name| name.len() <= LENGTH)
             .unwrap_or_else(|| kind.to_owned())
+    }
+
+    /// `let vx = state[7];`, where state and input are arrays.
+    pub fn read_arrays(&mut self, symbols: &[(Id, Meaning)]) -> TokenStream {
+        let outline = self.writer.outline;
+        let (state, input) = (outline.numbers_of_state(), outline.numbers_of_input());
+        let mut tokens = TokenStream::new();
+        for (id, meaning) in symbols {
+            if *meaning == Meaning::Time {
+                self.reads.push(Source::Time);
+                self.names.insert(*id, local("time"));
+                continue;
+            }
+            let given = input.iter().position(|(_, known)| known == meaning);
+            let (source, array, place, name) = match (outline.number_of_state(*meaning), given) {
+                (Some(place), _) => (Source::State, "state", place, &state[place]),
+                (None, Some(place)) => (Source::Input, "input", place, &input[place].0),
+                (None, None) => continue,
+            };
+            let (name, array) = (self.unique(name), local(array));
+            let place = Literal::usize_unsuffixed(place);
+            tokens.extend(quote!(let #name = #array[#place];));
+            self.reads.push(source);
+            self.names.insert(*id, name);
+        }
+        tokens
     }
 
     /// What the group of a name is, where its first member is computed.

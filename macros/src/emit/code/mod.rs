@@ -22,4 +22,4 @@ pub use shapes::{Shapes, Values};
 pub use site::Site;
 pub use statements::Facts;
 pub use text::to_text;
-pub use writer::{COMMON, Fields, Source, Writer};
+pub use writer::{COMMON, Fields, Source, Told, Writer};

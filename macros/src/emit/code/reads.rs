@@ -12,7 +12,7 @@ use crate::symbolic::{Id, Number, Program, Stage};
 
 use super::block::Block;
 use super::naming::{given, local};
-use super::writer::Source;
+use super::writer::{Source, Told};
 
 /// Which component of something a symbol is, if it is one.
 type Component = Box<dyn Fn(Meaning) -> Option<usize>>;
@@ -154,6 +154,9 @@ impl Block<'_> {
         let symbols: Vec<(Id, Meaning)> = symbols
             .filter_map(|id| Some((*id, work.meaning(*id)?)))
             .collect();
+        if self.writer.told == Told::Arrays {
+            return self.read_arrays(&symbols);
+        }
         let outline = self.writer.outline;
         let mut tokens = self.read_declared(&symbols, Source::Params, &outline.params);
         tokens.extend(self.read_declared(&symbols, Source::Input, &outline.inputs));
@@ -210,7 +213,7 @@ impl Block<'_> {
             let kind = self.writer.shapes.scalar.kind();
             return quote!(<#kind as ::core::default::Default>::default());
         }
-        if !self.writer.has_state {
+        if self.writer.told != Told::State {
             self.reads.push(Source::Input);
             return component_at_hand(&local("input"), outline.inputs.first());
         }

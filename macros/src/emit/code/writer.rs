@@ -38,6 +38,15 @@ impl Fields {
     }
 }
 
+/// What functions are given of the motion.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Told {
+    Nothing,
+    State,
+    /// The numbers of state and input, as in constants.
+    Arrays,
+}
+
 /// Writes the functions of one body that run at one stage.
 #[derive(Clone)]
 pub struct Writer<'a> {
@@ -53,8 +62,7 @@ pub struct Writer<'a> {
     pub is_fallible: bool,
     /// Whether they compute all that is not stored, for functions that are seldom called.
     pub is_whole: bool,
-    /// Whether the functions are given a state.
-    pub has_state: bool,
+    pub told: Told,
     /// What the numbers are, and the types that hold them.
     pub shapes: Shapes,
 }
@@ -70,7 +78,7 @@ impl<'a> Writer<'a> {
             stage: Stage::State,
             is_fallible: false,
             is_whole: false,
-            has_state: true,
+            told: Told::State,
             shapes: Shapes::of(outline),
         }
     }

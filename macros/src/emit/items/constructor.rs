@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use crate::emit::code::{Fields, Names, PRINCIPAL_AXES, Writer, local, to_text};
+use crate::emit::code::{Fields, Names, PRINCIPAL_AXES, Told, Writer, local, to_text};
 use crate::model::{AXES, Meaning, Outline, Property, Substance, Workspace};
 use crate::symbolic::{Cost, Id, Stage};
 
@@ -91,7 +91,7 @@ impl Constructor {
         let writer = Writer {
             targets: fields,
             stage: Stage::Parameter,
-            has_state: false,
+            told: Told::Nothing,
             ..Writer::new(outline, work, Fields::NONE)
         };
         let is_open = |id: &Id| work.graph.stage(*id) == Stage::Parameter;

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::emit::code::{COMMON, Method, Site, Source, Writer, local, number_literal};
+use crate::emit::code::{COMMON, Method, Site, Source, Told, Writer, local, number_literal};
 use crate::mechanics::{Partial, Switch};
 use crate::model::Substance;
 use crate::symbolic::{Id, Number};
@@ -166,7 +166,7 @@ fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Method {
     let open: Vec<Id> = outputs.filter(|id| number(id).is_none()).collect();
     let times = local("times");
     let writer = Writer {
-        has_state: false,
+        told: Told::Nothing,
         ..writer.clone()
     };
     Method::write(&writer, &open, |values| {

@@ -38,6 +38,7 @@ impl Lowering<'_> {
         Some(Checks {
             list: list.into_iter().collect::<Option<_>>()?,
             answers: Some(answers),
+            held: Vec::new(),
         })
     }
 

@@ -77,6 +77,11 @@ impl Lowering<'_> {
             );
             return self.report(name.span(), message);
         }
+        let written = word.to_string();
+        let found = joint.values.iter().find(|(name, _)| *name == written);
+        if let (Some((_, value)), false) = (found, is_called) {
+            return Some(*value);
+        }
         if joint.closes {
             let message = format!("`{name}` closes a loop: the state has no coordinates of it");
             return self.report(name.span(), message);
@@ -84,10 +89,7 @@ impl Lowering<'_> {
         if !joint.is_known {
             return None;
         }
-        let written = word.to_string();
-        let found = joint.values.iter().find(|(name, _)| *name == written);
         let message = match found {
-            Some((_, value)) if !is_called => return Some(*value),
             Some(_) => format!("write `{name}.{written}`, without parentheses"),
             None if joint.values.is_empty() => {
                 format!("`{name}` does not move: it has no `{written}`")

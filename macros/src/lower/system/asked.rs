@@ -3,7 +3,9 @@
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint};
-use crate::symbolic::Components;
+use crate::lower::expressions::Value;
+use crate::model::{Checks, Dimension, Frame, Meaning};
+use crate::symbolic::{Components, Stage};
 use crate::syntax::Expression;
 
 use super::joints::joint::{Written, first_name_of};
@@ -11,6 +13,47 @@ use super::outline::name_of_point;
 use super::reading::reader::Reader;
 
 impl Reader<'_> {
+    /// What is claimed of a system: of joints, too, what they carry.
+    pub fn checks(&mut self, holding: &[Ident], errors: &mut Errors) -> Option<Checks> {
+        let top = &self.system.top;
+        let held = if top.checks.is_empty() {
+            Vec::new()
+        } else {
+            holding.iter().map(|joint| self.carried(joint)).collect()
+        };
+        let checks = self.at_top(errors, |lowering| lowering.checks(top))?;
+        Some(Checks { held, ..checks })
+    }
+
+    /// New symbols for force and moment of a joint, as its `.force` and `.moment`.
+    fn carried(&mut self, joint: &Ident) -> (Ident, [Components; 2]) {
+        let is_planar = self.system.is_planar;
+        let (axes, about) = if is_planar {
+            (0..2, 2..3)
+        } else {
+            (0..3, 0..3)
+        };
+        let work = &mut self.work;
+        let [force, moment] =
+            [axes, about].map(|axes| work.symbols(Stage::State, axes, |_| Meaning::Virtual));
+        let vector = |dimension, part| Value::Vector(part, dimension);
+        let [along, around] = [force, moment].map(|part| work.vector(Frame::WORLD, part));
+        let around = if is_planar {
+            Value::Scalar(moment[2], Dimension::MOMENT)
+        } else {
+            vector(Dimension::MOMENT, around)
+        };
+        let values = [
+            ("force", vector(Dimension::FORCE, along)),
+            ("moment", around),
+        ];
+        let mut joints = self.members.joints.iter_mut();
+        if let Some(known) = joints.find(|known| *joint == known.name) {
+            known.values.extend(values);
+        }
+        (joint.clone(), [force, moment])
+    }
+
     /// Whether the joints behind `reactions` are joints, and hold something, or are what may be `kept`.
     pub fn check_held(&self, joints: &[Option<Written>], kept: &[Ident], errors: &mut Errors) {
         let held = self.system.held.iter().flatten();

@@ -57,7 +57,7 @@ pub fn lower_system(
     let states = reader.at_top(errors, |lowering| {
         lowering.states(&system.top, &outline.states)
     });
-    let checks = reader.at_top(errors, |lowering| lowering.checks(&system.top));
+    let checks = reader.checks(&outline.holding, errors);
     outline.unused = reader.unused(&drafts);
     let made_of = bodies.iter().flatten().flat_map(|body| {
         let entries = body.inertia.distinct_entries();

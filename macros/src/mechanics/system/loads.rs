@@ -125,6 +125,30 @@ pub fn derive_system_reactions(
     named(system, &joints, &closed)
 }
 
+/// The symbols of what joints carry, as checks ask for it, and what they do; no value where the balances
+/// leave it open.
+pub fn derive_system_held(
+    system: &System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> Vec<(Id, Id)> {
+    let asked = &system.checks.held;
+    if asked.is_empty() {
+        return Vec::new();
+    }
+    let open = derive_system_open(system, work, equations);
+    let found = derive_system_reactions(system, work, equations);
+    let none = work.graph.undefined();
+    let known = asked.iter().flat_map(|(joint, symbols)| {
+        let found = found.iter().find(|(name, _)| name == joint);
+        let is_open = open.iter().any(|(name, _)| name == joint);
+        let found = found.filter(|_| !is_open).map(|(_, parts)| parts.concat());
+        let found = found.unwrap_or_else(|| vec![none; 6]);
+        symbols.concat().into_iter().zip(found)
+    });
+    known.collect()
+}
+
 /// What the balances leave open: the name of the joint, link or constraint, and which part of its load,
 /// in order.
 pub fn derive_system_open(

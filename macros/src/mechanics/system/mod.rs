@@ -24,8 +24,8 @@ pub use constraints::check_followers;
 pub use equations::{SystemEquations, derive_system, describe_system};
 pub use jacobian::{Jacobian, derive_jacobians};
 pub use loads::{
-    derive_system_driving, derive_system_inverse, derive_system_open, derive_system_reactions,
-    derive_system_release,
+    derive_system_driving, derive_system_held, derive_system_inverse, derive_system_open,
+    derive_system_reactions, derive_system_release,
 };
 pub use matrix::{Inertias, derive_inertias};
 pub use motion::unit_motion;

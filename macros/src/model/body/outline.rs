@@ -6,8 +6,8 @@ use proc_macro2::{Ident, TokenStream};
 
 use crate::errors::Extent;
 use crate::families::LoadKind;
-use crate::model::joints::{Group, Motion, OWN, Shape};
-use crate::model::words::{Dimension, Frame, FrameWord, Unit, Variable};
+use crate::model::joints::{Field, Group, Motion, OWN, Shape};
+use crate::model::words::{AXES, Dimension, Frame, FrameWord, Meaning, Unit, Variable};
 use crate::symbolic::Number;
 
 /// An output that is asked for, and where.
@@ -148,6 +148,63 @@ impl Outline {
         joints
             .flat_map(|(number, joint)| of(joint.shape, number, &format!("{}_", joint.name)))
             .collect()
+    }
+
+    /// The fields of the state that are the motion's, part by part: of which frame, and of which joint.
+    fn fields(&self) -> Vec<(Option<Frame>, String, &'static Field)> {
+        let alone = (!self.is_system).then_some(self.motion.shape.fields);
+        let alone = alone.into_iter().flatten();
+        let alone = alone.map(|field| (None, String::new(), field));
+        let joints = self.joints.iter().flat_map(|joint| {
+            let fields = joint.shape.fields.iter();
+            fields.map(|field| (joint.frame, format!("{}_", joint.name), field))
+        });
+        alone.chain(joints).collect()
+    }
+
+    /// The names of the numbers of a state, one after the other.
+    pub fn numbers_of_state(&self) -> Vec<String> {
+        let fields = self.fields().into_iter();
+        let motion = fields.flat_map(|(_, joint, field)| {
+            let names = field.names.iter();
+            names.map(move |name| format!("{joint}{name}"))
+        });
+        let own = self.states.iter().map(|state| state.name.to_string());
+        motion.chain(own).collect()
+    }
+
+    /// Which of these a symbol stands for.
+    pub fn number_of_state(&self, meaning: Meaning) -> Option<usize> {
+        let mut first = 0;
+        for (frame, _, field) in self.fields() {
+            let is_its = |other: Frame| frame.is_none_or(|frame| frame == other);
+            if let Meaning::Of(body, ..) = meaning
+                && is_its(body)
+                && let Some(part) = field.component(meaning)
+            {
+                return Some(first + part);
+            }
+            first += field.names.len();
+        }
+        match meaning {
+            Meaning::Own(number) => Some(first + number),
+            _ => None,
+        }
+    }
+
+    /// The names of the numbers of an input, and what each stands for.
+    pub fn numbers_of_input(&self) -> Vec<(String, Meaning)> {
+        let inputs = self.inputs.iter().enumerate();
+        let numbers = inputs.flat_map(|(index, input)| {
+            let axes = input.frame.map_or(0, |_| self.motion.axes());
+            let parts = (0..axes).map(move |axis| {
+                let name = format!("{}_{}", input.name, AXES[axis]);
+                (name, Meaning::Input(index, Some(axis)))
+            });
+            let scalar = (axes == 0).then(|| (input.name.to_string(), Meaning::Input(index, None)));
+            parts.chain(scalar)
+        });
+        numbers.collect()
     }
 
     /// It is a system in which nothing moves by itself: its state has no coordinates.

@@ -11,6 +11,8 @@ pub struct Checks {
     pub list: Vec<Check>,
     /// The symbols of what is derived later, where there are checks.
     pub answers: Option<Answers>,
+    /// Of a system: the symbols of what joints carry, force and moment, by name.
+    pub held: Vec<(Ident, [Components; 2])>,
 }
 
 /// Symbols of what the motion answers.

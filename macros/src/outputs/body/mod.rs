@@ -8,6 +8,7 @@ mod structured;
 use crate::model::Model;
 
 use super::balance::Balance;
+use super::constant::Constant;
 use super::constrained::Constrained;
 use super::energy::Energy;
 use super::linearization::{Linearization, Sensitivity};
@@ -17,7 +18,7 @@ use super::regressor::Regressor;
 use super::taylor::Taylor;
 
 /// What is solved for, or looked for.
-fn solved() -> [Box<dyn Output<Model>>; 7] {
+fn solved() -> [Box<dyn Output<Model>>; 8] {
     [
         Box::<inverse::Inverse>::default(),
         Box::<flow::Flow>::default(),
@@ -26,6 +27,7 @@ fn solved() -> [Box<dyn Output<Model>>; 7] {
         Box::<Linearization>::default(),
         Box::<Sensitivity>::default(),
         Box::<Regressor>::default(),
+        Box::<Constant>::default(),
     ]
 }
 

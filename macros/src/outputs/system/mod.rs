@@ -8,6 +8,7 @@ mod reactions;
 use crate::model::System;
 
 use super::balance::Balance;
+use super::constant::Constant;
 use super::constrained::Constrained;
 use super::energy::Energy;
 use super::linearization::{Linearization, Sensitivity};
@@ -30,6 +31,7 @@ impl Listed for System {
             Box::<Linearization>::default(),
             Box::<Sensitivity>::default(),
             Box::<Regressor>::default(),
+            Box::<Constant>::default(),
             Box::<Constrained>::default(),
         ]
     }

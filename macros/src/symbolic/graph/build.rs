@@ -40,7 +40,8 @@ impl Graph {
         self.intern(Node::Truth(value))
     }
 
-    pub(in crate::symbolic) fn undefined(&mut self) -> Id {
+    /// What has no value.
+    pub fn undefined(&mut self) -> Id {
         self.intern(Node::Undefined)
     }
 

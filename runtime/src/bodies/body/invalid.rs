@@ -101,9 +101,19 @@ impl fmt::Display for InvalidBody {
                 value,
             } => write!(f, "the {property} of `{of}` cannot be {value}"),
             Self::Inertia(error) => write!(f, "impossible inertia: {error}"),
-            Self::Member { body, impossible } => {
-                write!(f, "`{body}`: {}", Self::from(*impossible))
-            }
+            Self::Member { body, impossible } => match impossible {
+                Impossible::Mass(value) => write!(
+                    f,
+                    "the mass of `{body}` must be positive and finite, is {value} kg"
+                ),
+                Impossible::PlanarInertia(value) => write!(
+                    f,
+                    "the inertia of `{body}` must be positive and finite, is {value} kg m²"
+                ),
+                Impossible::Inertia(error) => {
+                    write!(f, "impossible inertia of `{body}`: {error}")
+                }
+            },
         }
     }
 }

@@ -152,7 +152,7 @@ impl<S> fmt::Display for IntegrationError<S> {
                 time, constraint, ..
             } => write!(
                 f,
-                "after {time} s the motion is not determined: `{constraint}` depends there on the other constraints, as at a dead point or a change point"
+                "after {time} s the motion is not determined: `{constraint}` follows from the other constraints there, as at a dead point or a change point"
             ),
             Self::EventNotANumber { time, .. } => {
                 write!(f, "at {time} s the function of the events is not a number")

@@ -186,7 +186,7 @@ fn a_kite_folds_to_where_two_ways_lead_on() {
     let height = (4.0 - half * half).sqrt();
     let normal = [y / across, (1.0 - x) / across];
     let far = [
-        (x + 1.0) / 2.0 + height * normal[0],
+        0.5 * (x + 1.0) + height * normal[0],
         y / 2.0 + height * normal[1],
     ];
     let coupler = (far[1] - y).atan2(far[0] - x);

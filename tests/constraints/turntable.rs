@@ -37,8 +37,8 @@ fn a_ball_goes_round() {
         start.position.x - start.velocity.y / turns,
         start.position.y + start.velocity.x / turns,
     ];
-    for axis in 0..2 {
-        let opposite = 2.0 * center[axis] - start.position[axis];
+    for (axis, center) in center.into_iter().enumerate() {
+        let opposite = 2.0 * center - start.position[axis];
         assert!((end.position[axis] - opposite).abs() < 1e-10);
         assert!((end.velocity[axis] + start.velocity[axis]).abs() < 1e-10);
     }

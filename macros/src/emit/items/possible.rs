@@ -41,14 +41,14 @@ impl<'a> Checked<'a> {
 
     /// `check_mass(mass)?; member("arm", check_inertia([xx, ..]))?;` of these values.
     pub fn emit(&self, values: &[TokenStream], private: &TokenStream) -> TokenStream {
-        let with_name = |name: &Option<&str>, check: TokenStream| match name {
-            Some(name) => quote!(#private::member(#name, #check)?;),
-            None => quote!(#check?;),
+        let with_name = |name: Option<&str>, check: TokenStream| {
+            let named = name.map(|name| quote!(#private::member(#name, #check)?;));
+            named.unwrap_or_else(|| quote!(#check?;))
         };
         let (masses, mut rest) = values.split_at(self.masses.len());
         let masses = self.masses.iter().zip(masses);
         let masses =
-            masses.map(|((name, _), mass)| with_name(name, quote!(#private::check_mass(#mass))));
+            masses.map(|((name, _), mass)| with_name(*name, quote!(#private::check_mass(#mass))));
         let masses: Vec<TokenStream> = masses.collect();
         let inertias = self.inertias.iter().map(|(name, entries)| {
             let (own, others) = rest.split_at(entries.len());
@@ -57,7 +57,7 @@ impl<'a> Checked<'a> {
                 [moment] => quote!(#private::check_planar_inertia(#moment)),
                 entries => quote!(#private::check_inertia([#(#entries),*])),
             };
-            with_name(name, check)
+            with_name(*name, check)
         });
         let inertias: Vec<TokenStream> = inertias.collect();
         quote!(#(#masses)* #(#inertias)*)

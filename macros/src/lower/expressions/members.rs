@@ -26,10 +26,15 @@ impl Lowering<'_> {
                 if self.scope.is_lost(&name.to_string()) {
                     return Some(None);
                 }
-                let (word, form) = if members.body(&name.to_string()).is_some() {
-                    ("body", "position")
-                } else {
-                    ("joint", "angle")
+                let joint = members.joint(&name.to_string());
+                if joint.is_some_and(|joint| joint.closes) {
+                    return Some(self.report(name.span(), closes(name)));
+                }
+                let coordinate = joint.and_then(|joint| joint.values.first());
+                let (word, form) = match (joint, coordinate) {
+                    (None, _) => ("body", "position"),
+                    (_, Some((form, _))) => ("joint", *form),
+                    _ => ("joint", "angle"),
                 };
                 let message =
                     format!("`{name}` is a {word}: write what of it, such as `{name}.{form}`");
@@ -82,9 +87,15 @@ impl Lowering<'_> {
         if let (Some((_, value)), false) = (found, is_called) {
             return Some(*value);
         }
+        if found.is_none() && ["force", "moment"].contains(&written.as_str()) {
+            let message = format!(
+                "a load does not follow that of a joint: write what `{name}` holds as a constraint, \
+                 whose name then is its load"
+            );
+            return self.report(word.span(), message);
+        }
         if joint.closes {
-            let message = format!("`{name}` closes a loop: the state has no coordinates of it");
-            return self.report(name.span(), message);
+            return self.report(name.span(), closes(name));
         }
         if !joint.is_known {
             return None;
@@ -219,4 +230,12 @@ impl Lowering<'_> {
             }
         }
     }
+}
+
+/// What is wrong with a joint that closes a loop, where a coordinate is needed.
+fn closes(name: &Ident) -> String {
+    format!(
+        "`{name}` closes a loop: the state has no coordinates of it; write it before the other joint of \
+         the body that it carries, which then closes the loop"
+    )
 }

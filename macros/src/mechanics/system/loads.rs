@@ -1,12 +1,14 @@
 //! What joints carry, and the drives that make them move as is given.
 
+use std::iter::once;
+
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{self, Pair};
 use crate::model::{AXES, System, TreeJoint, Workspace};
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Components, Id, Undetermined};
 
 use super::closed::{Spare, component, moved_in_world, release, solve_drives};
 use super::equations::SystemEquations;
@@ -28,26 +30,8 @@ pub fn derive_system_inverse(
         None => open.iter().map(|freedom| needed[*freedom]).collect(),
         Some(closed) => {
             let solved = solve_drives(work, closed, &needed, &open);
-            let name = |column: usize| named[*open.get(column)?].as_ref();
-            for one in &solved.undetermined {
-                let Some(drive) = name(one.column) else {
-                    continue;
-                };
-                let others: Vec<String> = one
-                    .others
-                    .iter()
-                    .filter_map(|other| Some(format!("`{}`", name(*other)?)))
-                    .collect();
-                let others = if others.is_empty() {
-                    "what keeps the constraints".to_owned()
-                } else {
-                    others.join(" and ")
-                };
-                let message = format!(
-                    "`{drive}` is not determined: {others} can do all that it does; give its value"
-                );
-                errors.push(drive.span(), message);
-            }
+            let names: Vec<&Ident> = open.iter().filter_map(|one| named[*one].as_ref()).collect();
+            report_undetermined(&names, &solved.undetermined, errors);
             solved.values.into_iter().take(open.len()).collect()
         }
     };
@@ -55,6 +39,37 @@ pub fn derive_system_inverse(
     work.labels.follow(&images);
     let results = folded.into_iter();
     results.map(|one| work.graph.result(one)).collect()
+}
+
+/// Reports drives that others can stand in for. The unknown that is left open may be the load of a
+/// constraint: then the drives that change with it are not determined.
+fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut Errors) {
+    let mut reported = Vec::new();
+    for unknown in unknowns {
+        let columns = once(&unknown.column).chain(&unknown.others).copied();
+        let mut drives: Vec<usize> = columns
+            .filter(|column| *column < names.len() && !reported.contains(column))
+            .collect();
+        drives.sort_unstable();
+        let Some(last) = drives.pop() else {
+            continue;
+        };
+        reported.push(last);
+        let others: Vec<String> = drives
+            .iter()
+            .map(|other| format!("`{}`", names[*other]))
+            .collect();
+        let others = if others.is_empty() {
+            "what keeps the constraints".to_owned()
+        } else {
+            others.join(" and ")
+        };
+        let drive = names[last];
+        let message = format!(
+            "`{drive}` is not determined: {others} can do all that it does; give its value"
+        );
+        errors.push(drive.span(), message);
+    }
 }
 
 /// The load along each freedom that is not prescribed, joint by joint, that makes it accelerate as is

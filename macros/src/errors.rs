@@ -169,14 +169,17 @@ pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     let distances = known
         .into_iter()
         .map(|known| (distance(name, known), known));
+    let is_cased = |known: &str| known != name && known.eq_ignore_ascii_case(name);
     distances
-        .filter(|(distance, known)| (1..=tolerated).contains(distance) && known.len() > 1)
+        .filter(|(distance, known)| {
+            (1..=tolerated).contains(distance) && known.len() > 1 || is_cased(known)
+        })
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, known)| known)
 }
 
 /// Words of which all in a row mean one kind of joint: here, in files, and in other tools.
-const JOINTS: [&[&str]; 9] = [
+const JOINTS: [&[&str]; 10] = [
     &[
         "revolute",
         "hinge",
@@ -208,20 +211,43 @@ const JOINTS: [&[&str]; 9] = [
     &["screw", "helical"],
     &["pin_in_slot", "slot", "pin_slot"],
     &["planar", "plane"],
+    &["cylindrical", "cylinder", "pin_in_slot"],
 ];
 
 /// The one of the known kinds of joints that a word means elsewhere.
-pub fn joint_meant<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+fn joint_meant<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();
-    let row = JOINTS.iter().find(|row| row.contains(&word.as_str()))?;
-    known.into_iter().find(|known| row.contains(known))
+    let mut rows = JOINTS.iter().filter(|row| row.contains(&word.as_str()));
+    rows.find_map(|row| known.iter().copied().find(|known| row.contains(known)))
 }
 
 /// `; did you mean ...?` of kinds of joints, or nothing.
 pub fn hint_of_joint(word: &str, known: &[&str]) -> String {
-    let all = || known.iter().copied();
-    let meant = joint_meant(word, all()).or_else(|| similar(word, all()));
+    let meant = joint_meant(word, known).or_else(|| similar(word, known.iter().copied()));
     meant.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
+}
+
+/// Functions by the names that they have elsewhere.
+const FUNCTIONS: [(&str, &str); 13] = [
+    ("log", "ln"),
+    ("sgn", "signum"),
+    ("sign", "signum"),
+    ("fabs", "abs"),
+    ("arcsin", "asin"),
+    ("arccos", "acos"),
+    ("arctan", "atan"),
+    ("arctan2", "atan2"),
+    ("pow", "powi"),
+    ("square", "powi"),
+    ("inv", "recip"),
+    ("norm2", "norm_squared"),
+    ("ceiling", "ceil"),
+];
+
+/// The function of scalars or vectors that a word means elsewhere.
+pub fn function_meant(word: &str) -> Option<&'static str> {
+    let mut all = FUNCTIONS.iter();
+    all.find_map(|(elsewhere, here)| (*elsewhere == word).then_some(*here))
 }
 
 /// `; did you mean ...?`, or nothing.

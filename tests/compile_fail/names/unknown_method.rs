@@ -5,7 +5,7 @@ rigid_body!(Plank {
     mass: 2[kg],
     inertia: 0.3[kg * m ^ 2],
     params: [angle = 0.1[rad]],
-    forces: [push = body(0, angle.sine())],
+    forces: [push = body(angle.sgn(), angle.sine()), pull = body(log(angle), 0)],
 });
 
 fn main() {}

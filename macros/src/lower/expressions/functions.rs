@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{Extent, hint};
+use crate::errors::{Extent, function_meant, hint};
 use crate::fraction::Fraction;
 use crate::model::{Dimension, Frame, is_solid};
 use crate::symbolic::{Function, Id, Number};
@@ -83,7 +83,9 @@ impl Lowering<'_> {
             .map(String::as_str)
             .chain(["body", "world", "table"]);
         let mut advice = hint(&word, known);
-        if advice.is_empty() {
+        if let Some(meant) = function_meant(&word) {
+            advice = format!("; did you mean `x.{meant}(..)`?");
+        } else if advice.is_empty() {
             let form = format!("functions: [{word}(x[m]) = {word}[N]]");
             advice = format!("; a function of Rust is declared with its units, as in `{form}`");
         }
@@ -298,13 +300,12 @@ impl Lowering<'_> {
             .iter()
             .map(|(name, _)| *name)
             .chain(SCALAR_METHODS);
-        self.report(
-            method.span(),
-            format!(
-                "there is no function `{word}` of a scalar{}",
-                hint(&word, known)
-            ),
-        )
+        let hint = match function_meant(&word) {
+            Some(meant) => format!("; did you mean `{meant}`?"),
+            None => hint(&word, known),
+        };
+        let message = format!("there is no function `{word}` of a scalar{hint}");
+        self.report(method.span(), message)
     }
 
     fn whole_exponent(&mut self, expression: &Expression) -> Option<i32> {

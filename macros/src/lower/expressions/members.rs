@@ -87,7 +87,8 @@ impl Lowering<'_> {
         if let (Some((_, value)), false) = (found, is_called) {
             return Some(*value);
         }
-        if found.is_none() && ["force", "moment"].contains(&written.as_str()) {
+        let is_load = ["force", "moment"].contains(&written.as_str());
+        if found.is_none() && is_load && !self.members.are_loaded {
             let message = format!(
                 "a load does not follow that of a joint: write what `{name}` holds as a constraint, \
                  whose name then is its load"

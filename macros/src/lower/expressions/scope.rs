@@ -179,6 +179,8 @@ pub struct Members {
     pub joints: Vec<JointNames>,
     /// Whether it is known how they move.
     pub are_moving: bool,
+    /// Whether joints have loads: in checks.
+    pub are_loaded: bool,
     /// What was asked of bodies: points, by the number of the body.
     pub used: RefCell<HashSet<(usize, String)>>,
 }

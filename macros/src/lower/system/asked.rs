@@ -19,6 +19,7 @@ impl Reader<'_> {
         let held = if top.checks.is_empty() {
             Vec::new()
         } else {
+            self.members.are_loaded = true;
             holding.iter().map(|joint| self.carried(joint)).collect()
         };
         let checks = self.at_top(errors, |lowering| lowering.checks(top))?;

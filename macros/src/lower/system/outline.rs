@@ -83,11 +83,13 @@ fn is_driven(joint: &Definition) -> bool {
     call.is_some_and(|(_, methods)| methods.iter().any(|(method, _)| *method == "driven"))
 }
 
-/// The body that a joint carries.
+/// The body that a joint carries; of a joint to the ground that is written the other way round, the
+/// one that it would.
 fn name_of_carried(joint: &Definition, kind: &JointKind) -> Option<String> {
     let ((_, arguments), _) = joint.value.as_ref().and_then(call)?;
     let written = arguments.get(usize::from(kind.holds == Holds::Points))?;
-    first_name_of(written).map(ToString::to_string)
+    let named = first_name_of(written).or_else(|| first_name_of(arguments.first()?));
+    named.map(ToString::to_string)
 }
 
 /// `crank_drive`, of a joint of several coordinates `gimbal_drive_angle_1`.

@@ -10,7 +10,7 @@ use crate::mechanics::tree::{self, Pair};
 use crate::model::{AXES, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Id, Undetermined};
 
-use super::closed::{Spare, component, moved_in_world, release, solve_drives};
+use super::closed::{Closed, Spare, component, moved_in_world, release, solve_drives};
 use super::equations::SystemEquations;
 
 /// The open drives, in the order of the joints, that make these accelerate as is given. One that
@@ -32,6 +32,7 @@ pub fn derive_system_inverse(
             let solved = solve_drives(work, closed, &needed, &open);
             let names: Vec<&Ident> = open.iter().filter_map(|one| named[*one].as_ref()).collect();
             report_undetermined(&names, &solved.undetermined, errors);
+            report_undriven(system, closed, &solved.spare, errors);
             solved.values.into_iter().take(open.len()).collect()
         }
     };
@@ -69,6 +70,24 @@ fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut
             "`{drive}` is not determined: {others} can do all that it does; give its value"
         );
         errors.push(drive.span(), message);
+    }
+}
+
+/// Reports freedoms whose accelerations no open drive can give: their balances are left over.
+/// Constraints that hold at times only leave such rows too where they do not hold: then nothing is
+/// reported.
+fn report_undriven(system: &System, closed: &Closed, spare: &[(usize, Id)], errors: &mut Errors) {
+    if closed.constraints.iter().any(|row| row.active.is_some()) {
+        return;
+    }
+    let joints = system.joints.iter().filter(|joint| !joint.is_driven());
+    let mut by_freedom = joints.flat_map(|joint| joint.open.iter().map(move |_| &joint.name));
+    if let Some(joint) = spare.iter().find_map(|(row, _)| by_freedom.nth(*row)) {
+        let message = format!(
+            "nothing drives `{joint}`, nor what moves with it: `inverse` gives the accelerations \
+             of all joints, and needs as many open drives as the linkage has freedoms"
+        );
+        errors.push(joint.span(), message);
     }
 }
 

@@ -169,7 +169,7 @@ impl Reader<'_> {
             }
             Some(body) => return Some((carrier, (body, carried.1))),
             None => {
-                "the second point of a joint is on the body that it carries: the ground is carried by nothing"
+                "the second point of a joint is on the body that it carries, and nothing carries the ground: write `world(..)` first"
             }
         };
         errors.push(arguments[1].extent, message);

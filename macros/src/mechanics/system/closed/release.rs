@@ -49,33 +49,46 @@ fn instead(kind: &str, is_planar: bool) -> &'static [(&'static str, Free, usize)
     }
 }
 
-/// Ways to let go after which all loads are determined, in words: ``with `a` as `spherical` ``.
+/// Ways to let go after which all loads are determined, in words: ``with `a` as `spherical` ``. Where
+/// these would be many, joints are left out as a whole.
 pub fn release(system: &System, work: &mut Workspace, unsettled: &Unsettled) -> String {
     let spare = &unsettled.spare;
     let ways = sampled(work, |graph| ways(graph, system, unsettled));
+    let chosen = fewest(&ways, spare.len()).unwrap_or_else(|| {
+        let single = sampled(work, |graph| components(graph, system, spare));
+        let singly = one_by_one(&ways, &single);
+        if singly.len() <= MOST {
+            return singly;
+        }
+        let joints = sampled(work, |_| without_joints(system, unsettled));
+        fewest(&joints, spare.len()).unwrap_or(singly)
+    });
+    chosen.join(" and ")
+}
+
+/// The fewest ways, of different joints, that together leave nothing of so many spare loads.
+fn fewest(ways: &[Way<Residue>], wanted: usize) -> Option<Vec<String>> {
     let (mut span, mut chosen) = (Span::default(), Vec::new());
     let is_found = ways.len() <= FEW
-        && (1..=MOST).any(|most| search(&ways, (0, most), &mut span, (&mut chosen, spare.len())));
-    let mut said: Vec<String> = chosen.iter().map(|way| ways[*way].said.clone()).collect();
-    if !is_found {
-        let single = sampled(work, |graph| components(graph, system, spare));
-        let mut holders = Vec::new();
-        for (way, is_whole) in ways
-            .iter()
-            .map(|way| (way, true))
-            .chain(single.iter().map(|way| (way, false)))
-        {
-            if is_whole && holders.contains(&way.holder) {
-                continue;
-            }
-            if let Some(larger) = span.with(way) {
-                span = larger;
-                holders.push(way.holder);
-                said.push(way.said.clone());
-            }
+        && (1..=MOST).any(|most| search(ways, (0, most), &mut span, (&mut chosen, wanted)));
+    is_found.then(|| chosen.iter().map(|way| ways[*way].said.clone()).collect())
+}
+
+/// Each way that lets go of something more, and then single components of other joints.
+fn one_by_one(ways: &[Way<Residue>], single: &[Way<Residue>]) -> Vec<String> {
+    let (mut span, mut holders, mut said) = (Span::default(), Vec::new(), Vec::new());
+    let whole = ways.iter().map(|way| (way, true));
+    for (way, is_whole) in whole.chain(single.iter().map(|way| (way, false))) {
+        if is_whole && holders.contains(&way.holder) {
+            continue;
+        }
+        if let Some(larger) = span.with(way) {
+            span = larger;
+            holders.push(way.holder);
+            said.push(way.said.clone());
         }
     }
-    said.join(" and ")
+    said
 }
 
 /// Those by other kinds of joints, and by links that are left out.
@@ -103,6 +116,26 @@ fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id
         });
     }
     ways
+}
+
+/// Those by joints that close loops and are left out.
+fn without_joints(system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
+    let closings = system.closings.iter().enumerate();
+    let ways = closings.map(|(number, closing)| {
+        let holder = system.joints.len() + number;
+        let spare = unsettled.spare.iter();
+        let wrenches: Vec<Vec<Id>> = spare.map(|spare| spare.wrench(holder).concat()).collect();
+        let all = if system.is_planar { 3 } else { 6 };
+        let parts = 0..2 * AXES.len();
+        let part = |part: usize| wrenches.iter().map(|wrench| wrench[part]).collect();
+        Way {
+            holder,
+            said: format!("without `{}`", closing.name),
+            count: all - closing.kind.freedoms(system.is_planar).len(),
+            rows: parts.map(part).collect(),
+        }
+    });
+    ways.collect()
 }
 
 /// A joint, as far as it matters here.

@@ -40,7 +40,10 @@ impl Record {
     /// `pub struct BodyReactions { .. }`
     pub fn declared(&self, outline: &Outline) -> TokenStream {
         let (name, doc) = (self.name(outline), &self.doc);
-        let generics = Scalar::of(outline).declared();
+        let scalar = Scalar::of(outline);
+        let (generics, kind) = (scalar.declared(), scalar.kind());
+        let empty = self.is_marked(outline);
+        let empty = empty.then(|| quote!(scalar: ::core::marker::PhantomData<#kind>));
         let default = self.has_default.then(|| quote!(Default,));
         let lints = lints(self.fields.iter().map(|field| &field.name));
         let fields = self.fields.iter();
@@ -49,7 +52,7 @@ impl Record {
             #[doc = #doc]
             #lints
             #[derive(Clone, Copy, Debug, #default PartialEq)]
-            pub struct #name #generics { #(#fields),* }
+            pub struct #name #generics { #(#fields,)* #empty }
         }
     }
 
@@ -66,7 +69,14 @@ impl Record {
             let value = fill(number, values);
             quote!(#name: #value)
         });
-        quote!(#name { #(#fields),* })
+        let empty = self.is_marked(outline);
+        let empty = empty.then(|| quote!(scalar: ::core::marker::PhantomData));
+        quote!(#name { #(#fields,)* #empty })
+    }
+
+    /// Whether nothing but a marker says what its scalar is.
+    fn is_marked(&self, outline: &Outline) -> bool {
+        self.fields.is_empty() && Scalar::of(outline).is_generic()
     }
 }
 

@@ -14,6 +14,7 @@ use newton_euler::{columns::Columns, integrate, prelude::*};
 
 mod bodies;
 mod integration;
+mod sines;
 #[path = "../handwritten/mod.rs"]
 mod systems;
 

@@ -1,7 +1,8 @@
 //! Several doubles in one register, of the width that the processor has.
 //!
-//! Operations are those of `f64` in each lane, without fused ones, and elementary functions are
-//! computed lane by lane: each number is what it would be alone, to the bit.
+//! Operations are those of `f64` in each lane, without fused ones. Sines and cosines are computed in
+//! all lanes at once, other elementary functions lane by lane: each number is what it would be
+//! alone, to the bit.
 
 use core::fmt;
 use core::ops::{
@@ -13,6 +14,7 @@ use pulp::bytemuck::{cast_slice, cast_slice_mut};
 use crate::numbers::scalar::Scalar;
 
 mod register;
+mod sines;
 mod width;
 
 pub(crate) use register::by_itself;
@@ -63,10 +65,16 @@ impl<S: Register> Lanes<S> {
         cast_slice(core::slice::from_ref(&self.numbers))
     }
 
+    /// The same, to be changed.
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        cast_slice_mut(core::slice::from_mut(&mut self.numbers))
+    }
+
     /// A function of each number.
     #[inline(always)]
     fn map(mut self, function: impl Fn(f64) -> f64) -> Self {
-        for number in cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut self.numbers)) {
+        for number in self.as_mut_slice() {
             *number = function(*number);
         }
         self
@@ -75,8 +83,7 @@ impl<S: Register> Lanes<S> {
     /// A function of each pair of numbers.
     #[inline(always)]
     fn zip(mut self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
-        let numbers = cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut self.numbers));
-        for (number, second) in numbers.iter_mut().zip(other.as_slice()) {
+        for (number, second) in self.as_mut_slice().iter_mut().zip(other.as_slice()) {
             *number = function(*number, *second);
         }
         self
@@ -250,15 +257,17 @@ impl<S: Register> Scalar for Lanes<S> {
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let (mut sines, mut cosines) = (self, self);
-        let pair = (
-            cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut sines.numbers)),
-            cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut cosines.numbers)),
-        );
-        for (sine, cosine) in pair.0.iter_mut().zip(pair.1) {
-            (*sine, *cosine) = Scalar::sin_cos(*sine);
-        }
-        (sines, cosines)
+        sines::sin_cos(self)
+    }
+
+    #[inline(always)]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    #[inline(always)]
+    fn cos(self) -> Self {
+        self.sin_cos().1
     }
 
     #[inline(always)]
@@ -271,6 +280,6 @@ impl<S: Register> Scalar for Lanes<S> {
         Self::new(self.simd, self.simd.abs_f64s(self.numbers))
     }
 
-    by_lane! { sin cos tan asin acos atan sinh cosh tanh exp ln cbrt signum floor ceil }
+    by_lane! { tan asin acos atan sinh cosh tanh exp ln cbrt signum floor ceil }
     by_pair! { atan2 powf hypot min max }
 }

@@ -1,0 +1,60 @@
+//! Sines and cosines in lanes: ns for a pair, in registers of each width, and over one lane, which is libm's.
+//!
+//! Least of many rounds, in one thread; loading and storing is timed as well. `cargo bench --bench sines`
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use newton_euler::ensemble::Ensemble;
+use newton_euler::lanes::Width;
+use newton_euler::prelude::*;
+
+rigid_body!(Circle::<T> {
+    motion: planar_translation,
+    params: [force = 1[N]],
+    inputs: [angle],
+    mass: 1[kg],
+    forces: [radius = force * world(angle.cos(), angle.sin())],
+});
+
+/// Members: their columns stay in the cache next to the core.
+const COUNT: usize = 512;
+
+/// ns for each member, in registers of this width, of angles up to a size.
+fn measure(width: Width, size: f64) -> f64 {
+    let rest = PlanarTranslation::default();
+    let mut members = Ensemble::new(&Circle::default(), (0..COUNT).map(|_| rest));
+    members.set_width(width);
+    for index in 0..COUNT {
+        #[expect(clippy::cast_precision_loss, reason = "small")]
+        let angle = size * ((index as f64 * 0.618).fract() * 2.0 - 1.0);
+        members.inputs_mut().set(index, &CircleInput { angle });
+    }
+    let mut found = members.accelerations(0.0);
+    let rounds = (0..2000).map(|_| {
+        let start = Instant::now();
+        black_box(&members).accelerate(0.0, black_box(&mut found));
+        start.elapsed().as_secs_f64()
+    });
+    #[expect(clippy::cast_precision_loss, reason = "small")]
+    let members = COUNT as f64;
+    rounds.fold(f64::INFINITY, f64::min) * 1e9 / members
+}
+
+fn main() {
+    if !std::env::args().any(|argument| argument == "--bench") {
+        return;
+    }
+    println!("| angles up to | {:>8} | ns | of one lane |", "lanes");
+    for size in [0.7, 10.0, 1000.0, 1e5] {
+        let one = measure(Width::One, size);
+        for width in Width::ALL.into_iter().filter(|width| width.is_there()) {
+            let ns = measure(width, size);
+            println!(
+                "| {size:12} | {:>8} | {ns:.2} | {:.2} |",
+                width.lanes(),
+                ns / one
+            );
+        }
+    }
+}

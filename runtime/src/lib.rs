@@ -1,11 +1,11 @@
 //! The equations of motion of a rigid body, derived at compile time from a declarative description.
 //!
-//! [`rigid_body!`] reads what a body is (mass, inertia, points) and what acts on it (forces,
-//! moments, fields, reactions), writes the force balance (1.3) and the moment balance (1.4), drops
-//! what is zero or never asked for, and leaves straight-line Rust that `cargo expand` shows as a
-//! page of a textbook. Its documentation is the reference of the language. Generated types
-//! implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them. [`recipes`]
-//! has what is asked for often, as short programs.
+//! [`rigid_body!`] reads the properties of a body (mass, inertia, points) and the loads on it
+//! (forces, moments, fields, reactions). It derives the force balance (1.3) and the moment balance
+//! (1.4), drops every term that is zero or unused, and emits straight-line Rust that `cargo expand`
+//! shows like a page of a textbook. Its documentation is the reference of the language. Generated
+//! types implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them.
+//! [`recipes`] has short programs for common tasks.
 //!
 //! ```
 //! use newton_euler::prelude::*;
@@ -32,42 +32,42 @@
 //! # Ok::<(), newton_euler::integrate::IntegrationError<Planar>>(())
 //! ```
 //!
-//! What the macro uses is here for use by hand as well: [`inertia`] tensors that cannot be
-//! impossible, the [`gyroscopic`] term, [`wrench`]es, their change of pole and their reduction,
-//! uniform [`field`]s on charges, steady [`precession`] of [`top`]s, maps of [`attitude`]. Plain SI
-//! numbers, right-handed axes; every vector says in whose axes its components are. No `std`, no
-//! `unsafe`.
+//! The types and functions that the macro uses can also be used directly: [`inertia`] tensors that
+//! are always possible, the [`gyroscopic`] term, [`wrench`]es, their change of pole and their
+//! reduction, uniform [`field`]s on charges, steady [`precession`] of [`top`]s, maps of
+//! [`attitude`]. Numbers are plain SI and axes are right-handed; the documentation of every vector
+//! states its axes. No `std`, no `unsafe`.
 //!
 //! # An erratum
 //!
 //! The moment of the inertial forces is often given as (1.9): minus the inertia matrix times the
 //! angular acceleration, plus a matrix times the *squares* of the angular velocities. As printed it
-//! is incomplete: a second matrix, times their *products*, is missing, and with it the whole
-//! gyroscopic moment in principal axes. Bodies then do not flip and precess wrongly, and their
-//! energy and angular momentum are not conserved. This library uses the completed equation;
-//! [`gyroscopic`] has both matrices, what goes wrong without the second, and how the gap was found.
+//! is incomplete. A second matrix, times their *products*, is missing, and with it the whole
+//! gyroscopic moment in principal axes. Bodies then do not flip, precess wrongly, and do not
+//! conserve energy and angular momentum. This library uses the completed equation.
+//! [`gyroscopic`] has both matrices, the consequences of omitting the second, and how the gap was
+//! found.
 //!
 //! # The same bits, no panics
 //!
 //! One version of this library computes the same bits in every build and on every processor, alone
-//! and in an ensemble; only series that are [integrated](integrate::TaylorSeries) know two, with
-//! fused operations and without. What is not a number is handed on by evaluations and is an
-//! [error](integrate::IntegrationError) of integration; neither panics, as a program shows that
-//! would not link otherwise. What exactly is promised, and how it is tried, is in `docs/trust.md`
-//! of the repository.
+//! and in an ensemble. Only series that are [integrated](integrate::TaylorSeries) have two results,
+//! with fused operations and without. Evaluations propagate NaN, and integration reports it as an
+//! [error](integrate::IntegrationError). Neither panics: a program that would not link otherwise
+//! proves it. `docs/trust.md` of the repository gives the exact guarantees and their tests.
 //!
 //! # Features
 //!
-//! - `dispatch`, by default: series in the widest registers that the processor has, found at run
+//! - `dispatch` (on by default): series in the widest registers of the processor, detected at run
 //!   time.
-//! - `serde`: serialisation of states, accelerations, wrenches, inertia tensors and ensembles. What
-//!   cannot be (an attitude or an axis that is not unit, an impossible inertia) is refused on
-//!   reading. Numbers are passed on bit for bit; `serde_json` reads them so with its feature
+//! - `serde`: serialization of states, accelerations, wrenches, inertia tensors and ensembles.
+//!   Reading refuses impossible values (an attitude or an axis that is not unit, an impossible
+//!   inertia). Numbers are passed on bit for bit; `serde_json` reads them so with its feature
 //!   `float_roundtrip`.
 //! - `ensemble`: many bodies at once, in registers of two, four or eight numbers, chosen at run
 //!   time; it allocates.
 //! - `rayon`: ensembles on all processor cores.
-//! - `progress`: long runs show a bar.
+//! - `progress`: a progress bar for long runs.
 //! - `stl`: mass, center of mass and inertia of closed meshes, from STL files
 //!   ([`inertia::MassProperties`]); it needs `std`.
 //! - `differential-equations`: the equations of a body for the methods of the crate of that name
@@ -107,7 +107,7 @@ pub use nalgebra;
 #[doc(no_inline)]
 pub use scalar::{Dual, Scalar};
 
-/// The first page of the repository: its code is tried as that of this documentation is.
+/// The first page of the repository; its code runs as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 mod first_page {}

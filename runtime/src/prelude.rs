@@ -1,4 +1,4 @@
-//! What most programs need: `use newton_euler::prelude::*;`.
+//! The names that most programs need: `use newton_euler::prelude::*;`.
 
 #[doc(no_inline)]
 pub use crate::body::{

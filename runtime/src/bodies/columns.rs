@@ -1,8 +1,8 @@
-//! Types that hold a fixed number of scalars, seen as those scalars one after another.
+//! Types that hold a fixed number of scalars, read and written as a sequence of scalars.
 //!
-//! What many bodies have is kept by columns, and a body with its state is made of one number of
-//! each; or of several at once, which is a body over lanes. `rigid_body!` implements these traits
-//! for bodies that are generic over their scalar.
+//! An ensemble stores its members in columns. Reading one number from each column gives one body
+//! with its state; reading several at once gives a body over lanes. `rigid_body!` implements these
+//! traits for bodies that are generic over their scalar.
 
 use core::fmt::Debug;
 
@@ -12,31 +12,31 @@ use crate::bodies::body::{InvalidBody, RigidBody};
 use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, generic};
 
-/// A type that is nothing but scalars.
+/// A type that consists of scalars only.
 pub trait Columns<T: Scalar>: Clone + Debug + Send + Sync {
-    /// How many scalars it holds.
+    /// The number of its scalars.
     const COUNT: usize;
 
-    /// Takes them from a source, in order.
+    /// Reads them from a source, in order.
     fn read(source: &mut impl Source<T>) -> Self;
 
-    /// Gives them to a sink, in the same order.
+    /// Writes them to a sink, in the same order.
     fn write(&self, sink: &mut impl Sink<T>);
 }
 
-/// Scalars one after another.
+/// A sequence of scalars to read.
 pub trait Source<T> {
-    /// The next one.
+    /// The next scalar.
     fn take(&mut self) -> T;
 }
 
-/// Where scalars go one after another.
+/// A sequence of scalars to write.
 pub trait Sink<T> {
-    /// The next one.
+    /// Writes the next scalar.
     fn put(&mut self, scalar: T);
 }
 
-/// A body over a scalar whose parts are all columns.
+/// A body over a scalar, all of whose parts are columns.
 pub trait Columnar<T: Scalar>:
     RigidBody<
         Scalar = T,
@@ -68,10 +68,10 @@ pub trait Generic: Columnar<f64> {
     /// Its parameters; `()` if it has none.
     type Params: Columns<f64>;
 
-    /// As `new`.
+    /// The same as `new`.
     ///
     /// # Errors
-    /// [`InvalidBody`], as `new`.
+    /// [`InvalidBody`], as for `new`.
     fn build(params: Self::Params) -> Result<Self, InvalidBody>;
 
     /// The parameters it was built from.
@@ -145,7 +145,7 @@ macro_rules! structs {
     )*};
 }
 
-/// A scalar, where a name with a parameter is asked for.
+/// A scalar, where a name with a parameter is needed.
 type Real<T> = T;
 type Attitude<T> = nalgebra::UnitQuaternion<T>;
 type Axis<T> = nalgebra::UnitVector3<T>;
@@ -167,7 +167,7 @@ structs! {
     RodAcceleration { linear: Vector3, axis: Vector3 }
 }
 
-/// It is taken as it is, unit or not.
+/// Taken as it is, unit or not.
 impl<T: Scalar> Columns<T> for Attitude<T> {
     const COUNT: usize = 4;
 
@@ -183,7 +183,7 @@ impl<T: Scalar> Columns<T> for Attitude<T> {
     }
 }
 
-/// It is taken as it is, unit or not.
+/// Taken as it is, unit or not.
 impl<T: Scalar> Columns<T> for Axis<T> {
     const COUNT: usize = 3;
 

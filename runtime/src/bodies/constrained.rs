@@ -1,15 +1,15 @@
-//! Bodies under constraints: how far a state is from them, and the way back.
+//! Bodies under constraints: the violation of the constraints, and its correction.
 //!
-//! The equations of motion keep a constraint in its second derivative, `g̈ = 0`: what rounding and
-//! the error of the steps leave in `ġ` stays, and `g` grows with time. [`Constrained::project`]
-//! takes it away again, along
+//! The equations of motion keep the second derivative of a constraint at zero, `g̈ = 0`. Rounding
+//! and the error of the steps remain in `ġ`, and `g` grows with time. [`Constrained::project`]
+//! removes both, along
 //!
 //! ```text
 //! q - M⁻¹ Aᵀ λ,   A M⁻¹ Aᵀ λ = g        A = ∂g/∂q:
 //! the nearest state, in the metric of the kinetic energy
 //! ```
 //!
-//! first in the positions, by Newton's method, then in the velocities, which enter linearly.
+//! first in the positions, by Newton's method, then in the velocities, which are linear.
 
 use core::fmt;
 
@@ -20,7 +20,7 @@ pub trait Constrained: RigidBody {
     /// An array of [`Violation`].
     type Violations: AsRef<[Violation]>;
 
-    /// The values of all constraints in a state, and their rates: zero if it is consistent.
+    /// The values of all constraints in a state, and their rates: zero in a consistent state.
     fn violations(
         &self,
         time: Self::Scalar,
@@ -28,12 +28,12 @@ pub trait Constrained: RigidBody {
         input: &Self::Input,
     ) -> Self::Violations;
 
-    /// Whether the state meets its constraints, in positions and in velocities, to rounding: to the
-    /// fraction [`Inconsistent::ROUNDING`] of what they would be if all of the state went across
-    /// them. An integration begins with it.
+    /// Whether the state satisfies its constraints, in positions and in velocities, to rounding: to
+    /// the fraction [`Inconsistent::ROUNDING`] of their values if the whole state violated them.
+    /// Integration calls it first.
     ///
     /// # Errors
-    /// [`Inconsistent`] with the constraint that is violated most; positions come first.
+    /// [`Inconsistent`] with the constraint of the largest violation; positions come first.
     fn check(
         &self,
         time: Self::Scalar,
@@ -41,12 +41,12 @@ pub trait Constrained: RigidBody {
         input: &Self::Input,
     ) -> Result<(), Inconsistent>;
 
-    /// Moves the state to the nearest one that meets its constraints, in positions and in
+    /// Moves the state to the nearest one that satisfies its constraints, in positions and in
     /// velocities, to rounding.
     ///
     /// # Errors
-    /// [`Inconsistent`] with the worst constraint that cannot be met from here; the state is then
-    /// as near as was found.
+    /// [`Inconsistent`] with the worst constraint that cannot be satisfied from here; the state is
+    /// then the nearest that was found.
     fn project(
         &self,
         time: Self::Scalar,
@@ -54,10 +54,10 @@ pub trait Constrained: RigidBody {
         input: &Self::Input,
     ) -> Result<(), Inconsistent>;
 
-    /// The constraint that depends on the others in a state, or nearly so, though elsewhere it does not:
-    /// at a dead point or a change point of a linkage, where they do not determine the motion. The
-    /// error of an integration names it. None, unless it is said here:
-    /// [`rigid_system!`](crate::rigid_system) and [`rigid_body!`](crate::rigid_body) do.
+    /// The constraint that depends on the others in this state, or nearly so, although not in
+    /// general: at a dead point or a change point of a linkage, where the constraints do not
+    /// determine the motion. The error of an integration names it. `None` by default;
+    /// [`rigid_system!`](crate::rigid_system) and [`rigid_body!`](crate::rigid_body) implement it.
     fn dependent(
         &self,
         _time: Self::Scalar,
@@ -68,41 +68,41 @@ pub trait Constrained: RigidBody {
     }
 }
 
-/// How far a state is from one constraint.
+/// The violation of one constraint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation {
     /// Its name in the description.
     pub name: &'static str,
-    /// The value of the constraint; `None` if it is one of velocities.
+    /// The value of the constraint; `None` for a velocity constraint.
     pub position: Option<f64>,
-    /// Its rate; of a constraint of velocities, its value.
+    /// Its rate; for a velocity constraint, its value.
     pub velocity: f64,
 }
 
-/// A state that does not meet its constraints: a start, or one that no projection makes meet them.
+/// A state that violates its constraints: a start, or a state that projection cannot correct.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inconsistent {
-    /// The constraint that is violated most.
+    /// The constraint of the largest violation.
     pub constraint: &'static str,
-    /// By how much.
+    /// The size of the violation.
     pub violation: f64,
-    /// Whether that is a velocity: the rate of the constraint, or the value of a constraint of
-    /// velocities.
+    /// Whether the violation is a velocity: the rate of the constraint, or the value of a velocity
+    /// constraint.
     pub is_velocity: bool,
-    /// Whether it is a start; [`Constrained::project`] finds the nearest state that meets all, if
-    /// there is one.
+    /// Whether the state is a start. If so, [`Constrained::project`] finds the nearest consistent
+    /// state, if there is one.
     pub is_start: bool,
 }
 
 impl Inconsistent {
-    /// What is left of a constraint, as a fraction of the terms it is summed from, is a failure
-    /// above this. Newton's method goes on to rounding in any case: this number decides only
-    /// whether it got there.
+    /// A residual of a constraint is a failure above this fraction of the terms of its sum.
+    /// Newton's method continues to rounding in any case: this number decides only whether it
+    /// succeeded.
     pub const TOLERANCE: f64 = 1e-9;
 
-    /// What a start may be off by, as a fraction of its size: some thousand roundings, of those who
-    /// computed it and of what computes the constraint. Numbers of 12 digits are not enough, and
-    /// are put on the constraints by [`Constrained::project`].
+    /// The permitted violation of a start, as a fraction of its size: about a thousand roundings,
+    /// from computing the start and from computing the constraint. A start printed with 12 digits
+    /// is not accurate enough; [`Constrained::project`] corrects it.
     pub const ROUNDING: f64 = 1e-12;
 }
 

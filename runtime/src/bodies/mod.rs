@@ -1,4 +1,4 @@
-//! Bodies: what one is to an integrator, what it answers, and what is known of it at compile time.
+//! Bodies: their interface to integrators, their outputs, and their compile-time properties.
 
 pub mod body;
 pub mod columns;

@@ -1,8 +1,8 @@
-//! How many operations a generated function takes.
+//! Operation counts of generated functions.
 
 use core::fmt;
 
-/// When an expression is evaluated.
+/// The stage in which an expression is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stage {
     /// Once, in the constructor.
@@ -11,7 +11,7 @@ pub enum Stage {
     State,
 }
 
-/// Operations of one generated function in one stage; negations are not counted.
+/// The operations of one generated function in one stage; negations are not counted.
 ///
 /// ```
 /// use newton_euler::operations::{Operations, Stage};
@@ -27,9 +27,9 @@ pub enum Stage {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Operations {
-    /// Its name.
+    /// The name of the function.
     pub function: &'static str,
-    /// The stage counted.
+    /// The counted stage.
     pub stage: Stage,
     /// Multiplications.
     pub mul: u32,
@@ -46,7 +46,7 @@ pub struct Operations {
 }
 
 impl Operations {
-    /// A function that does nothing, to fill in.
+    /// A function without operations, to fill in.
     #[must_use]
     pub const fn none(function: &'static str, stage: Stage) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! Motions that are functions of time.
+//! Motions as functions of time.
 
 /// A motion in closed form: the state at any time.
 ///
@@ -15,13 +15,13 @@
 /// assert_eq!((landed.position.x, landed.position.y), (2.0, 0.0));
 /// ```
 pub trait Path {
-    /// The kind of state.
+    /// The type of the state.
     type State;
 
-    /// The state at a time \[s\]; the path began at time zero, and negative times are before.
+    /// The state at a time \[s\]. The path begins at time zero and extends to negative times.
     fn at(&self, time: f64) -> Self::State;
 
-    /// From a time on \[s\], or before it, a time in which the motion does not change its course
-    /// more than a few times: about that of a radian; infinite where it never does.
+    /// A time span near a time \[s\] in which the motion changes its course only a few times:
+    /// about the time of one radian; infinite if it never does.
     fn pace(&self, time: f64) -> f64;
 }

@@ -1,8 +1,8 @@
-//! What the accelerations of a body depend on, known at compile time: what generic integrators
-//! branch on.
+//! What the accelerations of a body depend on, known at compile time. Generic integrators branch
+//! on it.
 //!
 //! An integrator for any [`RigidBody`] computes more than most bodies need.
-//! [`Structured::STRUCTURE`] says what a body does not need; since it is a constant, a branch on it
+//! [`Structured::STRUCTURE`] tells what a body does not need. It is a constant, so a branch on it
 //! costs nothing:
 //!
 //! ```
@@ -17,7 +17,7 @@
 //!     forces: [engine = body(0, 0, thrust)],
 //! });
 //!
-//! /// Whether position and velocity are sums of what the attitude passes through.
+//! /// Whether position and velocity are sums over the sequence of attitudes.
 //! fn is_quadrature<B: Structured>() -> bool {
 //!     let [linear, angular] = [B::STRUCTURE.linear, B::STRUCTURE.angular];
 //!     !(linear.position || linear.velocity || angular.position || angular.velocity)
@@ -29,35 +29,36 @@
 //! assert_eq!(Probe::STRUCTURE.angular.world, Symmetry::Every);
 //! ```
 //!
-//! # What it pays for
+//! # Savings
 //!
-//! Multiplications and additions of one evaluation before and after, of a body with an attitude
+//! Multiplications and additions of one evaluation before and after, for a body with an attitude
 //! quaternion q:
 //!
-//! | what is done otherwise | for which structures | before, after |
+//! | change | condition on the structure | before, after |
 //! |---|---|---|
-//! | the attitude is not integrated | neither acceleration reads it, and nobody asks for it | 20, 0 |
-//! | position and velocity are integrated after all else | neither acceleration reads them | 72, 36 in a whole Runge-Kutta step |
-//! | `γ = Rᵀ e` in the place of q | [`angular.world`](Dependence::world) about e | 34, 15 for the heavy symmetric top |
+//! | the attitude is not integrated | neither acceleration reads it, and it is not needed | 20, 0 |
+//! | position and velocity are integrated last | neither acceleration reads them | 72, 36 in a whole Runge-Kutta step |
+//! | `γ = Rᵀ e` replaces q | [`angular.world`](Dependence::world) about e | 34, 15 for the heavy symmetric top |
 //! | axes that do not spin with the body | [`angular.body`](Dependence::body) about one axis, and [`keeps_spin`](Structure::keeps_spin) | 20, 12 products of series for the heavy symmetric top, and steps up to 2.4 times as long |
 //! | a closed form | [`is_torque_free`](Structure::is_torque_free), [`linear`](Structure::linear) constant | no steps |
 //!
-//! Some changes of variables need nothing of the structure. Half the angular velocity as state,
-//! `q' = q h`, saves three multiplications of 23 operations wherever there is an attitude. The
-//! momentum as state, `L' = K - ω × L` with `ω = J⁻¹ L`, takes 27 operations in the place of 40
-//! where a tensor keeps its products of inertia. A scaled quaternion `s q`, with `s² = 2 T / m`,
-//! turns a constant force T along one axis of the body in 10 operations, not 13. They are for
-//! integrators that own the state from one end to the other.
+//! Some changes of variables need no structure. Half the angular velocity as state,
+//! `q' = q h`, saves three multiplications of 23 operations if there is an attitude. The
+//! momentum as state, `L' = K - ω × L` with `ω = J⁻¹ L`, takes 27 operations instead of 40
+//! if a tensor keeps its products of inertia. A scaled quaternion `s q`, with `s² = 2 T / m`,
+//! rotates a constant force T along a body axis in 10 operations instead of 13. These changes suit
+//! integrators that own the state from start to end.
 //!
-//! Of these, [`integrate::taylor`](crate::integrate::taylor) takes the axes that do not spin:
-//! [`Axes`](crate::taylor::Axes). What is not read costs it no products as it is, and γ none fewer
-//! than q: its four replace the four that turn the weight.
+//! Of these, [`integrate::taylor`](crate::integrate::taylor) uses the axes that do not spin:
+//! [`Axes`](crate::taylor::Axes). Quantities that are not read cost it no products anyway, and γ
+//! saves none compared with q: its four products replace the four that rotate the weight.
 
 use crate::bodies::body::RigidBody;
 
 /// A body whose structure is known at compile time.
 ///
-/// [`rigid_body!`](crate::rigid_body) implements it. By hand, what is known replaces what is not:
+/// [`rigid_body!`](crate::rigid_body) implements it. An implementation by hand starts from
+/// [`Structure::GENERAL`] and sets the known fields:
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -92,36 +93,37 @@ pub trait Structured: RigidBody {
 
 /// The structure of the accelerations of a body.
 ///
-/// All that it says holds in every state, for all inputs and for all parameters; what it does not
-/// say may hold too. Of the rates of states of one's own it says nothing. A motion's missing acceleration is zero: that of G under `rotation` and where
-/// a point is held, the angular one under `translation`.
+/// Every claim holds in all states, for all inputs and for all parameters; properties that are not
+/// claimed may hold too. Nothing is claimed about the rates of user-defined states. An acceleration
+/// that a motion lacks is zero: that of G under `rotation` and for a held point, the angular one
+/// under `translation`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Structure {
     /// What the acceleration of G depends on, world axes.
     pub linear: Dependence,
-    /// What the angular acceleration depends on, body axes; of a rod `u''`, world axes.
+    /// What the angular acceleration depends on, body axes; for a rod `u''`, world axes.
     pub angular: Dependence,
     /// The acceleration of G is zero. Then the path of G is `x + v t`.
     pub is_force_free: bool,
-    /// No moment acts about G, or about the point that is held. Then the angular momentum about it
+    /// No moment acts about G, or about the held point. Then the angular momentum about it
     /// is constant in space, and the motion has a closed form: elliptic functions, for a symmetric
     /// body [`precession`](crate::precession) (Landau and Lifshitz, *Mechanics*, §§ 33, 37; van Zon
     /// and Schofield, *J. Comput. Phys.* 225 (2007) 145).
     pub is_torque_free: bool,
-    /// The angular velocity about the axis of [`angular.body`](Dependence::body), or about all, is
-    /// constant. It is no unknown then, and in axes that do not spin with the body the gyroscopic
-    /// term is linear in the other two.
+    /// The angular velocity about the axis of [`angular.body`](Dependence::body), or about all
+    /// axes, is constant. It is then no unknown, and in axes that do not spin with the body the
+    /// gyroscopic term is linear in the other two components.
     pub keeps_spin: bool,
-    /// In which planes through the origin of the world a motion stays. For x, y and z: if the
-    /// body's axis is along the world's, the position and the velocity of G perpendicular to it and
-    /// the angular velocity along it, the accelerations are those of a motion in the plane. One
-    /// angle is enough for it, and no rounding takes it out of the plane. Of motions in space; of a
-    /// rod, which has no axes that turn, the axis lies in the plane.
+    /// The planes through the origin of the world in which a motion stays, for the normals x, y and
+    /// z. If the body's axis lies along the world's, the position and the velocity of G are
+    /// perpendicular to it and the angular velocity is along it, the accelerations are those of a
+    /// planar motion. One angle then suffices, and no rounding leads out of the plane. Only for
+    /// motions in space; for a rod, which has no rotating axes, the axis lies in the plane.
     pub planes: [bool; 3],
 }
 
 impl Structure {
-    /// Of a body of which nothing is known.
+    /// The structure of an unknown body.
     pub const GENERAL: Self = Self {
         linear: Dependence::ALL,
         angular: Dependence::ALL,
@@ -134,8 +136,8 @@ impl Structure {
 
 /// What one acceleration depends on.
 ///
-/// What neither acceleration reads need not be known while the rest is integrated: it follows by
-/// quadrature, and what reads nothing has a closed form.
+/// A quantity that neither acceleration reads is not needed while the rest is integrated: it
+/// follows by quadrature. An acceleration that reads nothing has a closed form.
 #[allow(
     clippy::struct_excessive_bools,
     reason = "each quantity is read or not"
@@ -148,34 +150,35 @@ pub struct Dependence {
     pub position: bool,
     /// The velocity of G.
     pub velocity: bool,
-    /// The attitude or the angle; of a rod its axis.
+    /// The attitude or the angle; for a rod its axis.
     pub attitude: bool,
-    /// The angular velocity; of a rod the rate of its axis.
+    /// The angular velocity; for a rod the rate of its axis.
     pub angular_velocity: bool,
     /// The inputs.
     pub input: bool,
-    /// States of one's own.
+    /// User-defined states.
     pub states: bool,
-    /// Directions e, world axes, about which the world may be turned: positions, velocities and
-    /// attitude are turned about the line along e through the origin, at the same inputs and
-    /// the same states of one's own, and the acceleration turns with them. Components in body axes do not change at all.
+    /// Directions e, world axes, about which the world may be rotated: if positions, velocities and
+    /// attitude rotate about the line along e through the origin, with the same inputs and
+    /// user-defined states, the acceleration rotates with them. Components in body axes do not
+    /// change at all.
     ///
-    /// With weight along -e alone the angular acceleration reads of the attitude just `γ = Rᵀ e`,
-    /// with `γ' = γ × ω`: three numbers in the place of four, and the yaw follows by quadrature
+    /// With weight along -e alone, the angular acceleration reads only `γ = Rᵀ e` of the attitude,
+    /// with `γ' = γ × ω`: three numbers instead of four, and the yaw follows by quadrature
     /// (Landau and Lifshitz, *Mechanics*, § 35).
     pub world: Symmetry,
-    /// Directions e, body axes, about which the axes of the body may be turned: the attitude is
-    /// turned about e before all else, the components of the angular velocity are written in the
-    /// turned axes, and so are those of the acceleration. A linear acceleration, in world axes,
-    /// does not change. None of a rod and of a hinge, which have no such axes.
+    /// Directions e, body axes, about which the axes of the body may be rotated: the attitude is
+    /// first rotated about e, and the components of angular velocity and angular acceleration are
+    /// taken in the rotated axes. A linear acceleration, in world axes,
+    /// does not change. None for a rod and a hinge, which have no such axes.
     ///
     /// The body may then be described in axes that do not spin with it about e, in which all
-    /// changes more slowly: see [`Axes`](crate::taylor::Axes).
+    /// quantities change more slowly: see [`Axes`](crate::taylor::Axes).
     pub body: Symmetry,
 }
 
 impl Dependence {
-    /// Reads nothing and turns with everything: that of zero.
+    /// Reads nothing and has every symmetry: the dependence of zero.
     pub const NOTHING: Self = Self {
         time: false,
         position: false,
@@ -201,7 +204,8 @@ impl Dependence {
         body: Symmetry::None,
     };
 
-    /// Nothing is read: it is the same at all times, in all states and for all inputs.
+    /// Whether nothing is read: the value is the same at all times, in all states and for all
+    /// inputs.
     ///
     /// ```
     /// use newton_euler::structure::Dependence;
@@ -221,13 +225,13 @@ impl Dependence {
     }
 }
 
-/// Directions about which a turn changes nothing: if there are two of them, there are all.
+/// Directions about which a rotation changes nothing. Two such directions imply all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Symmetry {
-    /// About none.
+    /// No direction.
     None,
-    /// About one, a unit vector; the first of its components that is not zero is positive.
+    /// One direction, a unit vector; its first nonzero component is positive.
     About([f64; 3]),
-    /// About every one.
+    /// Every direction.
     Every,
 }

@@ -2,18 +2,18 @@
 
 use crate::numbers::scalar::Scalar;
 
-/// A time is the same as another if they differ by less than this fraction of the terms that they
+/// Two times are equal if they differ by less than this fraction of the terms that they
 /// are computed from.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// The times at which the equations of a body change, as
-/// [`RigidBody::switches`](crate::body::RigidBody::switches) tells them. Of all that it is told, it
-/// keeps what a step needs: which is next, and whether one is here.
+/// The times at which the equations of a body change, as reported by
+/// [`RigidBody::switches`](crate::body::RigidBody::switches). It keeps only what a step needs: the
+/// next time, and whether one is now.
 #[derive(Clone, Copy, Debug)]
 pub struct Switches {
     now: f64,
     forwards: bool,
-    /// Of which of several numbers.
+    /// The lane whose times these are.
     lane: usize,
     pub(crate) stretch: Stretch,
 }
@@ -36,19 +36,19 @@ impl Switches {
         }
     }
 
-    /// The equations before this time \[s\] are others than those after it. What is not finite is
-    /// no time.
+    /// The equations before this time \[s\] differ from those after it. A non-finite time is
+    /// ignored.
     pub fn at<T: Scalar>(&mut self, time: T) {
         self.put(time.lane(self.lane), 0.0);
     }
 
-    /// The same, of a time that is rounded as terms of this size \[s\] are, from which it is
-    /// computed.
+    /// Like [`at`](Self::at), for a time computed from terms of this size \[s\], and rounded
+    /// accordingly.
     pub fn near<T: Scalar, S: Scalar>(&mut self, time: T, size: S) {
         self.put(time.lane(self.lane), size.lane(self.lane).abs());
     }
 
-    /// At this time \[s\], and every so many seconds before and after.
+    /// The equations change at this time \[s\] and at every period before and after it.
     pub fn every<T: Scalar, S: Scalar>(&mut self, time: T, period: S) {
         let (time, period) = (time.lane(self.lane), period.lane(self.lane));
         let passed = libm::floor((self.now - time) / period);
@@ -82,13 +82,13 @@ impl Switches {
 /// A stretch of time in which the equations do not change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
-    /// Where it ends in the direction of the motion \[s\]; infinite if it does not.
+    /// The end of the stretch in the direction of the motion \[s\]; infinite if it has none.
     pub(crate) next: f64,
-    /// Between which times they are evaluated, so that each stage of a step is on its own side of a
-    /// switch, one that falls on it too.
+    /// The time range of evaluations: each stage of a step, including one that falls on a switch,
+    /// is evaluated on its own side of the switch.
     pub(crate) lower: f64,
     pub(crate) upper: f64,
-    /// When the input was given.
+    /// The time at which the input was given.
     pub(crate) given: f64,
 }
 

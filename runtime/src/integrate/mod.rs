@@ -1,19 +1,19 @@
 //! Integration of the motion.
 //!
-//! [`Integrate::integrate`] is the one way in: from a body and a state to the state at an end, to
-//! samples, steps or events, under inputs that are held or given by a controller, by the method
-//! that is best for the body or by another.
+//! [`Integrate::integrate`] is the entry point: from a body and a state it gives the end state,
+//! samples, steps or events, under inputs that are held or given by a controller, with the best
+//! method for the body or with another.
 //!
-//! | method | for | error, and what it keeps |
+//! | method | for | error, and conserved quantities |
 //! |---|---|---|
 //! | [`ClosedForm`] | `outputs: [flow]` | rounding |
-//! | [`TaylorSeries`] | `outputs: [taylor]` | below a tolerance; rounding only, if that is small enough |
+//! | [`TaylorSeries`] | `outputs: [taylor]` | below a tolerance; rounding only, at small tolerances |
 //! | [`RungeKuttaPair`]: [`DormandPrince`] or [`Verner`] | every body | below a tolerance |
 //! | [`Fixed`]`<`[`Verner9`]`>`, [`DormandPrince8`], [`Tsitouras5`], [`Classical4`] | every body, ensembles | of order 9, 8, 5, 4 in the step |
-//! | [`Fixed`]`<`[`Midpoint`]`>` | games: long runs in few steps | of order 2; energy does not drift |
-//! | [`Projected`] | bodies under constraints | that of the method it is given |
+//! | [`Fixed`]`<`[`Midpoint`]`>` | games: long runs with few steps | of order 2; energy does not drift |
+//! | [`Projected`] | bodies under constraints | that of the wrapped method |
 //!
-//! Beside it are single steps and whole motions as functions: [`cf4`] on the group of rotations,
+//! There are also functions for single steps and whole motions: [`cf4`] on the rotation group,
 //! for any [`RigidBody`](crate::body::RigidBody) over any scalar, [`taylor()`] and [`Motion`].
 
 #![allow(

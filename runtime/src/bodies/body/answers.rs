@@ -1,10 +1,10 @@
-//! What a body answers beside its acceleration, output by output.
+//! The outputs of a body beyond its acceleration, one trait for each.
 
 use super::rigid_body::RigidBody;
 use crate::bodies::path::Path;
 use crate::state::State;
 
-/// The balances (1.3) and (1.4), open to inspection; wrenches in world axes.
+/// The terms of the balances (1.3) and (1.4); wrenches in world axes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `balance`",
     label = "not among the `outputs` of its description",
@@ -14,7 +14,7 @@ pub trait Balance: RigidBody {
     /// [`Wrench`](crate::wrench::Wrench), [`PlanarWrench`](crate::wrench::PlanarWrench) or, for
     /// `motion: rotation`, the moment alone.
     type Wrench;
-    /// The unknown reactions; `()` where there are none.
+    /// The unknown reactions; `()` if there are none.
     type Reactions;
     /// An array of [`Load`](crate::load::Load) or [`PlanarLoad`](crate::load::PlanarLoad).
     type Loads;
@@ -24,7 +24,7 @@ pub trait Balance: RigidBody {
     fn applied(&self, time: Self::Scalar, state: &Self::State, input: &Self::Input)
     -> Self::Wrench;
 
-    /// The left sides of (1.3) and (1.4), about the pole, world axes \[N, N m\]: zero on a true
+    /// The left sides of (1.3) and (1.4), about the pole, world axes \[N, N m\]: zero on an actual
     /// motion.
     fn residual(
         &self,
@@ -35,27 +35,26 @@ pub trait Balance: RigidBody {
         input: &Self::Input,
     ) -> Self::Wrench;
 
-    /// Each given load by itself.
+    /// Each given load separately.
     fn loads(&self, time: Self::Scalar, state: &Self::State, input: &Self::Input) -> Self::Loads;
 }
 
 /// Kinetic and potential energy \[J\].
 ///
 /// Their sum is conserved if the potential contains neither time nor input and no other load does
-/// work; in general dE/dt is the derivative of the potential in time at fixed state, plus the power
-/// of the other loads, and where the potential depends on states of one's own its slopes along these
-/// times their rates.
+/// work. In general dE/dt is the partial time derivative of the potential, plus the power of the
+/// other loads, plus the slopes of the potential along user-defined states times their rates.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `energy`",
     label = "not among the `outputs` of its description, or it depends on more than the state",
     note = "write `outputs: [.., energy]`; where it depends on the time or an input, the trait is `DrivenEnergy`"
 )]
 pub trait Energy: RigidBody {
-    /// `½ m v² + ½ ω·Jω`, of the degrees of freedom that the motion has.
+    /// `½ m v² + ½ ω·Jω`, over the degrees of freedom of the motion.
     fn kinetic_energy(&self, state: &Self::State) -> Self::Scalar;
 
-    /// The sum of potentials and of the potentials of uniform fields; zero for weight with G at the
-    /// world origin.
+    /// The sum of potentials, including those of uniform fields. The weight has potential zero with
+    /// G at the world origin.
     fn potential_energy(
         &self,
         time: Self::Scalar,
@@ -64,11 +63,11 @@ pub trait Energy: RigidBody {
     ) -> Self::Scalar;
 }
 
-/// [`Energy`] of a system with joints whose motion is prescribed, `.driven(speed * t)`: it depends
-/// on time, and on inputs.
+/// [`Energy`] of a system with joints of prescribed motion, `.driven(speed * t)`: it depends on
+/// time and on inputs.
 ///
-/// The drives of these joints do work on the system: with their loads M and rates w, they bring in
-/// the power `M w`.
+/// The drives of these joints do work on the system: with loads M and rates w, they supply the
+/// power `M w`.
 pub trait DrivenEnergy: RigidBody {
     /// `½ m v² + ½ ω·Jω` of all bodies.
     fn kinetic_energy(
@@ -87,8 +86,7 @@ pub trait DrivenEnergy: RigidBody {
     ) -> Self::Scalar;
 }
 
-/// [`Momentum`] of a system with joints whose motion is prescribed: it depends on time, and on
-/// inputs.
+/// [`Momentum`] of a system with joints of prescribed motion: it depends on time and on inputs.
 pub trait DrivenMomentum: RigidBody {
     /// A vector in space or in the plane.
     type Linear;
@@ -103,7 +101,7 @@ pub trait DrivenMomentum: RigidBody {
         input: &Self::Input,
     ) -> Self::Linear;
 
-    /// Angular momentum about G of the whole \[kg m²/s\].
+    /// Angular momentum about the G of the whole system \[kg m²/s\].
     fn angular_momentum(
         &self,
         time: Self::Scalar,
@@ -145,7 +143,7 @@ pub trait Momentum: RigidBody {
     -> Self::Angular;
 }
 
-/// The loads that constraints put on the body: the unknowns of (1.3) and (1.4).
+/// The loads of constraints on the body: the unknowns of (1.3) and (1.4).
 ///
 /// With the motion known, the balances are linear in the unknown reactions R,
 ///
@@ -154,8 +152,8 @@ pub trait Momentum: RigidBody {
 ///                b = (m a_G, J ω̇ + ω × Jω) - given loads
 /// ```
 ///
-/// and `acceleration` has used up the equations in the free directions; the rest gives the
-/// reactions. Where A depends on the configuration and may lose rank in it, [`Self::Reactions`] is
+/// and `acceleration` has used up the equations in the free directions; the others give the
+/// reactions. If A depends on the configuration and may lose rank, [`Self::Reactions`] is
 /// a `Result` with [`Singular`](super::Singular) as its error.
 ///
 /// ```
@@ -200,8 +198,8 @@ pub trait Reactions: RigidBody {
     /// [`Singular`](super::Singular).
     type Reactions;
 
-    /// The reactions in the motion that [`RigidBody::acceleration`] gives. About which pole the
-    /// balances are written does not matter.
+    /// The reactions in the motion given by [`RigidBody::acceleration`]. They do not depend on the
+    /// pole of the balances.
     fn reactions(
         &self,
         time: Self::Scalar,
@@ -210,12 +208,12 @@ pub trait Reactions: RigidBody {
     ) -> Self::Reactions;
 }
 
-/// Inverse dynamics, `outputs: [inverse]`: the drives that go with a given motion.
+/// Inverse dynamics, `outputs: [inverse]`: the drives that produce a given motion.
 ///
 /// The force and moment balances, (1.3) and (1.4), with the acceleration given and the drives
-/// unknown. The motion is taken to be one that the drives can make: a balance in which they have no
-/// part is not looked at, and where they are fewer than the others, the acceleration that they
-/// leave over is least in the metric of the kinetic energy (Gauss's principle).
+/// unknown. The motion is assumed to be one that the drives can produce. Balances in which no drive
+/// appears are ignored. If there are fewer drives than other balances, the remaining acceleration
+/// is least in the metric of the kinetic energy (Gauss's principle).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `inverse`",
     label = "not among the `outputs` of its description",
@@ -223,11 +221,11 @@ pub trait Reactions: RigidBody {
 )]
 pub trait Inverse: RigidBody {
     /// One field for each drive with unknown components, in the axes in which it is written \[N, N
-    /// m\]; or a `Result` of that and [`Singular`](super::Singular), where drives turn against each
-    /// other.
+    /// m\]; or a `Result` of that and [`Singular`](super::Singular), if drives rotate relative to
+    /// each other.
     type Drives;
 
-    /// The drives with which the body has this acceleration.
+    /// The drives that produce this acceleration.
     fn inverse(
         &self,
         time: Self::Scalar,
@@ -244,8 +242,8 @@ pub trait Inverse: RigidBody {
 /// M q'' = f        M: inertias, symmetric and positive definite
 /// ```
 ///
-/// Rows and columns are in the order in which the acceleration has its numbers
-/// ([`Columns`](crate::columns::Columns)): joint by joint as they are written; of a free body G
+/// Rows and columns are in the order of the numbers of the acceleration
+/// ([`Columns`](crate::columns::Columns)): joint by joint as they are written; for a free body G
 /// along world axes, then the rotation along body axes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `mass_matrix`",
@@ -266,8 +264,8 @@ pub trait MassMatrix: RigidBody {
         input: &Self::Input,
     ) -> Self::Matrix;
 
-    /// f \[N, N m\]: drives and loads along each freedom, less what the motion takes without
-    /// accelerations of joints (Coriolis and centrifugal terms).
+    /// f \[N, N m\]: drives and loads along each degree of freedom, minus the Coriolis and
+    /// centrifugal terms.
     fn generalized_forces(
         &self,
         time: Self::Scalar,
@@ -282,8 +280,8 @@ pub trait MassMatrix: RigidBody {
 /// (v_P, w) = J q'        v_P: velocity of the point, w: angular velocity of its body, world axes
 /// ```
 ///
-/// A force F and a moment M on the body at P act along the freedoms of the joints as `Jᵀ (F, M)`.
-/// What moves by itself, by a joint that is driven, has no column.
+/// A force F and a moment M on the body at P act along the joint coordinates as `Jᵀ (F, M)`.
+/// A driven joint has no column.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `jacobian(P)`",
     label = "not among the `outputs` of its description",
@@ -295,7 +293,7 @@ pub trait Jacobian: RigidBody {
     /// [`Columns`](crate::columns::Columns) of the acceleration.
     type Jacobians;
 
-    /// The Jacobians of all points that are asked for.
+    /// The Jacobians of all requested points.
     fn jacobian(
         &self,
         time: Self::Scalar,
@@ -304,14 +302,14 @@ pub trait Jacobian: RigidBody {
     ) -> Self::Jacobians;
 }
 
-/// What a motion takes of each inertial parameter, `outputs: [regressor]`: the equations of motion
+/// The loads of a motion by inertial parameter, `outputs: [regressor]`: the equations of motion
 /// are linear in mass, first moment and inertia.
 ///
 /// ```text
 /// Y (m, m c, J) = what the loads give, but that of uniform fields
 /// ```
 ///
-/// A motion takes these loads of a body, in its axes, about a point P of it,
+/// A motion requires these loads on a body, in its axes, about one of its points P,
 ///
 /// ```text
 /// f = m a + (w' x + w x w x) m c               a: acceleration of P less that of free fall
@@ -319,10 +317,10 @@ pub trait Jacobian: RigidBody {
 /// ```
 ///
 /// (C. Atkeson, C. An, J. Hollerbach, "Estimation of inertial parameters of manipulator loads and
-/// links", 1986.) P is G, the origin of points, or the point that is held; the accelerations that are
-/// handed in are those of G as the description has it. In systems P is where the joint that carries a body holds it, of
-/// a free body G. [`Self::PARAMETERS`] are the columns, J by the entries of its matrix, so that
-/// `J_xy` is minus the integral of xy.
+/// links", 1986.) P is G, the origin of points, or the held point; the given accelerations are
+/// those of the description's G. In systems P is the point at which the joint that carries the body
+/// holds it, or G for a free body. [`Self::PARAMETERS`] names the columns. J stands for the entries
+/// of its matrix, so `J_xy` is minus the integral of xy.
 ///
 /// | motion | rows | columns |
 /// |---|---|---|
@@ -331,14 +329,14 @@ pub trait Jacobian: RigidBody {
 /// | `rotation` | moment, body axes | J: six |
 /// | `planar`, `pivot` | force, body axes, and moment; moment | m, m c in x and y, `J_zz` |
 /// | `translation`, `planar_translation` | force | m |
-/// | `rod` | force, moment, world axes | m, m c along the axis, J across it |
+/// | `rod` | force, moment, world axes | m, m c along the axis, J perpendicular to it |
 /// | systems | for each body: N or N m along each rate, in the order of the acceleration's [`Columns`](crate::columns::Columns) | ten, in the plane four |
 ///
-/// A uniform field at G, such as `mass * world(0, 0, -9.81)`, makes free fall. All other loads are
-/// what the rows are compared with: in systems the sum over all bodies is what drives and loads give
-/// along each rate, less what armatures take. Where loops are closed or constraints are written,
-/// what keeps these is among the loads; it does no work, so multiply the rows with rates that
-/// the system can have.
+/// A uniform field at G, such as `mass * world(0, 0, -9.81)`, is part of the rows: free fall needs
+/// no other load. Compare the rows with all other loads: in systems, the sum over all bodies equals
+/// drives and loads along each rate, minus the part of armatures. With closed loops or written
+/// constraints, the constraint loads are among the loads. They do no work, so multiply the rows by
+/// rates that the system can have.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -369,15 +367,15 @@ pub trait Jacobian: RigidBody {
     note = "write `outputs: [.., regressor]`"
 )]
 pub trait Regressor: RigidBody {
-    /// A matrix; of a system a field with a matrix for each body.
+    /// A matrix; for a system a field with a matrix for each body.
     type Regressor;
-    /// A column; of a system a field with a column for each body.
+    /// A column; for a system a field with a column for each body.
     type Parameters;
 
     /// The names of the inertial parameters, in the order of the columns.
     const PARAMETERS: &'static [&'static str];
 
-    /// What each parameter takes, in the motion with this acceleration.
+    /// The load by unit of each parameter, in the motion with this acceleration.
     fn regressor(
         &self,
         time: Self::Scalar,
@@ -416,10 +414,10 @@ pub trait Regressor: RigidBody {
 /// assert!((back.at(-1.4).angular_velocity - thrown.angular_velocity).norm() < 1e-13);
 /// ```
 pub trait Flow: RigidBody {
-    /// The motion from one state on.
+    /// The type of a motion from one state.
     type Path: Path<State = Self::State>;
 
-    /// The motion from a state on, set up once for any number of times.
+    /// The motion from a state, set up once for any number of times.
     fn path(&self, state: &Self::State) -> Self::Path;
 
     /// The state after a duration \[s\], which may be negative.

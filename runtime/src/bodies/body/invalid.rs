@@ -1,4 +1,4 @@
-//! Parameters that no body has.
+//! Parameters that no body can have.
 
 use core::fmt;
 
@@ -8,45 +8,45 @@ use crate::mechanics::inertia::InvalidInertia;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum InvalidBody {
-    /// A parameter is infinite or not a number.
+    /// A parameter is infinite or NaN.
     NotFinite {
         /// Its name in the description.
         name: &'static str,
-        /// What was given.
+        /// The given value.
         value: f64,
     },
     /// The mass is not a positive finite number.
     Mass {
-        /// What was given \[kg\].
+        /// The given value \[kg\].
         value: f64,
     },
     /// The moment of inertia `J_G` of a planar body or of a rod is not a positive finite number.
     PlanarInertia {
-        /// What was given \[kg m²\].
+        /// The given value \[kg m²\].
         value: f64,
     },
-    /// The length of a link is not a positive finite number, or a property of a cable is negative or not
-    /// finite.
+    /// The length of a link is not a positive finite number, or a property of a cable is negative
+    /// or not finite.
     Property {
         /// The name of the link or the cable.
         of: &'static str,
         /// `length` or `stiffness`.
         property: &'static str,
-        /// What was given \[m or N/m\].
+        /// The given value \[m or N/m\].
         value: f64,
     },
-    /// No body that can turn has this inertia tensor.
+    /// No body that can rotate has this inertia tensor.
     Inertia(InvalidInertia),
-    /// A body of a system has such a mass or inertia.
+    /// A body of a system has an impossible mass or inertia.
     Member {
         /// Its name.
         body: &'static str,
-        /// What it cannot have.
+        /// The impossible property.
         impossible: Impossible,
     },
 }
 
-/// A mass or an inertia that no body has.
+/// An impossible mass or inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Impossible {
     /// A mass that is not a positive finite number \[kg\].
@@ -58,7 +58,7 @@ pub enum Impossible {
 }
 
 impl InvalidBody {
-    /// Whether what is wrong is that something is no number.
+    /// Whether the error is that a value is NaN.
     pub(crate) fn is_of_no_number(&self) -> bool {
         match self {
             Self::NotFinite { value, .. }

@@ -1,8 +1,7 @@
-//! What a rigid body answers: its acceleration, its balance, its reactions, its energy, its
+//! The interface of a rigid body: its acceleration, its balance, its reactions, its energy, its
 //! momenta, its motion.
 //!
-//! [`rigid_body!`](crate::rigid_body) implements these traits; by hand they are implemented just as
-//! well.
+//! [`rigid_body!`](crate::rigid_body) implements these traits; you can also implement them by hand.
 //!
 //! The balance is D'Alembert's: loads of the four families and the inertial load sum to zero,
 //!
@@ -14,8 +13,8 @@
 //!
 //! with `F_iG = -m a_G`, and `M_i` of the completed (1.9): see [`gyroscopic`](crate::gyroscopic).
 //! The pole O is any point, moving in any way: (1.4) is an identity between vectors at one instant
-//! and has no term in its velocity. Where the source prints (1.4), the second sum has `R_s` for
-//! `F_s`: a misprint, no such symbol exists.
+//! and has no term with the velocity of O. The source prints `R_s` for `F_s` in the second sum of
+//! (1.4). This is a misprint: no such symbol exists.
 
 mod answers;
 mod invalid;

@@ -4,7 +4,7 @@ use crate::bodies::body::invalid::InvalidBody;
 use crate::bodies::switches::Switches;
 use crate::state::State;
 
-/// A rigid body whose motion is determined: given time, state and input, it has one acceleration.
+/// A rigid body whose motion is determined: time, state and input give one acceleration.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -29,13 +29,13 @@ use crate::state::State;
 pub trait RigidBody {
     /// The number type.
     type Scalar;
-    /// The coordinates and velocities that this motion has.
+    /// The coordinates and velocities of the motion.
     type State: State<Scalar = Self::Scalar>;
-    /// What is given anew at each evaluation, such as controls; the default is zero.
+    /// The quantities given at each evaluation, such as controls; the default is zero.
     type Input: Default;
 
-    /// Whether its mass or inertia change, so that [`possible`](Self::possible) is asked where a step
-    /// begins and ends.
+    /// Whether its mass or inertia change. If so, integration calls [`possible`](Self::possible) at
+    /// the beginning and the end of each step.
     const CHANGES: bool = false;
 
     /// The acceleration: of G in world axes \[m/s²\], angular in body axes \[rad/s²\].
@@ -46,9 +46,9 @@ pub trait RigidBody {
         input: &Self::Input,
     ) -> <Self::State as State>::Acceleration;
 
-    /// Tells the times at which the equations change by a condition on time, such as the start and
-    /// the end of a pulse: steps of [`integrate`](crate::integrate::Integrate::integrate) end
-    /// there, and each is taken with the equations of its own side. None, unless it is said here;
+    /// Reports the times at which the equations change by a condition on time, such as the start
+    /// and the end of a pulse. Steps of [`integrate`](crate::integrate::Integrate::integrate) end
+    /// there, and each step uses the equations of its own side. By default there are none;
     /// [`rigid_body!`](crate::rigid_body) finds the conditions of a description.
     ///
     /// ```
@@ -83,9 +83,9 @@ pub trait RigidBody {
     /// ```
     fn switches(&self, _input: &Self::Input, _times: &mut Switches) {}
 
-    /// The name of a load that is infinite or not a number in this state, which is what the error
-    /// of an integration says. None, unless it is said here: a body of
-    /// [`rigid_body!`](crate::rigid_body) names those that it can tell.
+    /// The name of a load that is infinite or NaN in this state, for the error of an integration.
+    /// `None` by default; a body of [`rigid_body!`](crate::rigid_body) names the loads that it can
+    /// identify.
     fn lost_load(
         &self,
         _time: Self::Scalar,
@@ -95,10 +95,11 @@ pub trait RigidBody {
         None
     }
 
-    /// Whether there is a body of the mass and the inertia that this one has in a state. There is,
-    /// unless it is said here, and by [`CHANGES`](Self::CHANGES) that it may not be:
-    /// [`rigid_body!`](crate::rigid_body) and [`rigid_system!`](crate::rigid_system) say so of what changes,
-    /// and the error of an integration names what ran out.
+    /// Whether a body can have the mass and the inertia of this state. By default it always can. An
+    /// implementation that can fail also sets [`CHANGES`](Self::CHANGES).
+    /// [`rigid_body!`](crate::rigid_body) and [`rigid_system!`](crate::rigid_system) implement it
+    /// for changing bodies, and the error of an integration names the property that became
+    /// impossible.
     ///
     /// # Errors
     /// [`InvalidBody`]: no body has this mass or inertia.
@@ -112,7 +113,7 @@ pub trait RigidBody {
     }
 
     /// The input some time \[s\] after it was given, if a part of it moves: a value with its rate
-    /// and acceleration goes on with them. None, unless it is said here: inputs are held.
+    /// and acceleration continues with them. `None` by default: inputs are held.
     fn input_after(&self, _input: &Self::Input, _duration: Self::Scalar) -> Option<Self::Input> {
         None
     }

@@ -1,12 +1,12 @@
-//! Where the balances do not determine what is asked.
+//! Configurations in which the balances do not determine an unknown.
 
 use core::fmt;
 
-/// A configuration in which the balances do not determine what is asked.
+/// A configuration in which the balances do not determine an unknown.
 ///
-/// Solving them divides by a quantity that depends on the configuration and vanishes in this one,
-/// such as the sine of the angle between two guides: there its load is undetermined, or grows
-/// beyond bounds.
+/// The solution divides by a quantity that depends on the configuration and vanishes here,
+/// such as the sine of the angle between two guides. There the load of a guide is undetermined, or
+/// grows without bound.
 ///
 /// ```
 /// use newton_euler::body::Singular;
@@ -20,18 +20,18 @@ use core::fmt;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Singular {
-    /// The unknown that a division would have given.
+    /// The unknown that is not determined.
     pub unknown: &'static str,
     /// Its divisor.
     pub value: f64,
-    /// The largest of the terms it was summed from.
+    /// The largest of the terms of its sum.
     pub scale: f64,
 }
 
 impl Singular {
-    /// A divisor not above this fraction of its largest term is singular: eight units in the last
-    /// place, which a sum of a few rounded products may leave of zero. What is above has lost
-    /// digits in proportion, but is determined.
+    /// A divisor counts as zero if it is at most this fraction of its largest term: eight units in
+    /// the last place, which the rounding of a sum of a few products may leave. A larger divisor
+    /// has lost digits in proportion, but is determined.
     pub const TOLERANCE: f64 = 8.0 * f64::EPSILON;
 }
 

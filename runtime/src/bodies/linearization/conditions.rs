@@ -1,6 +1,6 @@
-//! What a user wants of a steady motion beside that it is steady.
+//! Additional conditions on a steady motion.
 
-/// Conditions: functions of state and input that are to be zero.
+/// Conditions: functions of state and input that must be zero.
 pub trait Conditions<S, I> {
     /// The name and the value of each.
     fn each(&self, state: &S, input: &I, found: &mut dyn FnMut(&'static str, f64));
@@ -10,7 +10,7 @@ impl<S, I> Conditions<S, I> for () {
     fn each(&self, _state: &S, _input: &I, _found: &mut dyn FnMut(&'static str, f64)) {}
 }
 
-/// A condition behind others.
+/// A condition added to others.
 #[derive(Clone, Copy, Debug)]
 pub struct Condition<C, F> {
     pub(super) others: C,

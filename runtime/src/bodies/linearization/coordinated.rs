@@ -1,4 +1,4 @@
-//! What the search for a steady motion has to know of a description.
+//! The interface of a description to the search for a steady motion.
 
 use super::matrices::{Linearization, Linearized};
 use super::place::Place;
@@ -10,7 +10,7 @@ use crate::state::Coordinates;
 pub trait Coordinated<const STATES: usize, const INPUTS: usize>:
     Linearization<Scalar = f64, State: Coordinates, Linearization: Linearized<STATES, INPUTS>>
 {
-    /// What the coordinates are that come before their rates.
+    /// The kinds of the coordinates that precede their rates.
     const PLACES: &'static [Place];
 
     /// The components of an input, in the order of [`Linearized::INPUTS`].
@@ -19,7 +19,7 @@ pub trait Coordinated<const STATES: usize, const INPUTS: usize>:
     /// The input with these components.
     fn input(components: [f64; INPUTS]) -> Self::Input;
 
-    /// How far a state is from each of its constraints; none, unless it is said here.
+    /// The violation of each constraint; none by default.
     fn each_violation(
         &self,
         _time: f64,

@@ -1,10 +1,10 @@
-//! The least change of what is free that solves linear equations, or comes nearest to it.
+//! The least change of the free unknowns that solves linear equations, or minimizes their residual.
 
 use nalgebra::SVector;
 
 use super::orthogonal::{Turning, orthogonalize};
 
-/// What a state and an input change by; of an equation, its derivatives.
+/// A change of state and input; for an equation, its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Change<const N: usize, const M: usize> {
     pub state: SVector<f64, N>,
@@ -19,7 +19,7 @@ impl<const N: usize, const M: usize> Change<N, M> {
         }
     }
 
-    /// Part by part.
+    /// Combines two changes component by component.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         Self {
@@ -68,18 +68,18 @@ pub struct Equation<const N: usize, const M: usize> {
     pub by: Change<N, M>,
 }
 
-/// What solves the equations.
+/// The solution of the equations.
 pub struct Least<const N: usize, const M: usize> {
     pub change: Change<N, M>,
-    /// How many ways of changing what is free the equations determine.
+    /// The number of independent changes that the equations determine.
     pub rank: usize,
-    /// The sum of the squares of what is left over.
+    /// The sum of squares of the residual.
     pub left: f64,
-    /// How much each of what is held would do to what is left over.
+    /// The effect that each held unknown would have on the residual.
     pub helps: Change<N, M>,
 }
 
-/// An equation in what is free, with what is held beside it.
+/// An equation in the free unknowns, with the held ones.
 #[derive(Clone, Copy)]
 struct Row<const N: usize, const M: usize> {
     value: f64,
@@ -101,15 +101,15 @@ impl<const N: usize, const M: usize> Turning for Row<N, M> {
     }
 }
 
-/// Below this fraction of the largest of a row, a derivative is rounding.
+/// A derivative below this fraction of the largest in its row is rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// Below this fraction of the largest, a singular value is that of no equation.
+/// A singular value below this fraction of the largest counts as zero.
 const RANK: f64 = 1e-10;
 
-/// The least change in the mean of squares that solves equations, or leaves least of them; each
-/// unknown counts in proportion to what it does, so that units do not matter. `free` is one for what
-/// may change, and zero for what may not. There is room for the rows of `3 N` equations.
+/// The least change in mean square that solves the equations, or minimizes their residual. Each
+/// unknown is weighted by its effect, so units do not matter. `free` is one for unknowns that may
+/// change, and zero for the others. There is room for the rows of `3 N` equations.
 pub fn least_change<const N: usize, const M: usize>(
     equations: impl ExactSizeIterator<Item = Equation<N, M>>,
     free: &Change<N, M>,

@@ -1,4 +1,4 @@
-//! The blocks of a linearisation as matrices, and their modes.
+//! The blocks of a linearization as matrices, and their modes.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, DimDiff, DimSub, SMatrix, U1};
@@ -39,12 +39,13 @@ use crate::bodies::body::RigidBody;
 )]
 pub trait Linearization: RigidBody {
     /// A struct of the acceleration and of all blocks that are not zero in all states:
-    /// `linear_by_attitude`, `angular_by_torque`, of a system `elbow_angular_by_shoulder_angle`; a
-    /// number, or a matrix with a row for each component of what changes. It is [`Linearized`].
+    /// `linear_by_attitude`, `angular_by_torque`, for a system `elbow_angular_by_shoulder_angle`. A
+    /// block is a number, or a matrix with a row for each component of the acceleration. The struct
+    /// is [`Linearized`].
     type Linearization;
 
-    /// The derivatives in this state. Where the motion has a kink (`abs`, `min`, `if`), those of the
-    /// branch that is taken.
+    /// The derivatives in this state. At a kink of the motion (`abs`, `min`, `if`), they are those
+    /// of the active branch.
     fn linearize(
         &self,
         time: Self::Scalar,
@@ -53,15 +54,15 @@ pub trait Linearization: RigidBody {
     ) -> Self::Linearization;
 }
 
-/// `x' = A x + B u`: a linearisation as matrices, in doubles.
+/// `x' = A x + B u`: a linearization as matrices, in doubles.
 pub trait Linearized<const STATES: usize, const INPUTS: usize> {
-    /// What each coordinate of the tangent space is called: `position_x`, `elbow_angle`.
+    /// The names of the coordinates of the tangent space: `position_x`, `elbow_angle`.
     const STATES: [&'static str; STATES];
-    /// What each component of the input is called.
+    /// The names of the components of the input.
     const INPUTS: [&'static str; INPUTS];
-    /// Which entries of A may be other than zero.
+    /// Which entries of A may be nonzero.
     const A_PATTERN: [[bool; STATES]; STATES];
-    /// Which entries of B may be other than zero.
+    /// Which entries of B may be nonzero.
     const B_PATTERN: [[bool; INPUTS]; STATES];
 
     /// A: the rates of the coordinates by the coordinates.
@@ -76,9 +77,10 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
     /// P = exp(A h),    Q = (integral from 0 to h of exp(A s) ds) B
     /// ```
     ///
-    /// to rounding: Taylor's series on a step so short that `|A h| <= 1/2`, doubled as often as it
-    /// takes (scaling and squaring; C. Moler and C. Van Loan, Nineteen dubious ways to compute the
-    /// exponential of a matrix). Not a number where A is not, or where the exponential overflows.
+    /// to rounding: Taylor's series on a step so short that `|A h| <= 1/2`, doubled as often as
+    /// necessary (scaling and squaring; C. Moler and C. Van Loan, Nineteen dubious ways to compute
+    /// the exponential of a matrix). The result is NaN if A is not finite, or if the exponential
+    /// overflows.
     fn discretized(
         &self,
         step: f64,
@@ -107,13 +109,13 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
         (power, integral * b)
     }
 
-    /// The modes of `x' = A x`: its eigenvalues. They are those of the motion where A stays as it
-    /// is, in a steady motion such as [`trim`](super::Trim::trim) finds; that of a steady turn is
-    /// told by [`Trimmed::modes`](super::Trimmed::modes). Under constraints they hold ways that no
-    /// motion takes, which those of a trimmed body do not.
+    /// The modes of `x' = A x`: its eigenvalues. They describe the motion if A stays constant, as
+    /// in a steady motion found by [`trim`](super::Trim::trim); for a steady turn use
+    /// [`Trimmed::modes`](super::Trimmed::modes). Under constraints they include directions that no
+    /// motion takes; those of a trimmed body do not.
     ///
-    /// By Schur's form of what is left of the balanced A without what is neutral. `None` where A is
-    /// not finite.
+    /// The eigenvalues come from the Schur form of the balanced A, after removing neutral
+    /// directions. `None` if A is not finite.
     ///
     /// ```
     /// use newton_euler::prelude::*;
@@ -145,7 +147,7 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
     }
 }
 
-/// The largest sum of sizes in a column.
+/// The largest column sum of absolute values.
 fn one_norm<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
     let columns = matrix.column_iter();
     let sums = columns.map(|column| column.iter().map(|entry| entry.abs()).sum::<f64>());
@@ -159,8 +161,8 @@ fn one_norm<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
 }
 
 #[doc(hidden)]
-/// A matrix with what is common to all motions: the rates of what comes before the rates, so many,
-/// are these.
+/// A matrix with the entries that all motions share: the rates of the leading coordinates, of the
+/// given number.
 #[must_use]
 pub fn rates_of_places<const STATES: usize>(places: usize) -> SMatrix<f64, STATES, STATES> {
     let mut matrix = SMatrix::zeros();

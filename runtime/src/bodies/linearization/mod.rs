@@ -1,9 +1,9 @@
-//! Linearisation: what the motion changes by, to first order, with state and input; the steady
-//! motions that Newton's method finds with it, and how the motion swings about them.
+//! Linearization: the first derivatives of the motion by state and input, the steady
+//! motions that Newton's method finds with them, and the modes of small motions about these.
 //!
-//! The space of states is a product of straight lines and rotations; to first order a state changes
-//! by an element x of its tangent space, what comes before the rates first and the rates behind it,
-//! of a system joint by joint, and states of one's own last:
+//! The space of states is a product of straight lines and rotations. To first order a state changes
+//! by an element x of its tangent space: first the coordinates, then their rates, for a system
+//! joint by joint, and user-defined states last:
 //!
 //! ```text
 //! position + dr,  attitude exp(e),  angle + da,  velocity + dv,  angular_velocity + dw
@@ -11,8 +11,8 @@
 //! x' = A x + B u        x = (dr, e, dv, dw),   e in body axes,   u: the change of the input
 //! ```
 //!
-//! An attitude has three coordinates, and `e' = dw - w × e`. What a rod has instead, the unit vector
-//! along its axis, has three as well; x is across the axis there.
+//! An attitude has three coordinates, and `e' = dw - w × e`. The unit vector along the axis of a
+//! rod also has three; there x is perpendicular to the axis.
 
 mod conditions;
 mod coordinated;

@@ -6,8 +6,8 @@ use nalgebra::{Complex, Const, DefaultAllocator, DimDiff, DimSub, SMatrix, SVect
 
 use super::orthogonal::{Turning, orthogonalize};
 
-/// A way in which a linear motion changes by itself, `x ~ exp(eigenvalue t)`: an oscillation, of a
-/// pair of eigenvalues; or one that only grows or decays.
+/// A mode of a linear motion, `x ~ exp(eigenvalue t)`: an oscillation, from a pair of eigenvalues,
+/// or pure growth or decay.
 ///
 /// ```
 /// use newton_euler::linearization::Mode;
@@ -20,42 +20,42 @@ use super::orthogonal::{Turning, orthogonalize};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mode {
-    /// \[1/s\], of a pair the one whose imaginary part is positive.
+    /// The eigenvalue \[1/s\]; of a pair, the one with positive imaginary part.
     pub eigenvalue: Complex<f64>,
-    /// Whether it is zero to rounding: the motion does not come back, and does not go away as an
-    /// exponential does. So are the positions of what is nowhere held, and headings.
+    /// Whether the eigenvalue is zero to rounding: the motion neither returns nor departs
+    /// exponentially. Positions and headings that nothing holds are neutral.
     pub is_neutral: bool,
 }
 
 impl Mode {
-    /// The size of the eigenvalue \[rad/s\].
+    /// The magnitude of the eigenvalue \[rad/s\].
     #[must_use]
     pub fn natural_frequency(&self) -> f64 {
         libm::hypot(self.eigenvalue.re, self.eigenvalue.im)
     }
 
-    /// One where it just does not swing, negative where it grows; of one that does not swing 1 or
-    /// -1, and not a number of one that is neutral.
+    /// One for critical damping, negative for growth; 1 or -1 for a mode without oscillation, and
+    /// NaN for a neutral mode.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
         -self.eigenvalue.re / self.natural_frequency()
     }
 
-    /// Of an oscillation \[s\].
+    /// The period of an oscillation \[s\].
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         let rate = self.eigenvalue.im;
         (rate > 0.0).then(|| core::f64::consts::TAU / rate)
     }
 
-    /// In which it decays to half of its size, if it decays \[s\].
+    /// The time in which a decaying mode halves \[s\].
     #[must_use]
     pub fn time_to_half(&self) -> Option<f64> {
         let rate = -self.eigenvalue.re;
         (rate > 0.0).then(|| core::f64::consts::LN_2 / rate)
     }
 
-    /// In which it grows to twice its size, if it grows \[s\].
+    /// The time in which a growing mode doubles \[s\].
     #[must_use]
     pub fn time_to_double(&self) -> Option<f64> {
         let rate = self.eigenvalue.re;
@@ -63,7 +63,7 @@ impl Mode {
     }
 }
 
-/// The modes of a motion of at most N, the fastest first, those that are neutral last.
+/// The modes of a motion, at most N, the fastest first, neutral ones last.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Modes<const N: usize> {
     all: [Mode; N],
@@ -79,20 +79,20 @@ impl<const N: usize> core::ops::Deref for Modes<N> {
 }
 
 impl<const N: usize> Modes<N> {
-    /// How many eigenvalues are zero to rounding.
+    /// The number of eigenvalues that are zero to rounding.
     #[must_use]
     pub fn neutral(&self) -> usize {
         self.iter().filter(|mode| mode.is_neutral).count()
     }
 
-    /// Whether all that is not neutral decays.
+    /// Whether all modes except neutral ones decay.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         let mut moving = self.iter().filter(|mode| !mode.is_neutral);
         moving.all(|mode| mode.eigenvalue.re < 0.0)
     }
 
-    /// Of the first rows and columns of a matrix.
+    /// The modes of the first rows and columns of a matrix.
     pub(super) fn of(matrix: &SMatrix<f64, N, N>, size: usize) -> Option<Self>
     where
         Const<N>: DimSub<U1>,
@@ -134,11 +134,11 @@ impl<const N: usize> Modes<N> {
 /// Iterations for each eigenvalue; three are common.
 const ITERATIONS: usize = 60;
 
-/// It is tried again in other axes: of what is orthogonal, shifts may stay where they are. Mirrored
-/// across planes that no symmetry of a motion has.
+/// Failing iterations restart in other axes, because shifts may stall on orthogonal matrices. The
+/// axes are mirrored across planes that no symmetry of a motion has.
 const MIRRORS: [f64; 4] = [1.618, 2.414, 3.303, 4.236];
 
-/// Eigenvalues by Schur's form of the first rows and columns, each in its place on the diagonal.
+/// Eigenvalues by the Schur form of the first rows and columns, each at its place on the diagonal.
 fn eigenvalues<const N: usize>(
     mut matrix: SMatrix<f64, N, N>,
     size: usize,
@@ -164,10 +164,10 @@ where
     None
 }
 
-/// Below this fraction of the largest, a singular value is zero.
+/// A singular value below this fraction of the largest counts as zero.
 const NEUTRAL: f64 = 1e-13;
 
-/// A column of a matrix, and what was made of the columns it is a sum of.
+/// A column of a matrix, and the combination of columns that produced it.
 #[derive(Clone, Copy)]
 struct Column<const N: usize> {
     entries: SVector<f64, N>,
@@ -187,8 +187,8 @@ impl<const N: usize> Turning for Column<N> {
     }
 }
 
-/// An orthonormal basis V with the columns of `matrix V` beside it, orthogonal; of which those that
-/// are zero to `rounding` come last, and how many are not.
+/// An orthonormal basis V with the columns of `matrix V`, orthogonal. The columns that are
+/// zero to `rounding` come last; also returns the number of the others.
 fn basis<const N: usize>(
     matrix: &SMatrix<f64, N, N>,
     size: usize,
@@ -211,10 +211,10 @@ fn basis<const N: usize>(
     (columns, rank)
 }
 
-/// What is left of a matrix without its eigenvalues that are zero, and its size. What does not move
-/// is a neutral direction, and what moves along it alone is another (the staircase of V.
-/// Kublanovskaya); each step is a test of rank, so that zeros which would be roots of rounding, as
-/// those of a train without brakes, are told.
+/// A matrix with its zero eigenvalues removed, and its size. The null space gives neutral
+/// directions, and so do directions that move only along it (the staircase of V.
+/// Kublanovskaya). Each step is a rank test. It recognizes zeros that would otherwise come out as
+/// roots of rounding errors, such as those of a train without brakes.
 fn without_neutral<const N: usize>(
     mut matrix: SMatrix<f64, N, N>,
     mut size: usize,
@@ -232,14 +232,14 @@ fn without_neutral<const N: usize>(
                 matrix[(row, column)] = columns[row].of.dot(&columns[column].entries);
             }
         }
-        // what is left is rounding
+        // the rest is rounding
         if matrix.amax() <= NEUTRAL * largest {
             return (SMatrix::zeros(), 0);
         }
     }
 }
 
-/// A matrix in the directions that some rows permit, and how many these are.
+/// A matrix restricted to the directions that some rows permit, and their number.
 pub(super) fn restricted<const N: usize>(
     matrix: &SMatrix<f64, N, N>,
     rows: &SMatrix<f64, N, N>,
@@ -260,5 +260,5 @@ fn unit<const N: usize>(number: usize) -> SVector<f64, N> {
     SVector::from_fn(|row, _| f64::from(u8::from(row == number)))
 }
 
-/// Below this fraction of the largest, rows say nothing.
+/// A row below this fraction of the largest is ignored.
 const ROWS: f64 = 1e-9;

@@ -1,8 +1,8 @@
-//! Vectors that are turned into each other until they are orthogonal: singular values, by the
-//! one-sided method of Jacobi (M. Hestenes, Inversion of matrices by biorthogonalization), which
-//! finds small ones as well as large ones.
+//! Orthogonalization of vectors by rotations: singular values, by the one-sided method of Jacobi
+//! (M. Hestenes, Inversion of matrices by biorthogonalization), which is accurate for small ones
+//! as well as large ones.
 
-/// What can be turned.
+/// A vector that can be rotated into another.
 pub trait Turning: Copy {
     /// The scalar product.
     fn dot(&self, other: &Self) -> f64;
@@ -15,7 +15,7 @@ pub trait Turning: Copy {
 /// Sweeps through all pairs; ten do for a hundred vectors.
 const SWEEPS: usize = 60;
 
-/// Turns vectors until each is orthogonal to all others, to rounding.
+/// Rotates vectors until each is orthogonal to all others, to rounding.
 pub fn orthogonalize<T: Turning>(vectors: &mut [T]) {
     for _ in 0..SWEEPS {
         let mut is_done = true;

@@ -1,18 +1,18 @@
-//! What the coordinates of a state are, before their rates.
+//! The kinds of the coordinates of a state that precede their rates.
 
-/// A coordinate of the tangent space, of those that come before the rates: what it does as the world is
-/// turned.
+/// A coordinate of the tangent space that precedes the rates: its kind decides how it changes when
+/// the world rotates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// A component of a position, in world axes.
     Position(usize),
-    /// A turn about a body axis, of a body whose attitude is to the world.
+    /// A rotation about a body axis, for an attitude relative to the world.
     Attitude(usize),
     /// The angle of a body that is free in the plane.
     Heading,
     /// A component of the axis of a rod, in world axes.
     Axis(usize),
-    /// A turn of one body in another.
+    /// A rotation of one body relative to another.
     Relative(usize),
     /// An angle about the axis of a joint.
     Angle,
@@ -21,7 +21,7 @@ pub enum Place {
 }
 
 impl Place {
-    /// Which component of a vector it is; none of one.
+    /// Its component index in a vector; zero for a scalar.
     pub(super) fn component(self) -> usize {
         match self {
             Self::Position(part)
@@ -32,12 +32,12 @@ impl Place {
         }
     }
 
-    /// Whether a turn of the world turns it, so that its rate follows.
+    /// Whether a rotation of the world rotates it, so that its rate follows.
     pub(super) fn turns(self) -> bool {
         matches!(self, Self::Attitude(_) | Self::Heading | Self::Axis(_))
     }
 
-    /// Whether it is an angle, or as good as one.
+    /// Whether it is an angle, or equivalent to one.
     pub(super) fn is_angle(self) -> bool {
         !matches!(self, Self::Position(_) | Self::Length)
     }

@@ -1,4 +1,4 @@
-//! What accelerations change by with parameters.
+//! Derivatives of accelerations by parameters.
 
 use crate::bodies::body::RigidBody;
 
@@ -32,12 +32,13 @@ use crate::bodies::body::RigidBody;
 )]
 pub trait Sensitivity: RigidBody {
     /// A struct of the acceleration and of all blocks that are not zero in all states:
-    /// `linear_by_area`, of a system `elbow_angular_by_length`; a number, or a matrix with a row for
-    /// each component of what changes and a column for each of a parameter that is a vector.
+    /// `linear_by_area`, for a system `elbow_angular_by_length`. A block is a number, or a matrix
+    /// with a row for each component of the acceleration and a column for each component of a
+    /// vector parameter.
     type Sensitivity;
 
-    /// The derivatives in this state, with state and input held. Where the motion has a kink
-    /// (`abs`, `min`, `if`), those of the branch that is taken.
+    /// The derivatives in this state, with state and input held. At a kink of the motion
+    /// (`abs`, `min`, `if`), they are those of the active branch.
     fn sensitivity(
         &self,
         time: Self::Scalar,

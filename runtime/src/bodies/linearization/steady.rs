@@ -1,4 +1,4 @@
-//! The equations of a steady motion, linear about a state and an input.
+//! The equations of a steady motion, linearized about a state and an input.
 
 use core::ops::Range;
 
@@ -12,16 +12,16 @@ use super::place::Place;
 use super::tangent;
 use crate::bodies::constrained::Violation;
 
-/// What is to be steady, and how.
+/// The conditions of a steady motion.
 pub struct Steady<'b, B, C> {
     pub body: &'b B,
     pub time: f64,
-    /// The angular velocity of the world's turn \[rad/s\], world axes, if there is one.
+    /// The angular velocity of the turn \[rad/s\], world axes, if there is one.
     pub turning: Option<Vector3<f64>>,
     pub conditions: C,
 }
 
-/// A list with room for the rows of a state, twice as many of constraints and conditions.
+/// A list with room for the rows of a state, and twice as many for constraints and conditions.
 #[derive(Clone, Copy)]
 pub struct Rows<T, const N: usize> {
     room: [[T; 3]; N],
@@ -34,7 +34,7 @@ impl<T: Copy, const N: usize> Rows<T, N> {
         Self { room, count: 0 }
     }
 
-    /// Nothing that is too much is taken.
+    /// Entries beyond the capacity are dropped.
     fn push(&mut self, row: T) {
         if let Some(to) = self.room.as_flattened_mut().get_mut(self.count) {
             *to = row;
@@ -46,23 +46,24 @@ impl<T: Copy, const N: usize> Rows<T, N> {
         &self.room.as_flattened()[..self.count]
     }
 
-    /// There may have been more.
+    /// Whether entries may have been dropped.
     pub fn is_full(&self) -> bool {
         self.count == 3 * N
     }
 }
 
-/// What is asked of a steady motion.
+/// One equation of a steady motion.
 #[derive(Clone, Copy)]
 pub struct Asked<const N: usize, const M: usize> {
     pub name: &'static str,
-    /// Of a coordinate, whether it is an angle: equations of one unit are compared.
+    /// Whether it is an equation of an angle, for those of a coordinate; equations with the same
+    /// unit are compared.
     pub is_angle: Option<bool>,
     pub equation: Equation<N, M>,
 }
 
 impl<const N: usize, const M: usize> Asked<N, M> {
-    /// One that nothing changes.
+    /// An equation without derivatives.
     fn new(name: &'static str, value: f64) -> Self {
         Self {
             name,
@@ -78,17 +79,17 @@ impl<const N: usize, const M: usize> Asked<N, M> {
 /// The equations about one state and input.
 pub struct About<L, const N: usize, const M: usize> {
     pub rows: Rows<Asked<N, M>, N>,
-    /// Which of them are of constraints: any motion keeps these.
+    /// The equations of constraints among them: every motion satisfies these.
     pub kept: Range<usize>,
     pub linearization: L,
-    /// A, of a motion that turns with the world as those see it who turn with it.
+    /// A, as seen by an observer that turns with the motion.
     pub matrix: SMatrix<f64, N, N>,
     pub rate: SVector<f64, N>,
-    /// By how much each coordinate and each input can be thought to change.
+    /// The plausible size of a change of each coordinate and each input.
     pub reach: Change<N, M>,
 }
 
-/// A value that is to be zero; of a constraint of positions, with its rate.
+/// A value that must be zero; for a position constraint, with its rate.
 #[derive(Clone, Copy)]
 struct Measured {
     name: &'static str,
@@ -96,7 +97,7 @@ struct Measured {
     rate: Option<f64>,
 }
 
-/// A step of differences, as a fraction of what changes.
+/// A step of finite differences, as a fraction of the plausible change.
 const STEP: f64 = 6e-6;
 
 impl<B, C> Steady<'_, B, C> {
@@ -155,7 +156,7 @@ impl<B, C> Steady<'_, B, C> {
         about
     }
 
-    /// The rate of a state beyond that of the turn of the world; A likewise.
+    /// The rate of a state minus that of the turn of the world; likewise A.
     fn excess<const N: usize, const M: usize>(
         &self,
         values: &SVector<f64, N>,
@@ -173,8 +174,8 @@ impl<B, C> Steady<'_, B, C> {
             match place {
                 Place::Position(part) | Place::Axis(part) => {
                     let (place, size) = (row - part, vector(&B::PLACES[row - part..]));
-                    // those who turn see positions turn the other way; if nothing depends on these,
-                    // they may stay
+                    // in turning axes, positions rotate the other way; if nothing depends on them,
+                    // they may stay fixed
                     let is_seen = a.columns(place, size).amax() > 0.0;
                     for other in 0..size {
                         let turn = cross[(*part, other)];
@@ -194,10 +195,10 @@ impl<B, C> Steady<'_, B, C> {
         excess
     }
 
-    /// What constraints and conditions are off by, and their derivatives; the number of rows at the
-    /// end of those of constraints. These are linear in the rates, so that rates of one give their
-    /// derivatives by rates, and those of positions by places, to rounding; all else is by
-    /// differences.
+    /// The residuals of constraints and conditions, and their derivatives; also the number of rows
+    /// of constraints. Constraints are linear in the rates. Unit rates therefore give their
+    /// derivatives by rates, and those of positions by coordinates, to rounding; all other
+    /// derivatives are finite differences.
     fn measured<const N: usize, const M: usize>(
         &self,
         state: &B::State,
@@ -260,7 +261,7 @@ impl<B, C> Steady<'_, B, C> {
         first + kept
     }
 
-    /// Constraints, and conditions behind them; how many are of constraints.
+    /// Constraints, followed by conditions; also the number of constraints.
     fn measure<const N: usize, const M: usize>(
         &self,
         state: &B::State,
@@ -308,7 +309,7 @@ impl<B, C> Steady<'_, B, C> {
     }
 }
 
-/// The axes of rods change across themselves, and their rates likewise.
+/// Restricts changes of the axes of rods, and of their rates, to those perpendicular to the axis.
 fn axes<B, L, const N: usize, const M: usize>(values: &SVector<f64, N>, about: &mut About<L, N, M>)
 where
     B: Coordinated<N, M>,
@@ -329,7 +330,7 @@ where
     }
 }
 
-/// How many of the first places are those of one vector.
+/// The number of leading coordinates that form one vector.
 fn vector(places: &[Place]) -> usize {
     let parts = places.iter().enumerate();
     parts

@@ -5,10 +5,10 @@ use nalgebra::{Quaternion, SVector, UnitQuaternion, Vector3};
 use crate::mechanics::attitude;
 use crate::state::Coordinates;
 
-/// How often the length of an axis is corrected: from half of it or twice it, to rounding.
+/// Corrections of the length of an axis: enough to go from half or twice the length to rounding.
 const CORRECTIONS: usize = 8;
 
-/// The state at the end of a displacement x: coordinates are added, attitudes turned.
+/// The state at the end of a displacement x: coordinates are added, attitudes rotated.
 pub fn moved<S: Coordinates<Scalar = f64>, const N: usize>(state: &S, x: &SVector<f64, N>) -> S {
     let start = state.coordinates();
     let (mut change, mut end) = (S::Array::default(), start);
@@ -36,7 +36,7 @@ pub fn moved<S: Coordinates<Scalar = f64>, const N: usize>(state: &S, x: &SVecto
     S::from_coordinates(&end)
 }
 
-/// The rate of a state: an attitude turns by its angular velocity.
+/// The rate of a state: an attitude changes by its angular velocity.
 pub fn rate<S: Coordinates<Scalar = f64>, const N: usize>(
     state: &S,
     acceleration: &S::Acceleration,
@@ -60,8 +60,8 @@ pub fn rate<S: Coordinates<Scalar = f64>, const N: usize>(
     x
 }
 
-/// The coordinates of a state in the places of the tangent space; of an attitude, a vector in world
-/// axes in those of the body.
+/// The coordinates of a state, arranged as in the tangent space; in place of an attitude, a vector
+/// in world axes, expressed in body axes.
 pub fn values<S: Coordinates<Scalar = f64>, const N: usize>(
     state: &S,
     vector: &Vector3<f64>,

@@ -1,4 +1,4 @@
-//! Steady motions, by Newton's method: what is free is changed until nothing accelerates.
+//! Steady motions by Newton's method: free quantities change until nothing accelerates.
 
 use core::ops::ControlFlow;
 
@@ -14,15 +14,14 @@ use super::steady::{About, Asked, Steady};
 use super::tangent;
 use super::trim_error::{FEW, Off, TrimError};
 
-/// Steady motions and equilibria of what has `outputs: [linearization]`.
+/// Steady motions and equilibria of bodies and systems with `outputs: [linearization]`.
 ///
-/// A motion is *steady* where nothing accelerates: rates stay as they are, and so do states of one's
-/// own. With rates of zero it is
-/// an equilibrium. With [`Search::turning`] it is a steady turn: velocities turn with the world at a
-/// given rate, and so does the body.
+/// A motion is *steady* if nothing accelerates: rates stay constant, and so do user-defined states.
+/// With zero rates it is an equilibrium. With [`Search::turning`] it is a steady turn: velocities
+/// rotate with the world at a given rate, and so does the body.
 pub trait Trim<const STATES: usize, const INPUTS: usize>: Coordinated<STATES, INPUTS> {
-    /// Begins the search for a steady motion near a state. What is not made
-    /// [`free`](Search::free) stays as it is given.
+    /// Begins the search for a steady motion near a state. Quantities that are not made
+    /// [`free`](Search::free) keep their values.
     ///
     /// ```
     /// use newton_euler::prelude::*;
@@ -77,27 +76,28 @@ pub struct Search<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> {
     steady: Steady<'b, B, C>,
     state: B::State,
     input: [f64; M],
-    /// One for what is free.
+    /// One for free quantities, zero for others.
     free: Change<N, M>,
     unknown: Option<&'static str>,
 }
 
 impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, C, N, M> {
-    /// The input to begin with, and what stays of it; zero unless it is said.
+    /// The initial input, whose values also stand for held components; zero by default.
     pub fn input(self, input: &B::Input) -> Self {
         let input = B::components(input);
         Self { input, ..self }
     }
 
-    /// The time \[s\]; zero unless it is said.
+    /// The time \[s\]; zero by default.
     pub fn at(mut self, time: f64) -> Self {
         self.steady.time = time;
         self
     }
 
-    /// What may be changed, by the names in [`Linearized::STATES`] and [`Linearized::INPUTS`]; or
-    /// all of a vector, as `"attitude"`. Where there is more of it than is determined, the change
-    /// from the start is least: in the mean of squares, each unknown counted by what it does.
+    /// The quantities that may change, by their names in [`Linearized::STATES`] and
+    /// [`Linearized::INPUTS`]; or a whole vector, as `"attitude"`. If there are more than the
+    /// equations determine, the change from the start is least in mean square, each unknown
+    /// weighted by its effect.
     pub fn free<const K: usize>(mut self, names: [&'static str; K]) -> Self {
         let states = <B::Linearization as Linearized<N, M>>::STATES;
         let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
@@ -118,12 +118,12 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         self
     }
 
-    /// A steady turn: with this angular velocity \[rad/s\], world axes, in the plane along z, what
-    /// moves freely turns with the world about an axis through the center of the turn. So velocities
-    /// change by `turning × velocity`, and bodies have the angular velocity `turning`, which
-    /// is found with the rest. Joints between bodies, and hinges, stay as they are.
+    /// A steady turn. With this angular velocity \[rad/s\], in world axes or in the plane along z,
+    /// freely moving bodies rotate with the world about an axis through the center of the turn.
+    /// Velocities change by `turning × velocity`, and bodies have the angular velocity `turning`.
+    /// The center is found with the rest. Joints between bodies, and hinges, stay constant.
     ///
-    /// It goes on like this if the loads turn as well: about the vertical, under weight.
+    /// The turn is steady if the loads rotate as well: about the vertical, under weight.
     pub fn turning(mut self, angular_velocity: impl Into<Vector3<f64>>) -> Self {
         self.steady.turning = Some(angular_velocity.into());
         for (place, kind) in B::PLACES.iter().enumerate() {
@@ -134,8 +134,8 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         self
     }
 
-    /// A condition beside: what is to be zero, smooth in state and input, such as a sideslip, or a
-    /// bank angle less a wanted one.
+    /// An additional condition: a smooth function of state and input that must be zero, such as a
+    /// sideslip, or a bank angle minus its target.
     pub fn hold<F: Fn(&B::State, &B::Input) -> f64>(
         self,
         name: &'static str,
@@ -165,10 +165,10 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         }
     }
 
-    /// Newton's method, with steps that are halved until they come nearer.
+    /// Runs Newton's method, with steps that are halved until they reduce the residual.
     ///
     /// # Errors
-    /// [`TrimError`]: what is left over by how much, and what would have to be free.
+    /// [`TrimError`]: the residual, and which quantities would have to be free.
     pub fn solve(self) -> Result<Trimmed<B, N, M>, TrimError>
     where
         C: Conditions<B::State, B::Input>,
@@ -203,7 +203,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         self.end(here)
     }
 
-    /// The equations about a state and an input, and how far they are from zero.
+    /// The equations about a state and an input, and their residual.
     fn about(&self, state: B::State, input: [f64; M]) -> Here<B, N, M>
     where
         C: Conditions<B::State, B::Input>,
@@ -228,7 +228,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         }
     }
 
-    /// A step that comes nearer; or the end, if there is none.
+    /// A step that reduces the residual; or the end, if there is none.
     fn step(&self, here: Here<B, N, M>) -> ControlFlow<Here<B, N, M>, Here<B, N, M>>
     where
         C: Conditions<B::State, B::Input>,
@@ -284,7 +284,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
             let name = row.name;
             (Off { name, by }, relative(by, *size))
         }));
-        // what would take many turns cannot be done
+        // a solution that needs large rotations is not found
         let mut free = self.free;
         for (place, kind) in B::PLACES.iter().enumerate() {
             if kind.is_angle() && least.change.state[place].abs() > 10.0 * TURN {
@@ -303,23 +303,23 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
     }
 }
 
-/// Steps of Newton's method: near by it takes about six.
+/// The limit of Newton steps: near a solution about six are needed.
 const STEPS: usize = 100;
 
-/// How often a step is halved that does not come nearer.
+/// The limit of halvings of a step that does not reduce the residual.
 const HALVINGS: usize = 40;
 
-/// The largest angle of a step \[rad\]: beyond, sines are nothing like their slopes.
+/// The largest angle of a step \[rad\]: beyond it, sines are far from linear.
 const TURN: f64 = 1.0;
 
-/// What is left of an equation, as a fraction of the terms it is summed from, is a failure above
-/// this. The steps go on to rounding in any case: this decides only whether they got there.
+/// A residual of an equation is a failure above this fraction of the terms of its sum. The steps
+/// continue to rounding in any case: this number decides only whether they succeeded.
 const TOLERANCE: f64 = 1e-9;
 
-/// So much of the largest equation is the size of all others at least.
+/// The size of an equation is at least this fraction of the largest.
 const ROUNDING: f64 = 1e-6;
 
-/// The sizes of the terms that equations are summed from, one for all of a unit.
+/// The sizes of the terms of the equations, one for all equations of a unit.
 fn sizes<L, const N: usize, const M: usize>(about: &About<L, N, M>) -> [[f64; 3]; N] {
     let mut sizes = [[0.0_f64; 3]; N];
     let rows = about.rows.list();
@@ -338,7 +338,7 @@ fn sizes<L, const N: usize, const M: usize>(about: &About<L, N, M>) -> [[f64; 3]
     sizes
 }
 
-/// A value as a fraction of its size; nothing is nothing at any.
+/// A value as a fraction of its size; zero is zero at any size.
 fn relative(value: f64, size: f64) -> f64 {
     if value == 0.0 {
         0.0
@@ -347,7 +347,7 @@ fn relative(value: f64, size: f64) -> f64 {
     }
 }
 
-/// The largest, in falling order; what is rounding beside the largest is left out.
+/// The largest entries, in descending order, without those that are rounding next to the largest.
 fn few<T: Copy>(all: impl Iterator<Item = (T, f64)>) -> [Option<T>; FEW] {
     let mut found: [Option<(T, f64)>; FEW] = [None; FEW];
     for mut one in all.map(Some) {
@@ -365,18 +365,18 @@ fn few<T: Copy>(all: impl Iterator<Item = (T, f64)>) -> [Option<T>; FEW] {
     })
 }
 
-/// Where a search is.
+/// The current point of a search.
 struct Here<B: Coordinated<N, M>, const N: usize, const M: usize> {
     state: B::State,
     input: [f64; M],
     about: About<B::Linearization, N, M>,
-    /// Of the terms that each equation is summed from.
+    /// The sizes of the terms of each equation.
     sizes: [[f64; 3]; N],
     worst: f64,
 }
 
 impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
-    /// What is left over, in units of these sizes.
+    /// The residual, in units of these sizes.
     fn merit(&self, sizes: &[[f64; 3]; N]) -> f64 {
         let rows = self.about.rows.list().iter().zip(sizes.as_flattened());
         let relative = rows.map(|(row, size)| relative(row.equation.value, *size));
@@ -399,14 +399,14 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
 /// A steady motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Trimmed<B: Coordinated<N, M>, const N: usize, const M: usize> {
-    /// The state, with what was free found.
+    /// The state, with the free quantities solved for.
     pub state: B::State,
-    /// The input likewise.
+    /// The input, likewise.
     pub input: B::Input,
-    /// The linearisation there, as [`linearize`](super::Linearization::linearize) gives it.
+    /// The linearization there, as given by [`linearize`](super::Linearization::linearize).
     pub linearization: B::Linearization,
-    /// In how many ways what was free can be changed without leaving the steady motions, to first
-    /// order: zero if the one found is alone.
+    /// The number of ways to change the free quantities without leaving the steady motions, to
+    /// first order: zero if the solution is isolated.
     pub undetermined: usize,
     matrix: SMatrix<f64, N, N>,
     rate: SVector<f64, N>,
@@ -414,8 +414,8 @@ pub struct Trimmed<B: Coordinated<N, M>, const N: usize, const M: usize> {
 }
 
 impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trimmed<B, N, M> {
-    /// The modes of small motions about the steady one, as those see them who turn with it; of what
-    /// is under constraints those that it can make. `None` if the derivatives are not finite.
+    /// The modes of small motions about the steady one, as seen in axes that turn with it; under
+    /// constraints only the possible ones. `None` if the derivatives are not finite.
     #[must_use]
     pub fn modes(&self) -> Option<Modes<N>>
     where
@@ -427,9 +427,9 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trimmed<B, N, M> {
         Modes::of(&matrix, size)
     }
 
-    /// How fast the accelerations change along the motion, in the places of the rates in
-    /// [`Linearized::STATES`]. It stays steady where this is zero; not so does a climb through air
-    /// that thins, or a turn about an axis that is not vertical.
+    /// The rates of the accelerations along the motion, in the order of the rates in
+    /// [`Linearized::STATES`]. The motion stays steady if they are zero. They are not for a climb
+    /// through air of decreasing density, or a turn about an axis that is not vertical.
     #[must_use]
     pub fn drift(&self) -> SVector<f64, N> {
         let mut drift = self.matrix * self.rate;

@@ -1,18 +1,18 @@
-//! Why there is no steady motion.
+//! Reasons why no steady motion was found.
 
 use core::fmt;
 
-/// How many of the worst are told: an error is small.
+/// The number of worst entries that are kept, so that the error stays small.
 pub const FEW: usize = 3;
 
-/// What is left over of an equation of a steady motion.
+/// The residual of an equation of a steady motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Off {
     /// The coordinate that accelerates, by its name in
-    /// [`Linearized::STATES`](super::Linearized::STATES); or the condition or the constraint that is
-    /// not met.
+    /// [`Linearized::STATES`](super::Linearized::STATES); or the violated condition or
+    /// constraint.
     pub name: &'static str,
-    /// Its rate, or by how much it is not met, SI units.
+    /// Its rate, or the size of the violation, SI units.
     pub by: f64,
 }
 
@@ -20,32 +20,33 @@ pub struct Off {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TrimError {
-    /// No coordinate and no input is called this.
+    /// No coordinate and no input has this name.
     Unknown {
         /// The name.
         name: &'static str,
     },
-    /// A steady turn of what has no body that moves freely: nothing would be turned.
+    /// A steady turn of a system without a freely moving body: nothing would turn.
     NothingTurns,
     /// More constraints and conditions than twice the coordinates of the state.
     TooMany,
-    /// The acceleration is not a number at the start.
+    /// The acceleration is NaN at the start.
     NotFinite {
-        /// A load that has no value there, if it is known.
+        /// A load without a value there, if it is known.
         load: Option<&'static str>,
     },
-    /// What is free cannot make it steady: the equations are more than the unknowns, or they ask for
-    /// what cannot be.
+    /// The free quantities cannot make the motion steady: there are more equations than unknowns,
+    /// or the equations are inconsistent.
     Unbalanced {
-        /// What is left over, the worst first.
+        /// The residual, the worst first.
         residual: [Option<Off>; FEW],
-        /// What would make it less if it were free, the most effective first; none if nothing does.
+        /// Held quantities that would reduce it if they were free, the most effective first; none
+        /// if nothing does.
         held: [Option<&'static str>; FEW],
     },
-    /// What is free could bring it nearer, but the steps did not come to an end: a start that is
-    /// nearer may help.
+    /// The free quantities could reduce the residual further, but the steps did not converge: try a
+    /// closer start.
     NotConverged {
-        /// What is left over, the worst first.
+        /// The residual, the worst first.
         residual: [Option<Off>; FEW],
     },
 }

@@ -1,18 +1,18 @@
-//! What acts on a body while it moves.
+//! Inputs of a body during a motion.
 
 use crate::numbers::count::real;
 
 /// Inputs over time.
 ///
 /// [`Integration::input`](crate::integrate::Integration::input) and
-/// [`Integration::control`](crate::integrate::Integration::control) make the two that there are.
+/// [`Integration::control`](crate::integrate::Integration::control) create the two kinds.
 pub trait Control<S, I> {
-    /// The input from a time \[s\] and state on, and until when it is held: a time towards `end`,
-    /// or beyond.
+    /// The input from a time \[s\] and state on, and the time until which it is held: towards
+    /// `end`, or beyond.
     fn input(&mut self, time: f64, state: &S, end: f64) -> (I, f64);
 }
 
-/// One input that is held from the start to the end.
+/// One input, held from the start to the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Held<I>(pub I);
 
@@ -25,14 +25,14 @@ impl<S, I: Default> Control<S, I> for Held<I> {
     }
 }
 
-/// A function of time and state that is asked at equal intervals, and held between them (zero-order
-/// hold).
+/// A function of time and state that is called at equal intervals, and held between them
+/// (zero-order hold).
 #[derive(Clone, Copy, Debug)]
 pub struct Sampled<F> {
     function: F,
-    /// Between two instants \[s\].
+    /// The interval between calls \[s\].
     period: f64,
-    /// The first instant, and how many there were.
+    /// The first instant, and the number of instants so far.
     start: f64,
     count: usize,
 }
@@ -47,7 +47,7 @@ impl<F> Sampled<F> {
         }
     }
 
-    /// The function at an instant on the way to an end, and the next instant.
+    /// The function at an instant before an end, and the next instant.
     pub(crate) fn next(&mut self, time: f64, end: f64) -> (&mut F, f64) {
         if self.count == 0 {
             self.start = time;

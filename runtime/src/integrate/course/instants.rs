@@ -2,20 +2,20 @@
 
 use crate::numbers::count::real;
 
-/// A start, and every so many seconds after up to an end, that included.
+/// A start, and times at equal intervals from it up to an end, inclusive.
 #[derive(Clone, Debug)]
 pub(crate) struct Instants {
     start: f64,
     end: f64,
-    /// Between two of them, negative where time runs backwards \[s\].
+    /// The interval, negative if time runs backwards \[s\].
     period: f64,
-    /// Which is next; of how many.
+    /// The index of the next instant, and their number.
     next: usize,
     count: usize,
 }
 
 impl Instants {
-    /// No time at all.
+    /// No instants.
     pub(crate) const NONE: Self = Self {
         start: 0.0,
         end: 0.0,
@@ -24,11 +24,11 @@ impl Instants {
         count: 0,
     };
 
-    /// None if they cannot be counted.
+    /// None if the number of instants is not representable.
     pub(crate) fn new(start: f64, end: f64, period: f64) -> Option<Self> {
         let intervals = (end - start).abs() / period;
         let is_countable = (0.0..9_007_199_254_740_992.0).contains(&intervals); // 2⁵³
-        // the end belongs to them, whatever rounding took from their number and from its times
+        // the end is one of them, despite rounding of their number and times
         let rounding = f64::EPSILON * (end.abs() + start.abs()) / period;
         #[expect(
             clippy::cast_possible_truncation,

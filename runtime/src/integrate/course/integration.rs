@@ -1,4 +1,4 @@
-//! One way to integrate: what is to be known beside a body and a state, and what comes out.
+//! The settings of an integration, and its results.
 
 use core::borrow::Borrow;
 use core::fmt;
@@ -11,16 +11,16 @@ use crate::bodies::body::RigidBody;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
 
-/// How large the error of a step may be where nobody says.
+/// The default bound of the error of a step.
 pub(crate) const TOLERANCE: f64 = 1e-9;
 
-/// A body whose motion can be integrated, with the method that is best for it.
+/// A body whose motion can be integrated, with the best method for it.
 ///
 /// [`rigid_body!`](crate::rigid_body) implements it: the
 /// [`ClosedForm`](crate::integrate::ClosedForm) with `outputs: [flow]`, Taylor series
 /// ([`TaylorSeries`](crate::integrate::TaylorSeries)) with `outputs: [taylor]`, for all others
 /// [`RungeKuttaPair`](crate::integrate::RungeKuttaPair), under constraints
-/// [`Projected`](crate::integrate::Projected). By hand it is one line:
+/// [`Projected`](crate::integrate::Projected). An implementation by hand is one line:
 ///
 /// ```
 /// use newton_euler::{integrate::RungeKuttaPair, prelude::*};
@@ -50,11 +50,12 @@ pub(crate) const TOLERANCE: f64 = 1e-9;
 /// # Ok::<(), newton_euler::integrate::IntegrationError<PlanarTranslation>>(())
 /// ```
 pub trait Integrate: RigidBody<Scalar = f64> + Sized {
-    /// The method that is best for it.
+    /// The best method for it.
     type Best: Method<Self> + Tolerant;
 
-    /// Integrates the motion from a state on: at time zero, under the default input, with errors of
-    /// 1e-9 a step, by [`Self::Best`], all of which [`Integration`] can change.
+    /// Integrates the motion from a state. By default it starts at time zero, with the default
+    /// input and errors of 1e-9 per step, by [`Self::Best`]. [`Integration`] changes these
+    /// settings.
     fn integrate(
         &self,
         state: &Self::State,
@@ -75,13 +76,13 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
     }
 }
 
-/// A motion that is to be integrated.
+/// An integration to be run.
 ///
-/// First what is to be known ([`starting_at`](Self::starting_at), [`tolerance`](Self::tolerance),
-/// [`method`](Self::method), [`input`](Self::input), [`control`](Self::control)), then what is
-/// asked: the state at the end ([`to`](Self::to)), or an iterator of [`samples`](Self::samples), of
-/// [`steps`](Self::steps), of [`events`](Self::events). Time may run backwards. What ends a motion
-/// before its time is an [`IntegrationError`], with the last state that is good; an iterator gives
+/// First set its parameters ([`starting_at`](Self::starting_at), [`tolerance`](Self::tolerance),
+/// [`method`](Self::method), [`input`](Self::input), [`control`](Self::control)), then choose the
+/// result: the state at the end ([`to`](Self::to)), or an iterator of [`samples`](Self::samples),
+/// of [`steps`](Self::steps), of [`events`](Self::events). Time may run backwards. A motion that
+/// cannot reach its end gives an [`IntegrationError`] with the last good state; an iterator returns
 /// it as its last item.
 ///
 /// ```
@@ -96,7 +97,7 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
 ///     outputs: [taylor],
 /// });
 ///
-/// // a controller that is asked a hundred times a second, and drives to 12 m
+/// // a controller that runs a hundred times a second, and drives to 12 m
 /// let pull = |_time, state: &Translation| {
 ///     let (high, rises) = (state.position.z, state.velocity.z);
 ///     ElevatorInput { pull: 800.0 * (9.80665 + (12.0 - high) - 2.0 * rises) }
@@ -140,7 +141,7 @@ where
     C: Control<B::State, B::Input>,
     L: Iterator<Item: Borrow<f64>> + Clone,
 {
-    /// Begins at this time \[s\] and not at zero.
+    /// Begins at this time \[s\] instead of zero.
     pub fn starting_at(self, time: f64) -> Self {
         Self {
             start: time,
@@ -148,7 +149,7 @@ where
         }
     }
 
-    /// With this tolerance: see [`Tolerant::with_tolerance`].
+    /// Sets the tolerance: see [`Tolerant::with_tolerance`].
     pub fn tolerance(self, tolerance: f64) -> Self
     where
         M: Tolerant,
@@ -156,7 +157,7 @@ where
         self.method(M::with_tolerance(tolerance))
     }
 
-    /// By another method, such as [`Fixed`](crate::integrate::Fixed).
+    /// Uses another method, such as [`Fixed`](crate::integrate::Fixed).
     pub fn method<N: Method<B>>(self, method: N) -> Integration<'b, B, N, C, L> {
         let Self { control, pace, .. } = self;
         Integration {
@@ -171,12 +172,11 @@ where
         }
     }
 
-    /// With no step longer than this \[s\], for what is over so soon that a longer step may not see
-    /// it.
+    /// Limits the length of steps \[s\], for short events that a longer step could miss.
     ///
     /// # Errors
-    /// [`IntegrationError::StepTooSmall`] by the integration, if it is not positive, or is lost in
-    /// the rounding of time.
+    /// [`IntegrationError::StepTooSmall`] by the integration, if the limit is not positive, or is
+    /// lost in the rounding of time.
     pub fn max_step(self, max_step: f64) -> Self {
         let Pace { breaks, .. } = self.pace;
         Self {
@@ -185,10 +185,10 @@ where
         }
     }
 
-    /// With steps that end at these times \[s\] as well, in any order: those at which a load
-    /// changes, or begins to, and that nobody else knows. The conditions on `t` of a description
-    /// are known ([`RigidBody::switches`]). What is no time, or not on the way, is passed over.
-    /// Each step is taken with the equations of its own side, so that a load may as well jump
+    /// Ends steps at these times \[s\] as well, in any order: times at which a load changes or
+    /// sets in, and which are not known otherwise. The conditions on `t` of a description
+    /// are known ([`RigidBody::switches`]). NaN and times outside the motion are skipped.
+    /// Each step uses the equations of its own side, so loads may also jump
     /// there.
     ///
     /// ```
@@ -226,13 +226,13 @@ where
         }
     }
 
-    /// Under an input that is held from the start to the end.
+    /// Sets an input that is held from the start to the end.
     pub fn input(self, input: B::Input) -> Integration<'b, B, M, Held<B::Input>, L> {
         self.under(Held(input))
     }
 
-    /// Under inputs that a function of time and state gives at the start and every so many seconds
-    /// after, each held until the next (zero-order hold), as by a controller.
+    /// Takes inputs from a function of time and state, called at the start and after every period
+    /// \[s\], each held until the next (zero-order hold), like a digital controller.
     pub fn control<F: FnMut(f64, &B::State) -> B::Input>(
         self,
         period: f64,
@@ -254,8 +254,8 @@ where
         }
     }
 
-    /// Shows a bar on standard error, with how far the motion has come and the time that it will
-    /// take. Nothing is shown where standard error is no terminal.
+    /// Shows a bar on standard error, with the progress of the motion and the remaining
+    /// time. Shows nothing if standard error is no terminal.
     #[cfg(feature = "progress")]
     pub fn progress(self) -> Self {
         Self {
@@ -267,10 +267,10 @@ where
     /// The state at the end \[s\].
     ///
     /// # Errors
-    /// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers; or where
-    /// the motion is driven to and fro about a place where its equations jump, by steps that are
-    /// ever so short, as by friction along `velocity.normalize()` at rest: after some hundred
-    /// thousand of these, if millions are ahead. End such a motion by an
+    /// [`IntegrationError`], if the motion or the tolerance leaves the range of numbers, or if
+    /// the motion chatters: it oscillates about a place where its equations jump, in very short
+    /// steps, as under friction along `velocity.normalize()` at rest. Chattering is detected after
+    /// some hundred thousand such steps, if millions are ahead. End such a motion by an
     /// [event](Self::events), or write friction that is smooth: `(v / eps).tanh()`.
     pub fn to(self, end: f64) -> Result<B::State, IntegrationError<B::State>> {
         let mut course = self.course(end);
@@ -278,9 +278,9 @@ where
         Ok(course.run.state())
     }
 
-    /// The states at the start and every so many seconds after, up to the end \[s\]; that is the
-    /// last of them if it is a whole number of periods away. Steps are as long as they would be
-    /// otherwise.
+    /// The states at the start and after every period \[s\], up to the end \[s\]. The end is the
+    /// last sample if it is a whole number of periods away. Sampling does not change the
+    /// steps.
     pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B, L> {
         Samples::new(self.course(end), period)
     }
@@ -293,15 +293,17 @@ where
         }
     }
 
-    /// Where a function of time and state changes its sign, or is exactly zero where it is looked
-    /// at, up to the end \[s\], in both directions, as the motion comes to it; a zero at the start
-    /// is none.
+    /// The points where a function of time and state changes its sign, or is exactly zero where it
+    /// is evaluated, up to the end \[s\], in both directions, in the order of the motion. A zero at
+    /// the start does not count.
     ///
-    /// The sign is looked at in some places of every step: of zeros closer to each other than
-    /// these, an even number is not seen. A zero is found to the rounding of the function and of
-    /// time. What stays zero has one event where it becomes so, and none if it was from the start.
+    /// The sign is evaluated at several points of every step. An even number of zeros between two
+    /// such points is missed. Zeros are found to the rounding of the function and of
+    /// time. A function that stays zero has one event where it becomes zero, and none if it is zero
+    /// from the start.
     ///
-    /// Where the function is not a number the motion ends, with
+    /// If the function is NaN, the motion ends with
+    /// [`IntegrationError::EventNotANumber`].
     /// [`IntegrationError::EventNotANumber`].
     pub fn events<F: Fn(f64, &B::State) -> f64>(
         self,

@@ -1,4 +1,4 @@
-//! A motion on its way to an end, under inputs that change, and what is seen of it.
+//! A motion from its start to its end, with changing inputs, and its observation.
 
 use core::borrow::Borrow;
 
@@ -17,7 +17,7 @@ use control::Control;
 #[cfg(feature = "progress")]
 use progress::Bar;
 
-/// How long steps are at most, and where they end beside.
+/// The limit of the length of steps, and additional times at which they end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace<L> {
     /// \[s\]
@@ -27,8 +27,8 @@ pub(crate) struct Pace<L> {
 }
 
 impl<L> Pace<L> {
-    /// Where a step from a time on has to end, if there are other reasons to end at a limit: none
-    /// if there is no such step.
+    /// The time at which a step from a given time must end, if other reasons end it at `limit`;
+    /// none if there is no such step.
     pub(crate) fn limit(&self, time: f64, limit: f64) -> Option<f64> {
         let longest = self.max_step > 0.0;
         let step = self.max_step.min((limit - time).abs());
@@ -45,12 +45,12 @@ impl<L> Pace<L> {
 pub(crate) struct Course<R, C, B: RigidBody, L> {
     pub(crate) run: R,
     pub(crate) control: C,
-    /// What acts now, and until when.
+    /// The current input, and the time until which it is held.
     pub(crate) input: B::Input,
     pub(crate) held_until: f64,
-    /// When it was given, if that was before it is asked for.
+    /// The time at which the input was given, if that was earlier.
     pub(crate) given: Option<f64>,
-    /// In which the motion is.
+    /// The current stretch.
     pub(crate) stretch: Stretch,
     pub(crate) pace: Pace<L>,
     pub(crate) end: f64,
@@ -59,7 +59,7 @@ pub(crate) struct Course<R, C, B: RigidBody, L> {
     pub(crate) bar: Option<Bar>,
 }
 
-/// What a motion gives: a value, or why it ended.
+/// A value, or the error that ended the motion.
 type Outcome<T, B> = Result<T, IntegrationError<<B as RigidBody>::State>>;
 
 impl<B, R, C, L> Course<R, C, B, L>
@@ -69,7 +69,7 @@ where
     C: Control<B::State, B::Input>,
     L: Iterator<Item: Borrow<f64>> + Clone,
 {
-    /// A motion that is to begin.
+    /// A motion before its first step.
     pub(crate) fn new<'b, M: Method<B, Run<'b> = R>>(
         body: &'b B,
         method: M,
@@ -102,7 +102,7 @@ where
         }
     }
 
-    /// Whether the motion still has to come to a time.
+    /// Whether the motion has not reached a time yet.
     fn is_before(&self, time: f64) -> bool {
         let now = self.run.time();
         if self.forwards {
@@ -121,8 +121,8 @@ where
         }
     }
 
-    /// Asks for the input where the last one ends, looks how far the equations do not change, and
-    /// says where the next step has to end.
+    /// Gets a new input where the last one ends, determines how long the equations do not change,
+    /// and returns the end of the next step.
     fn limit(&mut self) -> Outcome<f64, B> {
         let time = self.run.time();
         if !(time.is_finite() && self.end.is_finite()) {
@@ -170,7 +170,7 @@ where
         Ok(true)
     }
 
-    /// Goes on until a time, not beyond the end, lies within the step taken last.
+    /// Advances until a time, not beyond the end, lies within the last step.
     pub(crate) fn seek(&mut self, time: f64) -> Outcome<(), B> {
         while self.is_before(time) || time.is_nan() || !self.run.time().is_finite() {
             let limit = self.limit()?;
@@ -186,7 +186,7 @@ where
         Ok(())
     }
 
-    /// An error with the load that has no value, if there is one.
+    /// Adds the name of a load without a value, if there is one, to an error.
     fn named(&self, reached: Outcome<(), B>) -> Outcome<(), B> {
         reached.map_err(|error| {
             let (body, since) = (self.run.body(), error.time() - self.stretch.given);
@@ -195,7 +195,7 @@ where
         })
     }
 
-    /// The state at a time within the step taken last.
+    /// The state at a time within the last step.
     fn at(&self, time: f64) -> B::State {
         if time == self.run.time() {
             self.run.state()

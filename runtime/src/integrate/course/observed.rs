@@ -1,4 +1,4 @@
-//! What is seen of a motion on its way: samples, the ends of steps, events.
+//! Observations of a motion: samples, the ends of steps, events.
 
 use core::borrow::Borrow;
 use core::fmt;
@@ -12,19 +12,19 @@ use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::event::{Event, Search};
 use crate::integrate::steps::method::Run;
 
-/// A time and the state then.
+/// A time and the state at it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<S> {
     /// \[s\]
     pub time: f64,
-    /// The state then.
+    /// The state at this time.
     pub state: S,
 }
 
 /// States at equal intervals: see [`Integration::samples`](crate::integrate::Integration::samples).
 pub struct Samples<R, C, B: RigidBody, L = Empty<f64>> {
     course: Course<R, C, B, L>,
-    /// None if the period is none.
+    /// None if the period is invalid.
     instants: Option<Instants>,
     period: f64,
 }
@@ -115,7 +115,7 @@ where
 pub struct Events<R, C, B: RigidBody, F, L = Empty<f64>> {
     pub(super) course: Course<R, C, B, L>,
     pub(super) function: F,
-    /// Where in the step taken last.
+    /// The search within the last step.
     pub(super) search: Option<Search>,
     pub(super) is_over: bool,
 }
@@ -127,7 +127,7 @@ where
     C: Control<B::State, B::Input>,
     L: Iterator<Item: Borrow<f64>> + Clone,
 {
-    /// The state to which the motion has come: that at the end, when there are no more events.
+    /// The current state of the motion: the end state, when there are no more events.
     pub fn state(&self) -> B::State {
         self.course.run.state()
     }
@@ -171,7 +171,7 @@ where
     }
 }
 
-/// What is underway, by what it has come to.
+/// Implements `Debug` by the current state.
 macro_rules! debug {
     ($($name:ident<$($parameter:ident),*> $course:ident;)*) => {$(
         impl<R: Run<B>, C, B: RigidBody<Scalar = f64>, $($parameter,)* L> fmt::Debug for $name<R, C, B, $($parameter,)* L> {

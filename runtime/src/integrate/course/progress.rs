@@ -1,11 +1,11 @@
-//! A bar on standard error that shows how far a motion has come.
+//! A bar on standard error that shows the progress of a motion.
 
 use core::ops::Range;
 use core::sync::atomic::{AtomicU64, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// In how many parts a motion is shown.
+/// The number of parts of the bar.
 const PARTS: u32 = 1000;
 
 /// A bar for a span of time.
@@ -13,7 +13,7 @@ const PARTS: u32 = 1000;
 pub(crate) struct Bar {
     shown_as: ProgressBar,
     span: Range<f64>,
-    /// The part that is shown.
+    /// The part shown last.
     shown: AtomicU64,
 }
 
@@ -28,7 +28,7 @@ impl Bar {
         }
     }
 
-    /// Shows a time.
+    /// Shows the progress at a time.
     pub(crate) fn show(&self, time: f64) {
         let part = (time - self.span.start) / (self.span.end - self.span.start);
         #[expect(

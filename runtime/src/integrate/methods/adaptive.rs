@@ -1,4 +1,4 @@
-//! Steps as long as the tolerance permits, by pairs of Runge–Kutta methods.
+//! Variable steps, as long as the tolerance permits, by pairs of Runge–Kutta methods.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -23,45 +23,45 @@ const GROW: f64 = 6.0;
 
 /// DOP853: [`DormandPrince8`] with steps as long as the tolerance permits.
 ///
-/// For every body, smooth or not: of loads with `if`, `abs` and the like it takes short steps where
-/// they switch, as far as it sees them, and ends them at the [conditions on
-/// time](crate::rigid_body#conditions-on-time). A smooth load that acts for a short time only,
-/// after a long time of rest, may lie between the twelve places where a step looks: say where, by
-/// [`breaks`](crate::integrate::Integration::breaks) or
+/// Suits every body, smooth or not. At the switches of loads with `if`, `abs` and the like it takes
+/// short steps, if its stages detect them; it ends steps at [conditions on
+/// time](crate::rigid_body#conditions-on-time). A smooth load that acts only briefly
+/// after a long time of rest may fall between the twelve stages of a step: state its time by
+/// [`breaks`](crate::integrate::Integration::breaks) or limit steps by
 /// [`max_step`](crate::integrate::Integration::max_step). A motion that is driven back and forth
-/// over a jump ends with [`IntegrationError::StepTooSmall`]. Between the ends of a step, states are
-/// those of a shorter step from its start, where nothing switches of the same accuracy as the end.
+/// over a jump ends with [`IntegrationError::StepTooSmall`]. States within a step come from
+/// a shorter step from its start, and are as accurate as the end if nothing switches.
 ///
 /// E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition,
 /// 1993, II.4, II.5, II.10: the error is estimated from differences to methods of orders 5 and 3,
 /// `e₅² / √(e₅² + e₃²/100)`, and the next step is 0.9 (tolerance / error)^(1/8) times as long.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DormandPrince {
-    /// How large the error of a step may be: see [`Tolerant`].
+    /// The bound of the error of a step: see [`Tolerant`].
     pub tolerance: f64,
 }
 
-/// [`Verner9`] with steps as long as the tolerance permits, as [`DormandPrince`] takes them.
+/// [`Verner9`] with steps as long as the tolerance permits, like [`DormandPrince`].
 ///
 /// The error is estimated from the difference to the method of order 8 of the same pair: J. H.
 /// Verner, Numerically optimal Runge–Kutta pairs with interpolants, Numerical Algorithms 53 (2010)
 /// 383.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verner {
-    /// How large the error of a step may be: see [`Tolerant`].
+    /// The bound of the error of a step: see [`Tolerant`].
     pub tolerance: f64,
 }
 
-/// A pair of Runge–Kutta methods that keeps a tolerance.
+/// A pair of Runge–Kutta methods with error control.
 pub trait Adaptive: Copy + Tolerant + Send + Sync {
     /// The pair.
     type Pair: Embedded;
 
-    /// How large the error of a step may be.
+    /// The bound of the error of a step.
     fn tolerance(&self) -> f64;
 }
 
-/// A method that takes the steps of a pair.
+/// Defines a method that takes the steps of a pair.
 macro_rules! adaptive {
     ($name:ident by $pair:ident) => {
         impl Adaptive for $name {
@@ -99,7 +99,7 @@ pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P = D
     within: Within<'b, B>,
     tolerance: f64,
     now: Point<B::State>,
-    /// Where the step taken last began.
+    /// The start of the last step.
     before: (f64, <B::State as Coordinates>::Array),
     lengths: Lengths,
     watch: Watch,
@@ -121,14 +121,14 @@ impl<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P> AdaptiveRun<'b, B, P
     }
 }
 
-/// How long the steps of a motion are, one after another.
+/// The control of step lengths.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lengths {
-    /// How long the next one may be \[s\]; none, before the first.
+    /// The permitted length of the next step \[s\]; none before the first.
     permitted: Option<f64>,
-    /// By how much it may grow.
+    /// The largest permitted growth.
     longest: f64,
-    /// That of the last attempt.
+    /// The error of the last attempt.
     error: f64,
 }
 
@@ -148,7 +148,7 @@ impl Lengths {
         self.permitted = Some(step);
     }
 
-    /// The next step \[s\] where so much is left, and whether it is all of that.
+    /// The next step \[s\] for a given remaining time, and whether it covers all of that.
     #[inline(always)]
     pub(crate) fn next(&self, rest: f64) -> (f64, bool) {
         let permitted = self.permitted.unwrap_or(f64::NAN);
@@ -159,8 +159,8 @@ impl Lengths {
         }
     }
 
-    /// Whether a step of a pair is accepted with this error; the next one is as long as that
-    /// permits.
+    /// Whether a step of a pair with this error is accepted; also sets the length of the next
+    /// step.
     #[inline(always)]
     pub(crate) fn is_accepted<P: Embedded>(
         &mut self,
@@ -282,8 +282,8 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for Ada
     }
 }
 
-/// What a step changes, and its error beside the state: not a number, where a stage is out of the
-/// domain, if only in one component.
+/// The increment of a step and its error relative to the state. The error is NaN if a stage is out
+/// of the domain, even in a single component.
 #[inline(always)]
 pub(super) fn attempt<P: Embedded, E: Rates<State: Coordinates<Scalar = f64>>>(
     equations: &E,
@@ -295,8 +295,8 @@ pub(super) fn attempt<P: Embedded, E: Rates<State: Coordinates<Scalar = f64>>>(
     (change, in_range(sizes, error(sizes)))
 }
 
-/// What a step changes, and how large its differences to methods of lower order are, of a pair that
-/// has one the second zero: the first is not a number where any of it is none.
+/// The increment of a step, and the sizes of its differences to methods of lower order (the second
+/// is zero for a pair with one difference). The first is NaN if any component is.
 #[inline(always)]
 pub(crate) fn tried<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
     equations: &E,
@@ -319,15 +319,15 @@ pub(crate) fn tried<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar =
     (change, [T::select(is_number, sizes[0], none), sizes[1]])
 }
 
-/// The error of a step by these sizes, of a pair that has one difference this one; and the sum of
-/// squares by whose root it is divided.
+/// The error of a step by these sizes (only the first for a pair with one difference), and the sum
+/// of squares by whose root it is divided.
 #[inline(always)]
 pub(crate) fn error<T: Scalar>([first, second]: [T; 2]) -> [T; 2] {
     let squares = first * first + number(first, 0.01) * second * second;
     [first * (first / squares.sqrt()), squares]
 }
 
-/// The same error, where the squares are beyond the range of numbers, too.
+/// The same error, even if the squares are out of range.
 #[inline(always)]
 pub(crate) fn in_range([first, second]: [f64; 2], [error, squares]: [f64; 2]) -> f64 {
     if squares.is_normal() {
@@ -341,15 +341,15 @@ pub(crate) fn in_range([first, second]: [f64; 2], [error, squares]: [f64; 2]) ->
     }
 }
 
-/// The share of a step that its error permits, of no number the least.
+/// The fraction of a step that its error permits; for NaN the smallest.
 #[inline(always)]
 pub(super) fn shrunk<P: Embedded>(tolerance: f64, error: f64) -> f64 {
     let share = SAFETY * root(tolerance, error, P::ESTIMATE);
     if share >= SHRINK { share } else { SHRINK }
 }
 
-/// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4), where
-/// so much time is left.
+/// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4), for
+/// a given remaining time.
 #[inline(always)]
 pub(crate) fn first<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
     equations: &E,
@@ -378,11 +378,11 @@ pub(crate) fn first<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar =
     }
     let curvature = relative_size::<E::State>(&difference, coordinates).sqrt();
     let pace = T::select(curvature.less_or_equal(speed), speed, curvature);
-    // not everything at once, of what seems to be at rest
+    // a motion that seems to be at rest does not get one single step
     let longest = left / number(rest, 16.0);
     let step = number(rest, root(tolerance, 1.0, P::ESTIMATE)) / pace;
     let step = T::select(step.less(longest), step, longest);
     let step = T::select(zero.less(pace), step, longest);
-    // what is not a number gives no step
+    // NaN gives no step
     T::select(pace.equal(pace), step, pace)
 }

@@ -8,10 +8,10 @@ use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::state::Coordinates;
 
-/// The closed form of [`Flow`]: no steps at all, and errors of rounding only. A tolerance changes
-/// nothing.
+/// The closed form of [`Flow`]: no steps at all, and errors of rounding only. The tolerance has no
+/// effect.
 ///
-/// Events are looked for in 16 places of every [`Path::pace`].
+/// Events are searched at 16 points of every [`Path::pace`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ClosedForm;
 
@@ -41,7 +41,7 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Method<B> for ClosedForm {
 pub struct PathRun<'b, B: Flow> {
     body: &'b B,
     path: B::Path,
-    /// Where the path begins.
+    /// The start of the path.
     start: (f64, B::State),
     time: f64,
 }

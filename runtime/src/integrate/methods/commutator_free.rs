@@ -11,7 +11,7 @@
 //! ```
 //!
 //! On straight lines this is the classical Runge-Kutta method. Its weights with a single
-//! exponential at the end would only be of order two in the attitude, because rotations do not
+//! exponential at the end would give only order two in the attitude, because rotations do not
 //! commute.
 
 use core::ops::Range;
@@ -22,7 +22,8 @@ use crate::numbers::count::{real, single};
 use crate::numbers::scalar::Scalar;
 use crate::state::State;
 
-/// The state one step \[s\] later; the input is held, and what of it moves is given at the start.
+/// The state one step \[s\] later. The input is held; a `.moving` input starts from its given
+/// value.
 ///
 /// The error of one step is of order step⁵, in all coordinates alike.
 ///
@@ -78,12 +79,13 @@ pub fn cf4_step<B: RigidBody<Scalar: Scalar>>(
 }
 
 /// The state at the end of a span of time \[s\], from the state at its start, in equal steps of
-/// [`cf4_step`]; the input is held. Time may run backwards. With no steps the state is returned as
-/// it is.
+/// [`cf4_step`]; the input is held. Time may run backwards. With zero steps the state is returned
+/// unchanged.
 ///
-/// Step k begins at start + k · step, so that times do not collect rounding. States do: what a step
-/// adds is rounded to them, and where it is below that it is lost. Over many small steps, and far
-/// from the origin, [`integrate`](crate::integrate::Integrate::integrate) compensates.
+/// Step k begins at start + k · step, so times do not accumulate rounding. States do: the increment
+/// of a step is rounded when it is added, and is lost if it is smaller than that rounding. Over
+/// many small steps, and far from the origin, use
+/// [`integrate`](crate::integrate::Integrate::integrate), which compensates.
 ///
 /// ```
 /// use newton_euler::{gyroscopic, integrate, prelude::*};

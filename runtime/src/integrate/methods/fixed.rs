@@ -16,20 +16,20 @@ use crate::state::Coordinates;
 
 /// A method with equal steps, each not longer than `step` \[s\].
 ///
-/// What is between the start, the instants at which inputs change, and the end, is divided into the
+/// Each span between the start, changes of the input and the end is divided into the
 /// least number of such steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<M> {
-    /// The method of a step.
+    /// The method of each step.
     pub method: M,
     /// The longest step \[s\].
     pub step: f64,
 }
 
 impl<M> Fixed<M> {
-    /// The number of steps into which a span of time is divided, if that is a number.
+    /// The number of steps in a span of time, if it is representable.
     pub(crate) fn count(&self, span: f64) -> Option<usize> {
-        // what rounding adds is no step
+        // rounding does not add a step
         let count = libm::ceil(span.abs() / self.step * (1.0 - 1e-12)).max(1.0);
         let is_valid = self.step > 0.0 && count < 9_007_199_254_740_992.0; // 2⁵³
         #[expect(
@@ -65,9 +65,9 @@ pub struct FixedRun<'b, M, B: RigidBody<Scalar = f64, State: Coordinates>> {
     within: Within<'b, B>,
     fixed: Fixed<M>,
     now: Point<B::State>,
-    /// Where the step taken last began.
+    /// The start of the last step.
     before: (f64, <B::State as Coordinates>::Array),
-    /// What is divided, and the steps of it that are left.
+    /// The span being divided, and its remaining steps.
     span: Range<f64>,
     steps: Range<usize>,
 }

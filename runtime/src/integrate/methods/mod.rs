@@ -1,4 +1,4 @@
-//! The methods, each by how it takes a step.
+//! The integration methods.
 
 pub mod adaptive;
 pub mod closed_form;

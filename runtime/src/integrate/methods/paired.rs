@@ -1,4 +1,4 @@
-//! The pair of Runge–Kutta methods that is the faster one at its tolerance.
+//! The faster pair of Runge–Kutta methods for a tolerance.
 
 use super::adaptive::{AdaptiveRun, DormandPrince, Verner};
 use super::runge_kutta::{DormandPrince8, Verner9};
@@ -8,14 +8,14 @@ use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::state::Coordinates;
 
-/// Above, twelve evaluations a step are faster; below, the greater order is
+/// Above this, twelve evaluations per step are faster; below, the higher order is
 /// (`cargo run --release --example work_precision`).
 const COARSE: f64 = 1e-5;
 
-/// [`DormandPrince`] where the tolerance is above 1e-5, [`Verner`] below: whichever is faster there.
+/// [`DormandPrince`] for tolerances above 1e-5, [`Verner`] below: the faster pair for each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RungeKuttaPair {
-    /// How large the error of a step may be: see [`Tolerant`].
+    /// The bound of the error of a step: see [`Tolerant`].
     pub tolerance: f64,
 }
 
@@ -50,7 +50,7 @@ pub enum PairRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>> {
     Fine(AdaptiveRun<'b, B, Verner9>),
 }
 
-/// What the run does.
+/// Calls a method of the run.
 macro_rules! of_either {
     ($run:expr, $method:ident($($argument:expr),*)) => {
         match $run {

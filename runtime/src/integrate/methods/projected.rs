@@ -1,4 +1,4 @@
-//! Methods for bodies under constraints: each step ends on them.
+//! Methods for bodies under constraints: each step ends with a projection.
 
 use core::fmt;
 use core::ops::Range;
@@ -12,12 +12,12 @@ use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::integrate::steps::stretch::Within;
 use crate::numbers::count::real;
 
-/// A method for bodies under constraints: the end of every step is put on them by
-/// [`Constrained::project`]. What they forbid does not grow, and the order is that of the method.
+/// A method for bodies under constraints: [`Constrained::project`] corrects the end of every
+/// step. Violations do not grow, and the order is that of the method.
 ///
-/// A start that is off by more than rounding ([`Constrained::check`]) is an error: `project` it
-/// before, or correct it. Where an input changes that a constraint of velocities contains, the
-/// velocities jump to the nearest that meet it.
+/// A start with violations above rounding ([`Constrained::check`]) is an error: correct it, or
+/// `project` it first. If an input in a velocity constraint changes, the
+/// velocities jump to the nearest consistent ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projected<M>(pub M);
 
@@ -45,22 +45,22 @@ impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
     }
 }
 
-/// A motion that is put on its constraints after every step.
+/// A motion that is projected onto its constraints after every step.
 pub struct ProjectedRun<'b, B: RigidBody, R> {
     within: Within<'b, B>,
     run: R,
-    /// Whether the start was found to be on the constraints.
+    /// Whether the start was checked.
     is_checked: bool,
     is_on_constraints: bool,
     /// The longest step so far \[s\].
     longest: f64,
-    /// How many short ones were taken in a row where constraints depend on each other.
+    /// The number of consecutive short steps where constraints depend on each other.
     short: usize,
 }
 
-/// A step is short that is no more than this fraction of the longest.
+/// A step is short if it is at most this fraction of the longest.
 const SHORT: f64 = 1e-3;
-/// So many short steps in a row come to no end: rounding tells there which way the motion goes on.
+/// After this many consecutive short steps the motion ends: rounding would decide how it continues.
 const MANY: usize = 20;
 
 impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
@@ -72,7 +72,7 @@ impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
 }
 
 impl<B: Constrained<Scalar = f64>> Within<'_, B> {
-    /// Whether a state is on the constraints, as they are then.
+    /// Whether a state satisfies the constraints at this time.
     fn check(&self, time: f64, state: &B::State, input: &B::Input) -> Result<(), Inconsistent> {
         let side = self.side(time);
         match self.moved(input, time) {
@@ -81,7 +81,7 @@ impl<B: Constrained<Scalar = f64>> Within<'_, B> {
         }
     }
 
-    /// The constraint that depends on others in a state, where no load is lost.
+    /// The constraint that depends on others in a state, if all loads have values.
     fn dependent(&self, time: f64, state: &B::State, input: &B::Input) -> Option<&'static str> {
         let side = self.side(time);
         let moved = self.moved(input, time);
@@ -92,7 +92,7 @@ impl<B: Constrained<Scalar = f64>> Within<'_, B> {
         self.body.dependent(side, state, input)
     }
 
-    /// Puts a state on the constraints, as they are then.
+    /// Projects a state onto the constraints at this time.
     fn project(
         &self,
         time: f64,
@@ -108,7 +108,7 @@ impl<B: Constrained<Scalar = f64>> Within<'_, B> {
 }
 
 impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
-    /// Puts the state of the motion on the constraints; `good` is the last that was there.
+    /// Projects the state of the motion; `good` is the last good state.
     fn project(
         &mut self,
         input: &B::Input,
@@ -128,8 +128,8 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
         Ok(())
     }
 
-    /// Whether the motion gets through where constraints depend on each other, after a step from the last
-    /// state that was good.
+    /// Whether the motion passes a place where constraints depend on each other, after a step from
+    /// the last good state.
     fn passes(
         &mut self,
         input: &B::Input,
@@ -154,7 +154,8 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
         }
     }
 
-    /// What has ended the motion where constraints depend on each other, if it is no load.
+    /// The error of a motion that ended where constraints depend on each other, if no load caused
+    /// it.
     #[cold]
     fn explained(
         &self,
@@ -216,7 +217,7 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
         self.passes(input, &good)
     }
 
-    /// On the constraints, if a state near by is.
+    /// The projected state, if there is one nearby.
     fn within(&self, time: f64, input: &B::Input) -> B::State {
         let along = self.run.within(time, input);
         let mut state = along.clone();
@@ -236,7 +237,7 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
         self.is_on_constraints = false;
     }
 
-    /// Constraints may change there.
+    /// Constraints may change at a switch.
     fn enter(&mut self, stretch: Stretch) {
         self.run.enter(stretch);
         self.within.enter(stretch);
@@ -250,12 +251,13 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
     }
 }
 
-/// As [`cf4`](crate::integrate::cf4), with [`Constrained::project`] at the end of each step: what
-/// the constraints forbid does not grow, and the order is that of CF4.
+/// Like [`cf4`](crate::integrate::cf4), with [`Constrained::project`] at the end of each step:
+/// violations do not grow, and the order is that of CF4.
 ///
 /// # Errors
-/// [`Inconsistent`] if a state is too far from its constraints: the first, by more than rounding,
-/// or one after a step that is too long, or one that is not a number, behind a configuration in
+/// [`Inconsistent`] if a state is too far from its constraints: the first by more than rounding,
+/// a later one after a step that is too long, or a NaN state after a configuration in
+/// which the constraints do not determine their reactions.
 /// which the constraints do not determine their reactions.
 pub fn cf4_projected<B: Constrained<Scalar = f64>>(
     body: &B,

@@ -1,5 +1,5 @@
-//! Whether a polynomial is the motion: its derivative, held against the rates that the equations
-//! give on it.
+//! The check of a polynomial against the motion: its derivative is compared with the rates of the
+//! equations.
 
 use super::equations::{Equations, Rates};
 use super::point::Point;
@@ -9,18 +9,18 @@ use crate::numbers::count::real;
 use crate::state::{Coordinates, group};
 use crate::taylor::{Axes, after, increment, slope};
 
-/// How many tolerances a step may go wrong if rates were off throughout by as much as at its end.
-/// In a series of order n they are off by a power of the time, and this is about n times what it
-/// goes wrong.
+/// The permitted error of a step, in tolerances, if rates were off throughout by as much as at its
+/// end. In a series of order n they are off by a power of the time, so this estimate is about n
+/// times the actual error.
 const END: f64 = 8.0;
-/// The same by the average of places throughout the step.
+/// The same for the average over points throughout the step.
 const MEAN: f64 = 2.0;
-/// What rounding leaves of a rate, beside the rate.
+/// The rounding of a rate, relative to the rate.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
-/// In how many places a step is looked at that is longer than those before it.
+/// The number of checked points in a step that is longer than those before it.
 const PLACES: usize = 16;
 
-/// The equations of a body in axes that may not be its own.
+/// The equations of a body in axes that may differ from its own.
 pub(in crate::integrate) struct Seen<'e, B: RigidBody> {
     pub(in crate::integrate) equations: Equations<'e, B>,
     pub(in crate::integrate) axes: &'e Axes,
@@ -41,9 +41,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates<Scalar = f64>>> Rates for See
     }
 }
 
-/// A motion as a polynomial in the time since its start, which is to obey its equations.
+/// A motion as a polynomial in the time since its start, to be checked against its equations.
 ///
-/// Only velocities are compared: positions and attitudes follow from them in every motion alike.
+/// Only velocities are compared: positions and attitudes follow from them in the same way in every
+/// motion.
 pub(in crate::integrate) struct Agreement<'e, E: Rates, const N: usize> {
     pub(in crate::integrate) equations: &'e E,
     pub(in crate::integrate) start: f64,
@@ -52,7 +53,7 @@ pub(in crate::integrate) struct Agreement<'e, E: Rates, const N: usize> {
 }
 
 impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E, N> {
-    /// What a step \[s\] adds to the coordinates of its start, if the equations agree at its end.
+    /// The increment of the coordinates over a step \[s\], if the equations agree at its end.
     #[inline(always)]
     pub(in crate::integrate) fn holds(
         &self,
@@ -76,8 +77,8 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
         self.difference(rates, step, end, step, None) <= END * self.tolerance
     }
 
-    /// The same, if they agree throughout, on the average of many places and to what rounding
-    /// leaves of them; or after what time \[s\] they no longer do.
+    /// The same, if they agree throughout, on the average of many points and up to
+    /// rounding; otherwise the time \[s\] of disagreement.
     #[inline(always)]
     pub(in crate::integrate) fn holds_throughout(
         &self,
@@ -106,8 +107,8 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
         Ok(change)
     }
 
-    /// How far a step of this length \[s\] would go wrong, beside the state, if rates were off
-    /// throughout by as much as these are after a time \[s\]; but for rounding.
+    /// The error of a step of this length \[s\], relative to the state, if rates were off
+    /// throughout by as much as these are after a time \[s\], apart from rounding.
     #[inline(always)]
     fn difference(
         &self,
@@ -138,7 +139,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
             }
             let whole = larger(largest_of(group(&mut wholes, *count)), 1.0);
             let share = length.abs() * (difference - rounding) / whole;
-            // what is not a number stays so
+            // NaN stays NaN
             if share > largest || share.is_nan() {
                 largest = share;
             }
@@ -146,7 +147,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
         largest
     }
 
-    /// What rounding leaves of the rates, as far as it shows: at the start, where the polynomial is
+    /// The rounding of the rates, as far as it is visible: at the start, where the polynomial is
     /// exact, and at an end that is off by rounding.
     #[inline(always)]
     fn noise(
@@ -182,7 +183,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
     }
 }
 
-/// A list from a place on.
+/// The rest of a list from an index.
 #[inline(always)]
 fn from<A: AsRef<[f64]>>(list: &A, place: usize) -> &[f64] {
     list.as_ref().get(place..).unwrap_or_default()

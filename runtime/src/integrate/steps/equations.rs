@@ -1,4 +1,4 @@
-//! A body under an input that is held, as equations for the coordinates of its state.
+//! A body under a held input, as equations for the coordinates of its state.
 
 use core::fmt;
 
@@ -6,9 +6,9 @@ use crate::bodies::body::RigidBody;
 use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, State};
 
-/// `y' = f(t, y)` of the coordinates y of a state ([`Coordinates`]), with the input held, one that
-/// is `.moving` too: what methods for any equations work on. Where conditions on time switch,
-/// [`next_switch`](crate::integrate::next_switch) says.
+/// `y' = f(t, y)` of the coordinates y of a state ([`Coordinates`]), with the input held, also a
+/// `.moving` one: the interface for general solvers.
+/// [`next_switch`](crate::integrate::next_switch) gives the times at which conditions switch.
 ///
 /// With the feature `differential-equations` it implements `ODE` of the crate of that name for
 /// `[f64; N]`, without a copy of the state:
@@ -36,7 +36,7 @@ use crate::state::{Coordinates, State};
 pub struct Equations<'b, B: RigidBody> {
     /// The body.
     pub body: &'b B,
-    /// What acts on it beside its own loads.
+    /// The input, which acts together with the body's own loads.
     pub input: &'b B::Input,
 }
 

@@ -1,4 +1,4 @@
-//! What ends an integration before its time.
+//! Errors that end an integration early.
 
 use core::fmt;
 use core::ops::Range;
@@ -7,85 +7,85 @@ use crate::bodies::body::{InvalidBody, RigidBody};
 use crate::bodies::constrained::Inconsistent;
 use crate::state::State;
 
-/// The error of an integration, with the last state that is good and its time.
+/// The error of an integration, with the last good state and its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError<S> {
-    /// The motion is not finite from here on: a force grows beyond bounds, or is none; or start or
-    /// end are no times.
+    /// The motion is not finite from here on: a force grows without bound or has no value, or start
+    /// or end are not finite.
     NotFinite {
         /// \[s\]
         time: f64,
-        /// The state then.
+        /// The state at that time.
         state: S,
-        /// A load that has no value there, or just behind, if it is known:
+        /// A load without a value there, or just after, if it is known:
         /// [`RigidBody::lost_load`].
         load: Option<&'static str>,
     },
-    /// The step that is asked for is lost in the rounding of time, or no number: a singularity is
-    /// near, the tolerance is below what doubles can hold, or a step or period that was given is
-    /// not positive. Or it is so short that it comes to no end: the equations jump, and drive the
-    /// motion back from both sides of the jump, as friction along `velocity.normalize()` does
-    /// where a point comes to rest.
+    /// The step is lost in the rounding of time, or is NaN: a singularity is near, the tolerance is
+    /// below the precision of doubles, or a given step or period is not positive. Or steps are so
+    /// short that the motion does not end: the equations jump, and drive the motion back from both
+    /// sides of the jump, as friction along `velocity.normalize()` does where a point comes to
+    /// rest.
     StepTooSmall {
         /// \[s\]
         time: f64,
-        /// The state then.
+        /// The state at that time.
         state: S,
         /// The step \[s\].
         step: f64,
     },
-    /// The equations of an implicit step are not solved: it is too long for the motion, of which it
-    /// would be a third of a turn or more, or a singularity is near.
+    /// The equations of an implicit step were not solved: it is too long for the motion (a third of
+    /// a turn or more), or a singularity is near.
     StepTooLong {
         /// \[s\]
         time: f64,
-        /// The state then.
+        /// The state at that time.
         state: S,
         /// The step \[s\].
         step: f64,
     },
-    /// Mass or inertia change, and just behind there is no body that has them: a tank is empty.
+    /// Mass or inertia change, and just after this state no body can have them: a tank is empty.
     InvalidBody {
         /// \[s\]
         time: f64,
-        /// The state then.
+        /// The state at that time.
         state: S,
-        /// What ran out.
+        /// The impossible property.
         invalid: InvalidBody,
     },
-    /// The state does not meet its constraints: the first by more than rounding; or one after a
-    /// step that is too long, and no state near by does.
+    /// The state violates its constraints: the first state by more than rounding, or a state after
+    /// a step that is too long, with no consistent state nearby.
     Inconsistent {
         /// \[s\]
         time: f64,
-        /// The last state that was good; the first, if there was none.
+        /// The last good state; the first, if there was none.
         state: S,
-        /// Which constraint.
+        /// The violated constraint.
         violated: Inconsistent,
     },
-    /// The constraints do not determine the motion from here on: one depends on the others, though
-    /// elsewhere it does not. Here is a dead point or a change point of a linkage, from which more than
-    /// one way leads on, or none.
+    /// The constraints do not determine the motion from here on: one depends on the others,
+    /// although not in general. This is a dead point or a change point of a linkage, from which
+    /// several motions continue, or none.
     Undetermined {
         /// \[s\]
         time: f64,
-        /// The last state that was good; the first, if there was none.
+        /// The last good state; the first, if there was none.
         state: S,
-        /// The constraint, or the joint that closes a loop with the number of its constraint.
+        /// The constraint, or the joint that closes a loop with the index of its constraint.
         constraint: &'static str,
     },
-    /// The function of which events are sought is not a number.
+    /// The function of events is NaN.
     EventNotANumber {
         /// \[s\]
         time: f64,
-        /// The state then.
+        /// The state at that time.
         state: S,
     },
 }
 
 impl<S> IntegrationError<S> {
-    /// Instants at intervals of this period cannot be counted between these times; the state is
+    /// The number of instants at this period between these times is not representable; the state is
     /// that at the first.
     pub(crate) fn uncountable(period: f64, times: Range<f64>, state: S) -> Self {
         let Range { start: time, end } = times;
@@ -102,7 +102,7 @@ impl<S> IntegrationError<S> {
         Self::NotFinite { time, state, load }
     }
 
-    /// When the last state was good \[s\].
+    /// The time of the last good state \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
         match self {
@@ -116,7 +116,7 @@ impl<S> IntegrationError<S> {
         }
     }
 
-    /// The last state that was good.
+    /// The last good state.
     #[must_use]
     pub fn state(&self) -> &S {
         match self {
@@ -162,8 +162,8 @@ impl<S> fmt::Display for IntegrationError<S> {
 }
 
 impl<S: State<Scalar = f64>> IntegrationError<S> {
-    /// Says which load of a body has no value, or that there is no such body, in the last state or
-    /// where the motion goes from there.
+    /// Adds which load of a body has no value, or that the body is impossible, in the last state or
+    /// where the motion leads from there.
     #[cold]
     pub(crate) fn named<B: RigidBody<Scalar = f64, State = S>>(
         self,
@@ -193,7 +193,7 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
         };
         let lost = |after: f64| {
             let (time, there) = there(after);
-            // no load is to blame where there is no body
+            // an impossible body is not the fault of a load
             let invalid = body.possible(time, &there, input).err();
             if invalid.is_some_and(|invalid| !invalid.is_of_no_number()) {
                 return None;
@@ -204,7 +204,7 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
         let load = match (too_small, ran_out) {
             (None, None) => {
                 let here = body.lost_load(time, &state, input);
-                // a rate that is no number leads nowhere
+                // a NaN rate leads nowhere
                 here.or_else(|| {
                     let leads = lost(0.0).is_none();
                     leads.then(|| ahead(DOUBLINGS).find_map(lost)).flatten()
@@ -236,10 +236,10 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
     }
 }
 
-/// How often the time is doubled at which a load is looked for that has no value, from the rounding
-/// of time on.
+/// The number of doublings of the time ahead in the search for a load without a value, starting
+/// from the rounding of time.
 const DOUBLINGS: i32 = 32;
-/// And how often beyond, where a step of a length that is given may end where there is no body.
+/// Further doublings, for a fixed step that may end where the body is impossible.
 const WITHIN_A_STEP: i32 = 12;
 
 impl<S: fmt::Debug> core::error::Error for IntegrationError<S> {}

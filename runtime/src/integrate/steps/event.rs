@@ -1,4 +1,4 @@
-//! Where a function of time and state is zero along a motion.
+//! Zeros of a function of time and state along a motion.
 
 use super::error::IntegrationError;
 use crate::numbers::count::real;
@@ -8,30 +8,30 @@ use crate::numbers::count::real;
 pub struct Event<S> {
     /// \[s\]
     pub time: f64,
-    /// The state then.
+    /// The state at that time.
     pub state: S,
-    /// Whether the function grows with time.
+    /// Whether the function increases with time.
     pub rises: bool,
 }
 
-/// A search for zeros within one step, in the order of the motion: the start does not count, the
-/// end does.
+/// A search for zeros within one step, in the order of the motion, excluding the start and
+/// including the end.
 ///
-/// The sign is looked at in some places; of zeros closer to each other than these, an even number
-/// is not seen. A zero is found to the rounding of the function and of time. What is not a number
-/// there ends the search, with an error.
+/// The sign is evaluated at several points. An even number of zeros between two such points
+/// is missed. Zeros are found to the rounding of the function and of time. A NaN value
+/// ends the search with an error.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Search {
     start: f64,
     length: f64,
     places: usize,
-    /// How many places have been looked at, and the value at the last of them.
+    /// The number of evaluated points, and the value at the last of them.
     seen: usize,
     before: f64,
 }
 
 impl Search {
-    /// In a step, from the value of the function at its start.
+    /// A search in a step, from the value of the function at its start.
     pub(in crate::integrate) fn new(start: f64, length: f64, places: usize, value: f64) -> Self {
         Self {
             start,
@@ -78,12 +78,12 @@ impl Search {
     }
 }
 
-/// The zero of a function between two places where it has different signs, by the method ITP.
+/// The zero of a function between two points with different signs, by the method ITP.
 ///
 /// I. F. D. Oliveira, R. H. C. Takahashi, An enhancement of the bisection method average
 /// performance preserving minmax optimality, ACM Transactions on Mathematical Software 47 (2020) 5:
-/// regula falsi, truncated and kept so near to the middle that no more steps are taken than by
-/// bisection and one. Where the function is not a number on the way, that place is the error.
+/// regula falsi, truncated and kept so near to the middle that it takes at most one step more than
+/// bisection. If the function is NaN at a point, that point is the error.
 fn bracketed(
     value: impl Fn(f64) -> f64,
     [mut a, mut b]: [f64; 2],
@@ -94,7 +94,7 @@ fn bracketed(
     if of_b == 0.0 {
         return first_zero(value, [a, b], of_a, finest);
     }
-    // what bisection would have left after so many steps, and one more
+    // the width that bisection would have left after as many steps, and one more
     let mut permitted = width;
     while (b - a).abs() > 2.0 * finest {
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
@@ -133,7 +133,7 @@ fn bracketed(
     Ok(0.5 * (a + b))
 }
 
-/// Where a function that is zero at b, and may be so for long before, is no longer as it is at a.
+/// The start of the zero of a function that is zero at b, perhaps long before, and not at a.
 fn first_zero(
     value: impl Fn(f64) -> f64,
     [mut a, mut b]: [f64; 2],

@@ -1,4 +1,4 @@
-//! One body's series, by the best instructions that the processor has: found once for a motion.
+//! The series of one body, by the best instructions of the processor, detected once per motion.
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
 use pulp::x86::{V3, V4};
@@ -13,9 +13,9 @@ use crate::state::Coordinates;
 use crate::taylor::Arithmetic;
 use crate::taylor::{Plain, Series, Taylor};
 
-/// What is needed to expand a motion.
+/// The workspace of expansions.
 pub(in crate::integrate) enum Expander<B: Taylor, const N: usize> {
-    /// With what every processor of the target has.
+    /// With the baseline instructions of the target.
     Plain(B::Products<Plain, N>),
     /// With AVX2 and fused operations, and the proof of them.
     #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
@@ -26,7 +26,7 @@ pub(in crate::integrate) enum Expander<B: Taylor, const N: usize> {
 }
 
 impl<B: Taylor, const N: usize> Expander<B, N> {
-    /// By the best instructions that there are.
+    /// With the best available instructions.
     pub(in crate::integrate) fn best() -> Self {
         #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
         {
@@ -40,7 +40,7 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
         Self::Plain(Plain.into())
     }
 
-    /// As [`Taylor::expand`].
+    /// Like [`Taylor::expand`].
     #[inline]
     pub(in crate::integrate) fn expand(
         &mut self,
@@ -67,7 +67,7 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
 }
 
 impl<B: Taylor, const N: usize> Expander<B, N> {
-    /// As [`Agreement::holds`].
+    /// Like [`Agreement::holds`].
     #[inline]
     pub(in crate::integrate) fn holds<E: Rates<State = B::State>>(
         &self,
@@ -81,7 +81,7 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
         ))
     }
 
-    /// As [`Agreement::holds_throughout`].
+    /// Like [`Agreement::holds_throughout`].
     #[cold]
     pub(in crate::integrate) fn holds_throughout<E: Rates<State = B::State>>(
         &self,
@@ -107,7 +107,7 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
     }
 }
 
-/// The work of one look at a step, in a function that is compiled for the instructions.
+/// The work of one check of a step, in a function that is compiled for the instructions.
 struct Look<F>(F);
 
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]

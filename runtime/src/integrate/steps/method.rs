@@ -1,52 +1,52 @@
-//! Methods of integration, as [`Integration`](crate::integrate::Integration) sees them.
+//! The interface of methods to [`Integration`](crate::integrate::Integration).
 
 use super::error::IntegrationError;
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
 
-/// A method of integration for a kind of body.
+/// A method of integration for bodies of some kind.
 pub trait Method<B: RigidBody<Scalar = f64>>: Copy + Send + Sync {
-    /// A motion under way.
+    /// A motion in progress.
     type Run<'b>: Run<B>
     where
         B: 'b;
 
-    /// Begins at a state.
+    /// Begins a motion at a state.
     fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b>;
 }
 
-/// A method that can be told how large the error of a step may be.
+/// A method with a bound of the error of a step.
 pub trait Tolerant: Sized {
     /// The method with this tolerance: relative to position, attitude, velocity and angular
     /// velocity, each as a whole, and absolute (m, rad, m/s, rad/s) where these are below 1. The
-    /// error at the end is that of all steps, as the motion carries it along. Finer than rounding,
-    /// 1e-18, is none.
+    /// error at the end is that of all steps, propagated by the motion. A tolerance below rounding
+    /// counts as 1e-18.
     #[must_use]
     fn with_tolerance(tolerance: f64) -> Self;
 }
 
-/// A motion under way by some method.
+/// A motion in progress by some method.
 pub trait Run<B: RigidBody<Scalar = f64>> {
-    /// At how many places within a step events are looked for.
+    /// The number of points within a step at which events are searched.
     const PLACES: usize;
 
-    /// What moves.
+    /// The moving body.
     fn body(&self) -> &B;
 
-    /// How far it has come \[s\].
+    /// The current time \[s\].
     fn time(&self) -> f64;
 
-    /// The state there.
+    /// The current state.
     fn state(&self) -> B::State;
 
-    /// Takes one step towards `end` \[s\], which is not where it is, and not beyond; the input is
-    /// held.
+    /// Takes one step towards `end` \[s\], which is not the current time, and not beyond; the input
+    /// is held.
     ///
     /// # Errors
     /// [`IntegrationError`]; the motion stays where it is.
     fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>>;
 
-    /// The same; if mass or inertia change, there is a body of them where it begins and ends.
+    /// The same; if mass or inertia change, checks that the body is possible at start and end.
     ///
     /// # Errors
     /// As [`advance`](Self::advance), and [`IntegrationError::InvalidBody`].

@@ -11,12 +11,12 @@
 //! > Microsystems, Inc. business. Permission to use, copy, modify, and distribute this software is
 //! > freely granted, provided that this notice is preserved.
 
+use core::f64::consts::FRAC_2_PI;
+
 use super::{Lanes, Mask, Register};
 use crate::numbers::math;
 use crate::numbers::scalar::Scalar;
 
-/// 53 bits of 2/π.
-const TURNS: f64 = 0.636_619_772_367_581_4;
 /// The first 33 bits of π/2, and what is left of it.
 const FIRST: [f64; 2] = [1.570_796_326_734_125_6, 6.077_100_506_506_192e-11];
 /// The second 33 bits of π/2, and what is left of it.
@@ -85,7 +85,7 @@ fn one_by_one(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
 #[inline(always)]
 fn side_by_side<S: Register>(angle: Lanes<S>) -> ((Lanes<S>, Lanes<S>), Mask<S>) {
     let simd = angle.simd;
-    let shifted = angle * number(simd, TURNS) + number(simd, ROUND);
+    let shifted = angle * number(simd, FRAC_2_PI) + number(simd, ROUND);
     let turns = shifted - number(simd, ROUND);
     let (rest, tail, settled) = subtracted(angle, turns);
     let settled = settled

@@ -1,4 +1,4 @@
-//! The implicit midpoint rule, for long loose runs.
+//! The implicit midpoint rule, for long runs with large steps.
 
 use super::{RungeKutta, change, moved, number};
 use crate::bodies::body::RigidBody;
@@ -7,20 +7,20 @@ use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, group};
 
 /// The implicit midpoint rule, of order 2: `k = f(t + h/2, y + h k/2)`, `y₁ = y + h k`, for games
-/// and whatever else runs for long in steps that are not small.
+/// and other long runs with large steps.
 ///
-/// What it keeps: every quadratic invariant, to rounding and in steps of any length. So a free body
-/// keeps its kinetic energy and the size of its angular momentum, attitudes stay unit by
-/// themselves, and since heights are quadratic in a quaternion, a body in uniform fields keeps its
-/// energy, a top on its tip too. For other conservative loads the error of the energy is bounded:
-/// the rule is symmetric in time, and neither gains nor loses.
+/// It conserves every quadratic invariant, to rounding and for steps of any length. So a free body
+/// keeps its kinetic energy and the magnitude of its angular momentum, and attitudes stay unit
+/// without correction. Heights are quadratic in a quaternion, so a body in uniform fields keeps its
+/// energy, including a top on its tip. For other conservative loads the energy error is bounded:
+/// the rule is symmetric in time, and neither gains nor loses energy.
 ///
-/// k is found by repeated evaluation until it no longer changes, and once more, so that what is
-/// left of it does not add up over long runs: six times for steps of a hundredth of a turn. Where
-/// that does not come to rest, in steps of about a third of a turn and more, nothing is returned
-/// but NaN, which ends an integration with
-/// [`StepTooLong`](crate::integrate::IntegrationError::StepTooLong): a step that long says nothing
-/// of the motion. (E. Hairer, Ch. Lubich, G. Wanner, Geometric Numerical Integration, 2nd edition,
+/// k is found by repeated evaluation until it no longer changes, and once more, so that the
+/// remaining error does not accumulate over long runs: six times for steps of a hundredth of a
+/// turn. If the iteration does not converge, in steps of about a third of a turn and more, the
+/// result is NaN, which ends an integration with
+/// [`StepTooLong`](crate::integrate::IntegrationError::StepTooLong): such a step is meaningless.
+/// (E. Hairer, Ch. Lubich, G. Wanner, Geometric Numerical Integration, 2nd edition,
 /// 2006, IV.2, V.1 and VIII.6.)
 ///
 /// ```
@@ -46,7 +46,7 @@ use crate::state::{Coordinates, group};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Midpoint;
 
-/// Evaluations after which the search is given up.
+/// The limit of evaluations.
 const EVALUATIONS: usize = 60;
 
 impl RungeKutta for Midpoint {
@@ -67,11 +67,11 @@ impl RungeKutta for Midpoint {
             let stage = moved::<B::State, _>(coordinates, step, [(0.5, &rates)]);
             let next = equations.rates(middle, &stage);
             let is_same = agree::<B::State>(coordinates, &rates, &next, step);
-            // what is found stays, whatever a neighbour in the register still does
+            // a converged value stays, whatever a neighboring lane still does
             for (rate, next) in rates.as_mut().iter_mut().zip(next.as_ref()) {
                 *rate = B::Scalar::select(is_found, *rate, *next);
             }
-            // what is off by rounding now may be so to the same side in every step
+            // a remaining error of rounding could have the same sign in every step
             is_found = is_near;
             is_near = is_near | is_same;
             if B::Scalar::agreed(is_found) == Some(true) {
@@ -87,7 +87,7 @@ impl RungeKutta for Midpoint {
     }
 }
 
-/// Whether two rates make the same step, to rounding of the coordinates that belong together.
+/// Whether two rates give the same step, to rounding of the coordinates of a group.
 #[inline(always)]
 fn agree<S: Coordinates>(
     coordinates: &S::Array,

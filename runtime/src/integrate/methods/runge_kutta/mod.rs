@@ -1,11 +1,11 @@
-//! Runge–Kutta methods, written out: no loops over tables, and nothing is multiplied by a zero of a
+//! Runge–Kutta methods, written out: no loops over tables, and no multiplications by zeros of a
 //! table.
 //!
-//! They move the coordinates of a state ([`Coordinates`]), of an attitude its quaternion, whose
-//! length no motion changes; after each step it is unit to rounding. (M. Boyle, The integration of
-//! angular velocity, Advances in Applied Clifford Algebras 27 (2017) 2345: that is as accurate as
-//! methods on the group, and cheaper.) They are generic over the scalar, so that ensembles take
-//! their steps in lanes.
+//! They integrate the coordinates of a state ([`Coordinates`]). For an attitude these are its
+//! quaternion, whose length no motion changes; after each step it is unit to rounding. (M. Boyle,
+//! The integration of angular velocity, Advances in Applied Clifford Algebras 27 (2017) 2345: this
+//! is as accurate as methods on the group, and cheaper.) The methods are generic over the scalar,
+//! so ensembles take their steps in lanes.
 
 use crate::bodies::body::RigidBody;
 use crate::integrate::steps::equations::{Equations, Rates};
@@ -25,15 +25,15 @@ pub use midpoint::Midpoint;
 pub use tsitouras::Tsitouras5;
 pub use verner::Verner9;
 
-/// A Runge–Kutta method: a step from nothing but the state at its start.
+/// A Runge–Kutta method: a step that needs only the state at its start.
 pub trait RungeKutta: Copy + core::fmt::Debug + Send + Sync {
     /// The error of a motion in steps h is of order `h^ORDER`.
     const ORDER: usize;
 
-    /// Whether a step is the solution of equations; where none is found, it is not a number.
+    /// Whether a step solves equations; if no solution is found, it is NaN.
     const IS_IMPLICIT: bool = false;
 
-    /// What a step \[s\] adds to the coordinates.
+    /// The increment of the coordinates over a step \[s\].
     fn increment<B: RigidBody<Scalar: Scalar, State: Coordinates>>(
         equations: &Equations<'_, B>,
         time: B::Scalar,
@@ -42,7 +42,8 @@ pub trait RungeKutta: Copy + core::fmt::Debug + Send + Sync {
     ) -> <B::State as Coordinates>::Array;
 }
 
-/// The state one step \[s\] later; the input is held, and what of it moves is given at the start.
+/// The state one step \[s\] later. The input is held; a `.moving` input starts from its given
+/// value.
 ///
 /// ```
 /// use newton_euler::integrate::{self, DormandPrince8};
@@ -100,8 +101,8 @@ pub(super) fn moved<S: Coordinates, const M: usize>(
 
 /// `h a₁ k₁ + h a₂ k₂ + ..`, coordinate by coordinate.
 ///
-/// The factors h a are those of all coordinates, and in equal steps of all steps: they are computed
-/// once.
+/// The factors h a are the same for all coordinates, and for all steps of equal length: they are
+/// computed once.
 #[inline(always)]
 fn change<S: Coordinates, const M: usize>(
     step: S::Scalar,
@@ -129,15 +130,15 @@ pub(super) fn number<T: Scalar>(like: T, value: f64) -> T {
     like.constant(value, value as f32)
 }
 
-/// A Runge–Kutta method with differences to methods of lower order, which tell the error of a step.
+/// A Runge–Kutta method with differences to methods of lower order, which estimate the error.
 pub trait Embedded: RungeKutta {
-    /// This error is of order `h^ESTIMATE` in the step.
+    /// The estimated error is of order `h^ESTIMATE` in the step.
     const ESTIMATE: usize;
 
     /// One difference, or two.
     type Differences<A>: AsRef<[A]>;
 
-    /// What a step adds to the coordinates, and the differences.
+    /// The increment of the coordinates, and the differences.
     fn sums<E: Rates>(
         equations: &E,
         time: <E::State as State>::Scalar,
@@ -146,11 +147,11 @@ pub trait Embedded: RungeKutta {
     ) -> Sums<Self, <E::State as Coordinates>::Array>;
 }
 
-/// What a step changes, and the differences to methods of lower order.
+/// The increment of a step, and the differences to methods of lower order.
 pub(in crate::integrate) type Sums<M, A> = (A, <M as Embedded>::Differences<A>);
 
-/// A method by its tableau: when each stage is evaluated, from which before; the sum that is the
-/// step; and its error by differences to other methods, with the stages that these have beside.
+/// Defines a method by its tableau: the time of each stage and its coefficients, the weights of the
+/// step, and the differences to other methods with their additional stages.
 macro_rules! tableau {
     (
         $(#[$doc:meta])* $name:ident: order $order:literal;

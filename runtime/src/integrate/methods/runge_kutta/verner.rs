@@ -8,8 +8,8 @@ use crate::state::{Coordinates, State};
 
 tableau! {
     /// The method of order 9 with fifteen evaluations of J. H. Verner, Numerically optimal
-    /// Runge–Kutta pairs with interpolants, Numerical Algorithms 53 (2010) 383: the one of the
-    /// "most efficient" pair of orders 9 and 8 as its author improved it in 2024.
+    /// Runge–Kutta pairs with interpolants, Numerical Algorithms 53 (2010) 383: the "most
+    /// efficient" pair of orders 9 and 8, as its author improved it in 2024.
     Verner9: order 9;
     stages {
         k1 at 0.0;

@@ -7,12 +7,12 @@ use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
 use crate::taylor::{Plain, Series, Taylor, after};
 
-/// The state at the end of a span of time \[s\], from the state at its start, with the input held,
-/// or moving from there on, and the error of each step below `tolerance`; time may run backwards.
+/// The state at the end of a span of time \[s\], from the state at its start. The input is held, or
+/// moves from its given value. The error of each step is below `tolerance`; time may run backwards.
 ///
 /// The tolerance is relative to position, attitude, velocity and angular velocity, each as a whole,
 /// and absolute (m, rad, m/s, rad/s) where these are below 1. The error at the end is that of all
-/// steps, as the motion carries it along. The order follows from the tolerance: 10, 12, 16 or 20.
+/// steps, propagated by the motion. The order follows from the tolerance: 10, 12, 16 or 20.
 ///
 /// ```
 /// use newton_euler::{integrate, prelude::*};
@@ -31,7 +31,7 @@ use crate::taylor::{Plain, Series, Taylor, after};
 /// ```
 ///
 /// # Errors
-/// [`IntegrationError`], where the motion or the tolerance leaves the range of numbers.
+/// [`IntegrationError`], if the motion or the tolerance leaves the range of numbers.
 pub fn taylor<B: Taylor>(
     body: &B,
     state: &B::State,
@@ -50,8 +50,8 @@ pub fn taylor<B: Taylor>(
     Ok(run.state())
 }
 
-/// The state one step \[s\] later, by N coefficients, which is of order N - 1; the input is held, or
-/// moves from here on.
+/// The state one step \[s\] later, by N coefficients, which give order N - 1. The input is held, or
+/// moves from its given value.
 #[must_use]
 pub fn taylor_step<B: Taylor, const N: usize>(
     body: &B,

@@ -12,19 +12,19 @@ use motion::Motion;
 pub mod functions;
 pub mod motion;
 
-/// Taylor series, of the order that belongs to the tolerance: see
-/// [`taylor()`](crate::integrate::taylor()). States between the ends of a step cost next to
+/// Taylor series, with an order that follows from the tolerance: see
+/// [`taylor()`](crate::integrate::taylor()). States within a step cost almost
 /// nothing.
 ///
-/// Steps are held against the equations, and shortened until these agree; over a place where the
-/// motion is not smooth, such as rest under drag, a step of
-/// [`DormandPrince`](crate::integrate::DormandPrince) goes. A smooth load that acts for a short
-/// time only, of a step, may still lie between the places that are looked at: say where, by
-/// [`breaks`](crate::integrate::Integration::breaks) or
+/// Steps are checked against the equations, and shortened until they agree. Where the
+/// motion is not smooth, such as at rest under drag, a step of
+/// [`DormandPrince`](crate::integrate::DormandPrince) is used. A smooth load that acts only for a
+/// short part of a step may still fall between the checked points: state its time by
+/// [`breaks`](crate::integrate::Integration::breaks) or limit steps by
 /// [`max_step`](crate::integrate::Integration::max_step).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaylorSeries {
-    /// How large the error of a step may be: see [`Tolerant`].
+    /// The bound of the error of a step: see [`Tolerant`].
     pub tolerance: f64,
 }
 
@@ -34,9 +34,9 @@ impl Tolerant for TaylorSeries {
     }
 }
 
-/// Motions of the orders that there are, and what is done with any of them. Bodies with many
-/// products want lower orders, tops higher ones; these are within a fifth of the best for all
-/// problems of the example `work_precision`.
+/// Motions of the available orders, and code for any of them. Bodies with many
+/// products prefer lower orders, tops higher ones; these orders are within a fifth of the best for
+/// all problems of the example `work_precision`.
 macro_rules! orders {
     ($($least:pat => $order:ident $count:literal,)*) => {
         enum Motions<'b, B: Taylor> {
@@ -54,7 +54,7 @@ macro_rules! orders {
             }
         }
 
-        /// Does something with the motion, of whatever order.
+        /// Runs code on the motion, of whatever order.
         macro_rules! with {
             ($of:expr, $motion:ident => $what:expr) => {
                 match $of {
@@ -76,7 +76,7 @@ orders! {
 pub struct SeriesRun<'b, B: Taylor> {
     motion: Motions<'b, B>,
     tolerance: f64,
-    /// Where the step taken last began \[s\], and how long it was.
+    /// The start \[s\] and the length of the last step.
     start: f64,
     length: f64,
 }

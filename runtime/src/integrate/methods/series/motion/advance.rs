@@ -1,4 +1,4 @@
-//! One step after another.
+//! Single steps of a motion.
 
 use super::Motion;
 use crate::integrate::steps::error::IntegrationError;
@@ -8,8 +8,8 @@ use crate::taylor::{Taylor, increment};
 
 impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in
-    /// [`taylor`](crate::integrate::taylor())), with the input that there is from here on; none if
-    /// it is reached.
+    /// [`taylor`](crate::integrate::taylor())), with the given input from here on; none if
+    /// the end is reached.
     ///
     /// # Errors
     /// [`IntegrationError`]; the motion stays where it is.
@@ -19,7 +19,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         input: &B::Input,
         tolerance: f64,
     ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
-        // who steps by hand may give another input each time, if there is any
+        // a caller that steps by hand may give another input each time, if there is any
         let is_held = size_of::<B::Input>() == 0;
         if !is_held {
             self.take_input();
@@ -27,8 +27,8 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         self.advance_towards(end, input, tolerance, is_held)
     }
 
-    /// The same, with the input of the step before, or after [`renew`](Self::renew); `is_held` if
-    /// the next step is likely to have it, too.
+    /// The same, with the input of the previous step, or after [`renew`](Self::renew); `is_held` if
+    /// the next step probably has the same input.
     pub(in crate::integrate::methods::series) fn advance_towards(
         &mut self,
         end: f64,
@@ -66,7 +66,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         Ok(Some(self.taken(time, step)))
     }
 
-    /// Takes a step of this length \[s\], with the input that there is from here on, of whatever
+    /// Takes a step of this length \[s\], with the given input from here on, whatever its
     /// error.
     ///
     /// # Errors
@@ -83,20 +83,20 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         Ok(self.taken(time, step))
     }
 
-    /// Hears that an input is given here.
+    /// Called when an input is given.
     fn take_input(&mut self) {
         self.within.given = self.now.time;
         self.renew();
     }
 
-    /// The series from here.
+    /// The series at the current point.
     #[inline(always)]
     fn expand(&mut self, input: &B::Input) {
         self.is_crossing = false;
         self.expansions.expand(&self.within, &self.now, input);
     }
 
-    /// Moves on by the series.
+    /// Advances along the series.
     #[inline(always)]
     fn advance(&mut self, step: f64) -> Result<(), IntegrationError<B::State>> {
         let change = increment::<B::State>(self.expansions.series().coefficients(), step);

@@ -10,9 +10,9 @@ use crate::state::Coordinates;
 /// Coefficients of the polynomial.
 pub(super) const ROWS: usize = 8;
 
-/// The polynomial of degree 7 that has the states and rates of a motion at 0, 1/3, 2/3 and 1 of a
-/// step: its coefficients from 2 on by the change until each of the last three, and the change that
-/// the rate there would make; of both what goes beyond the rate at the start.
+/// The polynomial of degree 7 that matches the states and rates of a motion at 0, 1/3, 2/3 and 1 of
+/// a step. The rows give its coefficients from 2 on by the changes until the last three points, and
+/// the changes that the rates there would make, each minus the contribution of the initial rate.
 const HERMITE: [[f64; 6]; 6] = [
     [0.0, -27.0, 60.75, -13.5, 12.0, -1.0],
     [243.0, 216.0, -546.75, 128.25, -119.0, 10.0],
@@ -22,16 +22,16 @@ const HERMITE: [[f64; 6]; 6] = [
     [546.75, 182.25, -546.75, 182.25, -222.75, 20.25],
 ];
 
-/// A step, the change of coordinates that it makes, and its polynomial.
+/// A step, its increment of the coordinates, and its polynomial.
 pub(super) struct Crossing<A> {
     pub(super) step: f64,
     pub(super) change: A,
     pub(super) coefficients: [A; ROWS],
 }
 
-/// A step of DOP853 of at most `longest` \[s\], which has a sign, and not below `least`, with the
-/// error below the tolerance and a polynomial that the equations agree to. What is left until the
-/// end, `is_last`, may be lost in the rounding of time.
+/// A step of DOP853 of at most `longest` \[s\], which has a sign, and at least `least`, with an
+/// error below the tolerance and a polynomial that agrees with the equations. With `is_last`, the
+/// time remaining to the end may be lost in rounding.
 pub(super) fn cross<E: Rates<State: Coordinates<Scalar = f64>>>(
     equations: &E,
     now: &Point<E::State>,
@@ -79,7 +79,7 @@ fn polynomial<E: Rates<State: Coordinates<Scalar = f64>>>(
     type Array<E> = <<E as Rates>::State as Coordinates>::Array;
     let (time, start) = (now.time, &now.coordinates);
     let first = equations.rates(time, start);
-    // change and rate beyond the first, of a part of the step
+    // change and rate beyond those of the initial rate, at a fraction of the step
     let beyond = |part: f64, change: &Array<E>| {
         let end = moved::<E::State, _>(start, 1.0, [(1.0, change)]);
         let (mut change, mut rates) = (*change, equations.rates(time + part * step, &end));

@@ -1,17 +1,17 @@
-//! The series of a step, and the one from its end on, which tells whether the step was right.
+//! The series of a step, and the series at its end, which checks the step.
 
 use crate::integrate::steps::instructions::Expander;
 use crate::integrate::steps::point::Point;
 use crate::integrate::steps::stretch::Within;
 use crate::taylor::{Series, Taylor};
 
-/// The series of the step taken last, and the one from where it ended, if that is known.
+/// The series of the last step, and the series at its end, if it is known.
 pub(super) struct Expansions<B: Taylor, const N: usize> {
     pub(super) expander: Expander<B, N>,
     both: [Series<B::State, N>; 2],
-    /// Which of the two is that of the step.
+    /// Which of the two is the series of the step.
     is_second: bool,
-    /// Whether the other one goes on from its end.
+    /// Whether the other one starts at its end.
     is_ahead: bool,
 }
 
@@ -34,12 +34,12 @@ impl<B: Taylor, const N: usize> Expansions<B, N> {
         if self.is_second { second } else { first }
     }
 
-    /// The next step begins elsewhere, or under another input.
+    /// Called when the next step begins elsewhere, or under another input.
     pub(super) fn forget(&mut self) {
         self.is_ahead = false;
     }
 
-    /// The series of the next step, from here.
+    /// The series of the next step.
     #[inline(always)]
     pub(super) fn expand(&mut self, body: &Within<'_, B>, now: &Point<B::State>, input: &B::Input) {
         if self.is_ahead {
@@ -51,7 +51,7 @@ impl<B: Taylor, const N: usize> Expansions<B, N> {
         write(&mut self.expander, body, now, input, series);
     }
 
-    /// The series of the step, and the one from its end on, along which the next step goes unless
+    /// The series of the step, and the series at its end, which the next step uses unless
     /// it is [forgotten](Self::forget).
     #[inline(always)]
     pub(super) fn ahead(

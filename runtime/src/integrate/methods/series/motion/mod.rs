@@ -1,29 +1,30 @@
-//! Steps along Taylor series, of any order and with the error that is asked for.
+//! Steps along Taylor series, of any order and with a given error.
 //!
 //! À. Jorba, M. Zou, A software package for the numerical integration of ODEs by means of
-//! high-order Taylor methods, Experimental Mathematics 14 (2005) 99. The last coefficients tell how
-//! far a series holds: the step is the longest of which the last two terms are below the tolerance,
+//! high-order Taylor methods, Experimental Mathematics 14 (2005) 99. The last coefficients give the
+//! range of a series: the step is the longest whose last two terms are below the tolerance,
 //!
 //! ```text
 //! step = 0.9 min (tolerance / |c_k|)^(1/k),   k = N - 1, N - 2
 //! ```
 //!
-//! The last coefficients know nothing of what begins later than they see: a wall, a motor that is
-//! switched on, a root that changes its sign. So no step is taken unseen: at its end the derivative
-//! of the polynomial is held against the rates that the equations give there; in a step that is
-//! half as long again as those before it, in sixteen places. A step that disagrees by more than the
-//! tolerance is halved, and no later step passes by the time at which it disagreed. Where a motion
-//! has no series (a norm, root or power at zero), or steps shrink to an eighth since such a place
-//! is near, a step of DOP853 goes over it, with a polynomial of degree 7 that is held against the
-//! equations alike. What acts for so short a time that no such place falls on it is not seen by any
-//! test of this kind: say it by [`max_step`](crate::integrate::Integration::max_step),
+//! The last coefficients do not see later changes: a wall, a motor that is switched on, a root that
+//! changes its sign. So every step is checked. At its end the derivative of the polynomial is
+//! compared with the rates of the equations; a step at least half as long again as those before it
+//! is checked at sixteen points. A step that disagrees by more than the tolerance is halved, and no
+//! later step passes the time at which it disagreed. If a motion has no series (a norm, root or
+//! power at zero), or steps shrink to an eighth near such a place, a step of DOP853 crosses it,
+//! with a polynomial of degree 7 that is checked against the equations in the same way. No such
+//! test sees a load so short that no checked point falls on it: state it by
+//! [`max_step`](crate::integrate::Integration::max_step),
 //! [`breaks`](crate::integrate::Integration::breaks) or a condition on time.
 //!
-//! A symmetric body is followed in [`Axes`] that do not spin with it, from the start of a motion to
-//! its end; only what is handed out is turned back, so that this costs the steps nothing and no
-//! rounding adds up.
+//! A symmetric body is integrated in [`Axes`] that do not spin with it, from the start of a motion
+//! to its end. Only output is transformed back, so this costs the steps nothing and
+//! adds no accumulated rounding.
 //!
-//! What a step adds is summed with compensation, so that over long runs rounding grows with the
+//! Increments are summed with compensation, so over long runs rounding grows with the
+//! square root of the number of steps instead of the number.
 //! square root of the number of steps and not with the number.
 
 use core::fmt;
@@ -44,7 +45,7 @@ mod seen;
 
 use expansions::Expansions;
 
-/// A motion under way, by series of N coefficients: of order N - 1.
+/// A motion in progress, by series of N coefficients: of order N - 1.
 ///
 /// ```
 /// use newton_euler::{integrate::Motion, prelude::*};
@@ -73,22 +74,23 @@ use expansions::Expansions;
 /// ```
 pub struct Motion<'b, B: Taylor, const N: usize> {
     within: Within<'b, B>,
-    /// From start to end the coordinates are those in these axes.
+    /// The axes of the coordinates, for the whole motion.
     axes: Axes,
     now: Point<B::State>,
-    /// How long the last step was that a tolerance permitted.
+    /// The length of the last step that a tolerance permitted.
     length: f64,
-    /// How long a step was, of those before, that was looked at throughout.
+    /// The length of an earlier step that was checked throughout.
     looked_at: f64,
-    /// A time at which the equations did not agree, and which no step may pass by \[s\].
+    /// A time at which the equations disagreed \[s\]; no step may pass it.
     doubt: Option<f64>,
-    /// A step that is shorter than this may be at a place where the motion is not smooth.
+    /// A shorter step than this may be at a place where the motion is not smooth.
     rough: f64,
     expansions: Expansions<B, N>,
-    /// The polynomial of a step over such a place, and whether the last step was one.
+    /// The polynomial of a step over such a place; the next field tells whether the last step was
+    /// one.
     crossing: [<B::State as Coordinates>::Array; crossing::ROWS],
     is_crossing: bool,
-    /// Whether each step goes on from where the last one ended.
+    /// Whether each step continues from the end of the last one.
     goes_on: bool,
     watch: Watch,
 }
@@ -106,7 +108,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     /// A motion that begins at a state.
     #[must_use]
     pub fn new(body: &'b B, time: f64, state: &B::State) -> Self {
-        // at no time nothing turns
+        // at an invalid time nothing rotates
         let axes = if time.is_finite() {
             body.axes(time, state)
         } else {
@@ -124,7 +126,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             crossing: [<B::State as Coordinates>::Array::default(); crossing::ROWS],
             is_crossing: false,
             goes_on: true,
-            // where motions chatter, each step costs about four of DOP853
+            // in a chattering motion, each step costs about four of DOP853
             watch: Watch::every(LOOK / 4),
         }
     }
@@ -142,12 +144,12 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         self.renew();
     }
 
-    /// Hears that equations or state are others than the last step saw at its end.
+    /// Called when equations or state differ from those at the end of the last step.
     pub(super) fn renew(&mut self) {
         self.expansions.forget();
     }
 
-    /// Goes on from another state at the same time.
+    /// Continues from another state at the same time.
     pub(super) fn replace(&mut self, state: &B::State) {
         self.axes = self.body().axes(self.now.time, state);
         self.now.replace(state);
@@ -155,19 +157,19 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         self.renew();
     }
 
-    /// The time that the motion has come to \[s\].
+    /// The current time \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
         self.now.time
     }
 
-    /// The state that it has come to.
+    /// The current state.
     #[must_use]
     pub fn state(&self) -> B::State {
         self.axes.state(&self.now.coordinates, self.now.time)
     }
 
-    /// The step that was taken last.
+    /// The last step.
     #[inline(always)]
     pub(super) fn taken(&self, start: f64, length: f64) -> Step<'_, B::State> {
         let coefficients = if self.is_crossing {

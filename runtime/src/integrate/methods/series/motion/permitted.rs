@@ -1,19 +1,19 @@
-//! How long a step the last coefficients of its series permit.
+//! The step length that the last coefficients of a series permit.
 
 use super::Motion;
 use crate::integrate::steps::size::{relative_size, root};
 use crate::taylor::Taylor;
 
-/// How much of the permitted step is taken: roots are known to a few parts in a hundred.
+/// The fraction of the permitted step that is taken: roots are accurate to a few percent.
 const SAFETY: f64 = 0.9;
-/// A step that is longer than the one before by more than this is looked at twice.
+/// A step that exceeds the previous one by more than this factor is checked twice.
 pub(super) const GROWTH: f64 = 1.5;
 
 impl<B: Taylor, const N: usize> Motion<'_, B, N> {
-    /// The longest step of which the last two terms are below `tolerance`.
+    /// The longest step whose last two terms are below `tolerance`.
     ///
-    /// They may vanish, or nearly, where the series goes on: cos t² has every fourth term. A step
-    /// that grows is therefore held against the terms before as well, which tell the same radius.
+    /// They may vanish, or nearly, although the series continues: cos t² has every fourth term. A
+    /// step that grows is therefore also compared with earlier terms, which give the same radius.
     #[inline(always)]
     pub(super) fn permitted(&self, tolerance: f64) -> f64 {
         let (last, before) = (
@@ -28,7 +28,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         }
     }
 
-    /// The step of which the term of this order is as large as `tolerance`.
+    /// The step at which the term of this order is as large as `tolerance`.
     #[inline(always)]
     fn within_order(&self, order: usize, tolerance: f64) -> f64 {
         let size = self.relative(order);
@@ -39,7 +39,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         }
     }
 
-    /// A step, or what the radius of convergence leaves of it by the upper half of the orders.
+    /// A step, limited by the radius of convergence estimated from the upper half of the orders.
     #[cold]
     fn within_radius(&self, step: f64, tolerance: f64) -> f64 {
         let share = SAFETY * root(tolerance, 1.0, N - 1);
@@ -53,7 +53,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         )
     }
 
-    /// The size of a coefficient beside the state.
+    /// The size of a coefficient relative to the state.
     #[inline(always)]
     fn relative(&self, order: usize) -> f64 {
         let coefficients = self.expansions.series().coefficients();

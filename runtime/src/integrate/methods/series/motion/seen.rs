@@ -1,4 +1,4 @@
-//! Steps that the equations agree to, and steps over places where there are no series.
+//! Steps that agree with the equations, and steps over places without series.
 
 use super::Motion;
 use super::crossing::cross;
@@ -11,14 +11,14 @@ use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::size::larger;
 use crate::taylor::{Taylor, increment};
 
-/// How much shorter a step is than those before it, where the motion may not be smooth.
+/// The ratio of a step to those before it below which the motion may not be smooth.
 const SUDDEN: f64 = 1.0 / 8.0;
-/// How much longer a crossing may be than the one before.
+/// The largest growth from one crossing to the next.
 const GROW: f64 = 6.0;
 
 impl<B: Taylor, const N: usize> Motion<'_, B, N> {
-    /// Goes along the series for at most so long \[s\], as far as the equations agree; where they
-    /// do not at all, over the place.
+    /// Follows the series for at most this time \[s\], as far as the equations agree; crosses the
+    /// place if they do not agree at all.
     #[inline(always)]
     pub(super) fn follow(
         &mut self,
@@ -69,7 +69,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         }
     }
 
-    /// Looks, every now and then, whether the motion chatters.
+    /// Checks from time to time whether the motion chatters.
     #[inline(always)]
     pub(super) fn look(
         &mut self,
@@ -94,9 +94,9 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         })
     }
 
-    /// Takes a step, to a time if it is known, if the equations agree to it; or says after what
-    /// time \[s\] they do not. One that is longer than those before it is looked at throughout. A
-    /// step that `goes_on` is held against the rates of the next one.
+    /// Takes a step, to a given time if it is known, if the equations agree with it; otherwise
+    /// returns the time \[s\] of disagreement. A step longer than those before it is checked
+    /// throughout. A step that `goes_on` is compared with the rates of the next one.
     #[inline(always)]
     fn agreed(
         &mut self,
@@ -134,7 +134,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         Ok(())
     }
 
-    /// Takes a step, if the series from its end on begins with the rates that it ends with.
+    /// Takes a step, if the series at its end begins with its final rates.
     #[inline(always)]
     fn led(&mut self, step: f64, input: &B::Input, tolerance: f64) -> bool {
         let mut change = increment::<B::State>(self.expansions.series().coefficients(), step);
@@ -165,8 +165,8 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         holds
     }
 
-    /// Takes a Runge–Kutta step, where the motion is not smooth: of any length, where series permit
-    /// no step, or of a multiple of what they do permit; none, if that is too long.
+    /// Takes a Runge–Kutta step where the motion is not smooth: of any length if series permit
+    /// no step, otherwise a multiple of the permitted step; none if that is too long.
     #[cold]
     pub(super) fn pass(
         &mut self,

@@ -1,0 +1,97 @@
+//! What is in the way of a closed form.
+
+use crate::mechanics::closed_forms::causes;
+use crate::model::{System, TreeJoint, Variable, Workspace};
+use crate::symbolic::Id;
+
+use crate::mechanics::system::equations::{SystemEquations, loads};
+
+/// Joints that move in no closed form, and why.
+pub struct Obstacles<'a> {
+    pub system: &'a System,
+    pub equations: &'a SystemEquations,
+    pub work: &'a Workspace,
+    /// By number.
+    pub failing: Vec<usize>,
+}
+
+/// Under constraints.
+pub fn closed() -> &'static str {
+    "where loops are closed or constraints are written there is no closed form in this version: leave out `flow`, \
+     and the motion is integrated"
+}
+
+impl Obstacles<'_> {
+    /// One for all that one joint to the ground carries.
+    pub fn all(&self) -> Vec<String> {
+        let mut roots: Vec<usize> = self.failing.iter().map(|joint| self.root(*joint)).collect();
+        roots.sort_unstable();
+        roots.dedup();
+        let mut all: Vec<String> = roots.into_iter().map(|root| self.of_tree(root)).collect();
+        all.dedup();
+        all
+    }
+
+    fn root(&self, mut joint: usize) -> usize {
+        while let Some(carrier) = self.system.joints[joint].carrier {
+            joint = carrier;
+        }
+        joint
+    }
+
+    fn of_tree(&self, root: usize) -> String {
+        let failing = self.failing.iter().copied();
+        let failing: Vec<usize> = failing.filter(|joint| self.root(*joint) == root).collect();
+        let found = |joint: &usize| &self.equations.accelerations[*joint][..];
+        let accelerations: Vec<Id> = failing.iter().flat_map(found).copied().collect();
+        if let Some(load) = self.changing(&accelerations) {
+            return load;
+        }
+        let carried = self.failing.iter().filter(|joint| **joint != root);
+        let mut carried = carried
+            .filter(|joint| self.root(**joint) == root)
+            .peekable();
+        let turns = |joint: &TreeJoint| joint.coordinates.get(Variable::Quaternion, 0).is_some();
+        let is_rotor = |joint: &TreeJoint| joint.coordinates.get(Variable::Angle, 0).is_some();
+        let name = &self.system.joints[root].name;
+        let is_base = turns(&self.system.joints[root]) && carried.peek().is_some();
+        if is_base && carried.all(|joint| is_rotor(&self.system.joints[*joint])) {
+            return format!(
+                "what `{name}` carries is a gyrostat that is not known to be symmetric about one axis, that of all its \
+                 rotors (equal moments are written alike), and other gyrostats turn by elliptic integrals of the third kind"
+            );
+        }
+        let names = failing.iter().map(|joint| &self.system.joints[*joint].name);
+        let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+        match &names[..] {
+            [name] => {
+                let word = self
+                    .dependence(&accelerations)
+                    .map_or("the state", |(_, word)| word);
+                format!("the acceleration of {name} depends on {word}, in no way that has one here")
+            }
+            names => format!(
+                "the accelerations of {} depend on each other",
+                names.join(" and ")
+            ),
+        }
+    }
+
+    fn dependence(&self, roots: &[Id]) -> Option<(u8, &'static str)> {
+        causes(self.work, roots).into_iter().min()
+    }
+
+    /// The first load that is not constant, of those that have a part in these accelerations.
+    fn changing(&self, accelerations: &[Id]) -> Option<String> {
+        let known = self.work.graph.reachable(accelerations, |_| true);
+        let loads = loads(self.system, self.work).into_iter();
+        let mut changing = loads.filter_map(|(name, parts)| {
+            let symbols = self.work.graph.reachable(&parts, |_| true).into_iter();
+            let mut late = symbols.filter(|id| !self.work.graph.is_early(*id));
+            let (_, word) = self.dependence(&parts)?;
+            let acts = late.any(|id| self.work.meaning(id).is_some() && known.contains(&id));
+            acts.then(|| format!("the load `{name}` depends on {word}, and is not constant"))
+        });
+        changing.next()
+    }
+}

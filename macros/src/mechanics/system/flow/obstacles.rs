@@ -16,10 +16,11 @@ pub struct Obstacles<'a> {
 }
 
 /// Under constraints.
-pub fn closed() -> &'static str {
-    "where loops are closed or constraints are written there is no closed form in this version: leave out `flow`, \
-     and the motion is integrated"
-}
+pub const CLOSED: &str = "where loops are closed or constraints are written there is no closed form in this version: leave \
+                          out `flow`, and the motion is integrated";
+/// What paths do not look at.
+pub const CHANGING: &str =
+    "no closed form: mass and inertia change; leave out `flow`, and the motion is integrated";
 
 impl Obstacles<'_> {
     /// One for all that one joint to the ground carries.
@@ -47,19 +48,8 @@ impl Obstacles<'_> {
         if let Some(load) = self.changing(&accelerations) {
             return load;
         }
-        let carried = self.failing.iter().filter(|joint| **joint != root);
-        let mut carried = carried
-            .filter(|joint| self.root(**joint) == root)
-            .peekable();
-        let turns = |joint: &TreeJoint| joint.coordinates.get(Variable::Quaternion, 0).is_some();
-        let is_rotor = |joint: &TreeJoint| joint.coordinates.get(Variable::Angle, 0).is_some();
-        let name = &self.system.joints[root].name;
-        let is_base = turns(&self.system.joints[root]) && carried.peek().is_some();
-        if is_base && carried.all(|joint| is_rotor(&self.system.joints[*joint])) {
-            return format!(
-                "what `{name}` carries is a gyrostat that is not known to be symmetric about one axis, that of all its \
-                 rotors (equal moments are written alike), and other gyrostats turn by elliptic integrals of the third kind"
-            );
+        if let Some(gyrostat) = self.gyrostat(root) {
+            return gyrostat;
         }
         let names = failing.iter().map(|joint| &self.system.joints[*joint].name);
         let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
@@ -75,6 +65,33 @@ impl Obstacles<'_> {
                 names.join(" and ")
             ),
         }
+    }
+
+    /// What is in the way of a body in space that carries rotors.
+    fn gyrostat(&self, root: usize) -> Option<String> {
+        let joints = &self.system.joints;
+        let carried = self.system.written.iter().filter(|joint| **joint != root);
+        let carried = carried.filter(|joint| self.root(**joint) == root);
+        let carried: Vec<&TreeJoint> = carried.map(|joint| &joints[*joint]).collect();
+        let has = |joint: &TreeJoint, variable| joint.coordinates.get(variable, 0).is_some();
+        let are_rotors = carried.iter().all(|joint| has(joint, Variable::Angle));
+        if carried.is_empty() || !are_rotors || !has(&joints[root], Variable::Quaternion) {
+            return None;
+        }
+        let (name, found) = (&joints[root].name, &self.equations.accelerations[root]);
+        let angular = &found[found.len().saturating_sub(3)..];
+        let causes = causes(self.work, angular);
+        Some(if causes.contains(&(5, "the attitude")) {
+            format!(
+                "a moment that depends on the attitude acts on the gyrostat that `{name}` carries"
+            )
+        } else {
+            format!(
+                "what `{name}` carries is a gyrostat that is not known to be symmetric about one axis, that of all its \
+                 rotors and of the moments on it (write equal moments of inertia alike), and other gyrostats turn by \
+                 elliptic integrals of the third kind"
+            )
+        })
     }
 
     fn dependence(&self, roots: &[Id]) -> Option<(u8, &'static str)> {

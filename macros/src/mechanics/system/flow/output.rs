@@ -6,7 +6,7 @@ use crate::errors::{Errors, Extent};
 use crate::model::{Shape, System, Workspace};
 
 use super::course::{Course, Moving};
-use super::obstacles::{Obstacles, closed};
+use super::obstacles::{CHANGING, CLOSED, Obstacles};
 use crate::mechanics::system::equations::SystemEquations;
 
 /// The motion of a system in closed form: that of each joint, in the order in which the state has
@@ -25,7 +25,15 @@ pub fn derive_system_flow(
     errors: &mut Errors,
 ) -> Option<SystemFlow> {
     if !system.is_tree() {
-        return errors.report(place, closed());
+        return errors.report(place, CLOSED);
+    }
+    let substances = system.bodies.iter();
+    let known = substances.flat_map(|body| {
+        let entries = body.inertia.distinct_entries();
+        entries.into_iter().chain([body.mass])
+    });
+    if !work.graph.are_early(&known.collect::<Vec<_>>()) {
+        return errors.report(place, CHANGING);
     }
     let mut courses: Vec<Option<Course>> = (0..system.joints.len()).map(|_| None).collect();
     for number in &system.written {

@@ -110,14 +110,12 @@ pub struct Contribution {
 
 /// What expressions depend on: of several things, the one that is furthest from a constant.
 pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
-    let causes = causes(work, roots).into_iter();
+    let graph = &work.graph;
+    let causes = graph
+        .reachable(roots, |_| true)
+        .into_iter()
+        .filter_map(|id| cause(work.meaning(id)?));
     causes.min().map_or("the state", |(_, word)| word)
-}
-
-/// All that expressions depend on and that changes in time, each with its rank.
-pub fn causes(work: &Workspace, roots: &[Id]) -> Vec<(u8, &'static str)> {
-    let nodes = work.graph.reachable(roots, |_| true).into_iter();
-    nodes.filter_map(|id| cause(work.meaning(id)?)).collect()
 }
 
 /// A rank and a word for what changes in time.

@@ -14,7 +14,7 @@ mod solid;
 pub use about_axis::swing;
 pub use constants::{at_rest, constants};
 pub use flow::{derive_flow, symmetric};
-pub use forms::{Flow, Rotation, causes};
+pub use forms::{Flow, Rotation, dependence};
 pub use free_rotation::{Free, free};
 pub use gyrostat::{Gyrostat, Turning};
 pub use solid::Solid;

@@ -1,6 +1,6 @@
 //! What is in the way of a closed form.
 
-use crate::mechanics::closed_forms::causes;
+use crate::mechanics::closed_forms::dependence;
 use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::Id;
 
@@ -55,10 +55,8 @@ impl Obstacles<'_> {
         let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
         match &names[..] {
             [name] => {
-                let word = self
-                    .dependence(&accelerations)
-                    .map_or("the state", |(_, word)| word);
-                format!("the acceleration of {name} depends on {word}, in no way that has one here")
+                let word = dependence(self.work, &accelerations);
+                format!("the acceleration of {name} depends on {word}, in a way that has none here")
             }
             names => format!(
                 "the accelerations of {} depend on each other",
@@ -80,8 +78,8 @@ impl Obstacles<'_> {
         }
         let (name, found) = (&joints[root].name, &self.equations.accelerations[root]);
         let angular = &found[found.len().saturating_sub(3)..];
-        let causes = causes(self.work, angular);
-        Some(if causes.contains(&(5, "the attitude")) {
+        let is_turned = self.work.depend_on(angular, &[Variable::Quaternion]);
+        Some(if is_turned {
             format!(
                 "a moment that depends on the attitude acts on the gyrostat that `{name}` carries"
             )
@@ -94,10 +92,6 @@ impl Obstacles<'_> {
         })
     }
 
-    fn dependence(&self, roots: &[Id]) -> Option<(u8, &'static str)> {
-        causes(self.work, roots).into_iter().min()
-    }
-
     /// The first load that is not constant, of those that have a part in these accelerations.
     fn changing(&self, accelerations: &[Id]) -> Option<String> {
         let known = self.work.graph.reachable(accelerations, |_| true);
@@ -105,8 +99,8 @@ impl Obstacles<'_> {
         let mut changing = loads.filter_map(|(name, parts)| {
             let symbols = self.work.graph.reachable(&parts, |_| true).into_iter();
             let mut late = symbols.filter(|id| !self.work.graph.is_early(*id));
-            let (_, word) = self.dependence(&parts)?;
             let acts = late.any(|id| self.work.meaning(id).is_some() && known.contains(&id));
+            let word = dependence(self.work, &parts);
             acts.then(|| format!("the load `{name}` depends on {word}, and is not constant"))
         });
         changing.next()

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::expand::expand_system;
 use crate::{expand_description, pretty};
 
 /// The lines under "Inertia about G:".
@@ -209,6 +210,32 @@ fn closed_forms() {
             "the axis turns along a great circle"
         ]
     );
+}
+
+#[test]
+fn closed_forms_of_systems() {
+    let satellite = quote!((::newton_euler) Satellite {
+        bodies: [
+            hub { mass: 50, inertia: principal(2, 2, 1) },
+            wheel { mass: 3, inertia: principal(0.4, 0.4, 0.6) },
+            bob { mass: 3, inertia: principal(0.4, 0.4, 0.6), points: [pin = (0, 1, 0)] },
+        ],
+        joints: [
+            orbit = free(hub),
+            spin = revolute(hub.G, wheel.G, body(0, 0, 1)),
+            swing = revolute(world(0, 0, 0), bob.pin, world(1, 0, 0)),
+        ],
+        fields: [weight = mass * world(0, 0, -9.81)],
+        outputs: [flow],
+    });
+    let text = expand_system(satellite).to_string();
+    for line in [
+        "`orbit`: the center of mass moves on a parabola, the body precesses steadily, as a gyrostat",
+        "`spin`: at constant acceleration",
+        "`swing`: the angle is that of a pendulum, by elliptic functions",
+    ] {
+        assert!(text.contains(line), "{line}");
+    }
 }
 
 /// The documentation of the fields of parameters, inputs, the state and the acceleration.

@@ -108,3 +108,50 @@ pub mod flow {
         outputs: [flow],
     });
 }
+
+/// The same of systems.
+pub mod parts {
+    newton_euler::rigid_system!(Satellite {
+        params: [torque = 0.02],
+        bodies: [
+            hub {
+                mass: 5,
+                inertia: principal(2, 2, 1),
+                points: [boom = (0, 0, 1)]
+            },
+            rotor {
+                mass: 3,
+                inertia: principal(0.4, 0.4, 0.6)
+            },
+            bob {
+                mass: 3,
+                inertia: principal(0.4, 0.4, 0.6),
+                points: [pin = (0, 1, 0)]
+            },
+        ],
+        joints: [
+            time = free(hub),
+            Self_ = revolute(hub.boom, rotor.G, body(0, 0, 1)),
+            swing = revolute(world(0, 0, 0), bob.pin, world(1, 0, 0)),
+        ],
+        fields: [weight = mass * world(0, 0, -9.80665)],
+        drives: [motor = torque.on(Self_)],
+        outputs: [flow],
+    });
+    newton_euler::rigid_system!(Generic::<T> {
+        motion: planar,
+        bodies: [
+            plate {
+                mass: 5,
+                inertia: 1,
+                points: [boom = (0, 1)]
+            },
+            wheel {
+                mass: 3,
+                inertia: 2
+            },
+        ],
+        joints: [path = free(plate), state = revolute(plate.boom, wheel.G),],
+        outputs: [flow, taylor],
+    });
+}

@@ -12,6 +12,7 @@ mod linearization;
 mod loads;
 mod momentum;
 mod output;
+mod paths;
 mod regressor;
 mod subject;
 mod system;

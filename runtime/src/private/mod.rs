@@ -15,7 +15,8 @@ pub use crate::bodies::linearization::{
 pub use crate::bodies::operations::{Operations, Stage};
 pub use crate::bodies::structure::{Dependence, Structure, Structured, Symmetry};
 pub use crate::exact::{
-    AxialTorque, Flight, FreeRotation, GreatCircle, LagrangeTop, Parabola, Path, Pendulum,
+    Accelerated, AxialTorque, Flight, FlyingPoint, FreeRotation, GreatCircle, Gyrostat,
+    LagrangeTop, Parabola, Path, Pendulum,
 };
 pub use crate::integrate::{
     ClosedForm, Integrate, Projected, RungeKuttaPair, Switches, TaylorSeries,
@@ -72,8 +73,8 @@ pub use checks::{
     member,
 };
 pub use path::{
-    axial_torque, lagrange_top, principal_axes, principal_rotation, rotation_about, rotation_along,
-    symmetric_rotation,
+    axial_torque, gyrostat, lagrange_top, principal_axes, principal_rotation, rotation_about,
+    rotation_along, symmetric_rotation,
 };
 pub use pivots::{determined, positive, reciprocal};
 pub use projection::{Kept, Row, Size, check, dependent, project};

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 
-use crate::exact::{AxialTorque, FreeRotation, LagrangeTop};
+use crate::exact::{AxialTorque, FreeRotation, Gyrostat, LagrangeTop};
 use crate::mechanics::inertia::InertiaTensor;
 use crate::mechanics::principal::PrincipalAxes;
 use crate::state::Rotation;
@@ -65,6 +65,13 @@ pub fn lagrange_top(
         couple.into(),
         state,
     )
+}
+
+/// Of the unit vector of the axis, the rate of the turn about it with its own rate, and the
+/// acceleration along it.
+#[must_use]
+pub fn gyrostat(axis: [f64; 3], spin: [f64; 2], acceleration: f64, state: &Rotation) -> Gyrostat {
+    Gyrostat::new(Unit::new_unchecked(axis.into()), spin, acceleration, state)
 }
 
 /// Of the moments across an axis and about it, its unit vector, and the moment along it.

@@ -167,7 +167,40 @@ motions! {
 mod others {
     use super::*;
 
+    rigid_system!(Satellite {
+        bodies: [
+            hub {
+                mass: 50[kg],
+                inertia: principal(11.6, 11.6, 9),
+                points: [end = (0, 0, 0.7)],
+                moments: [thrusters = body(0, 0, 0.1[N * m])],
+            },
+            rotor {
+                mass: 3[kg],
+                inertia: principal(0.4, 0.4, 0.6)
+            },
+            rail {
+                mass: 1[kg],
+                inertia: principal(0.4, 0.4, 0.6)
+            },
+        ],
+        joints: [
+            orbit = free(hub),
+            spin = revolute(hub.end, rotor.G, body(0, 0, 1)),
+            slide = cylindrical(world(0, 0, 0), rail.G, world(0, 0, 1)),
+        ],
+        outputs: [flow],
+    });
+
     crate::cannot_panic! {
+        fn flow_of_a_gyrostat(system: &Satellite, state: &SatelliteState, time: f64) -> SatelliteState {
+            system.flow(state, time)
+        }
+
+        fn motion_of_a_gyrostat(system: &Satellite, state: &SatelliteState, end: f64) -> Result<SatelliteState, Ended<Satellite>> {
+            system.integrate(state).to(end)
+        }
+
         fn flow(body: &Brick, state: &Spatial, time: f64) -> Spatial {
             body.flow(state, time)
         }

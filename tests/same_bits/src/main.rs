@@ -175,6 +175,11 @@ fn closed_forms_and_single_series() {
             0x1902_bdb1_a095_05a9,
         ),
         (
+            "closed forms of systems",
+            motions::closed_forms_of_systems(),
+            0xf2c3_f281_94ab_b4bf,
+        ),
+        (
             "steps along series",
             motions::series_steps(),
             0x3dbe_1e19_c328_5c55,

@@ -157,6 +157,48 @@ pub fn closed_forms() -> Bits {
     bits
 }
 
+rigid_system!(Satellite {
+    bodies: [
+        hub {
+            mass: 50[kg],
+            inertia: principal(11.6, 11.6, 9),
+            points: [end = (0, 0, 0.7)],
+            moments: [thrusters = body(0, 0, 0.1[N * m])],
+        },
+        rotor {
+            mass: 3[kg],
+            inertia: principal(0.4, 0.4, 0.6)
+        },
+        ball {
+            mass: 3[kg],
+            inertia: principal(0.4, 0.4, 0.4)
+        },
+        wheel {
+            mass: 3[kg],
+            inertia: principal(0.4, 0.6, 0.4)
+        },
+        rail {
+            mass: 1[kg],
+            inertia: principal(0.4, 0.4, 0.6)
+        },
+    ],
+    joints: [
+        orbit = free(hub),
+        spin = revolute(hub.end, rotor.G, body(0, 0, 1)),
+        flight = free(ball),
+        turn = revolute(ball.G, wheel.G, body(0, 1, 0)),
+        slide = cylindrical(world(0, 0, 0), rail.G, world(0, 0, 1)),
+    ],
+    drives: [motor = 0.02[N * m].on(turn)],
+    outputs: [flow],
+});
+
+pub fn closed_forms_of_systems() -> Bits {
+    let mut bits = Bits::new();
+    moved(&mut bits, &Satellite::default(), ClosedForm);
+    bits
+}
+
 /// Some steps over any scalar, on the group and in coordinates.
 fn steps<T: Scalar, B: Columnar<T, State: Default>>(bits: &mut Bits, body: &B) {
     let mut numbers = Numbers(8);

@@ -167,7 +167,7 @@ impl Shapes {
     }
 
     /// The acceleration of one joint.
-    fn joint_acceleration(&self, shape: &Shape, values: &mut Values<'_>) -> TokenStream {
+    pub fn joint_acceleration(&self, shape: &Shape, values: &mut Values<'_>) -> TokenStream {
         let mut field = |field: &Field| {
             let parts = values.take(field.names.len());
             if field.names.len() == 1 {

@@ -15,7 +15,7 @@ use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
 /// Outputs of later versions.
-const LATER: [&str; 3] = ["mass_matrix", "jacobian", "flow"];
+const LATER: [&str; 2] = ["mass_matrix", "jacobian"];
 
 /// The output that solves for drives: without it, none may be unknown.
 pub const INVERSE: &str = "inverse";

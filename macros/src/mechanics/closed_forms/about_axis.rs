@@ -27,8 +27,10 @@ pub fn about_axis(
     if work.graph.is_early(acceleration) {
         return Some(Rotation::Uniform(acceleration));
     }
-    if let Some(wave) = swinging(model, work, acceleration) {
-        return Some(pendulum(work, wave));
+    if let Some((angle, _)) = model.state.angle
+        && let Some(rotation) = swing(angle, work, acceleration)
+    {
+        return Some(rotation);
     }
     let kinds = kinds(model, work, contributions);
     let of = |wanted: Kind| kinds.iter().filter(move |(_, _, kind)| *kind == wanted);
@@ -56,6 +58,12 @@ pub fn about_axis(
     None
 }
 
+/// The pendulum, of an acceleration that makes one of the angle.
+pub fn swing(angle: Id, work: &mut Workspace, acceleration: Id) -> Option<Rotation> {
+    let wave = swinging(angle, work, acceleration)?;
+    Some(pendulum(work, wave))
+}
+
 /// The pendulum of `w' = a sin theta + b cos theta`.
 fn pendulum(work: &mut Workspace, (sine, cosine): (Id, Id)) -> Rotation {
     let graph = &mut work.graph;
@@ -79,6 +87,7 @@ fn kinds<'a>(
         Some(axis) => axis,
         None => [0, 0, 1].map(|component| work.graph.integer(component)),
     };
+    let angle = model.state.angle.map(|(angle, _)| angle);
     let acting = contributions.iter().filter_map(|load| {
         let moment = work.graph.dot(axis, load.moment);
         if work.graph.is_zero(moment) {
@@ -86,7 +95,7 @@ fn kinds<'a>(
         }
         let kind = if work.graph.is_early(moment) {
             Kind::Constant
-        } else if swinging(model, work, moment).is_some() {
+        } else if angle.is_some_and(|angle| swinging(angle, work, moment).is_some()) {
             Kind::Swinging
         } else {
             Kind::Other
@@ -97,8 +106,7 @@ fn kinds<'a>(
 }
 
 /// `(a, b)` of `a sin theta + b cos theta`.
-fn swinging(model: &Model, work: &mut Workspace, expression: Id) -> Option<(Id, Id)> {
-    let (angle, _) = model.state.angle?;
+fn swinging(angle: Id, work: &mut Workspace, expression: Id) -> Option<(Id, Id)> {
     let graph = &mut work.graph;
     let of_late = |id: Id| !graph.is_early(id) && id != angle;
     if graph.depends_on(&[expression], of_late) {

@@ -1,10 +1,11 @@
 //! A constant moment N e along the axis of symmetry of a body.
 
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Model, Workspace};
+use crate::model::Workspace;
 use crate::symbolic::{Components, Id};
 
 use super::axis_of_symmetry::axes_of_symmetry;
+use super::solid::Solid;
 
 /// What the motion of a body under a moment along its axis depends on.
 pub struct AxialTorque {
@@ -25,14 +26,14 @@ impl AxialTorque {
 /// The axis and the torque along it, if the moment, body axes, is constant and is along an axis of
 /// symmetry.
 pub fn axial_torque(
-    model: &Model,
+    solid: &Solid,
     work: &mut Workspace,
     moment: Components,
 ) -> Option<AxialTorque> {
     if !work.graph.are_early(&moment) {
         return None;
     }
-    axes_of_symmetry(model, work, &[moment])
+    axes_of_symmetry(solid, work, &[moment])
         .into_iter()
         .find_map(|(moments, axis)| {
             let graph = &mut work.graph;

@@ -1,28 +1,26 @@
 //! Axes about which the inertia of a body is symmetric.
 
-use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::proofs::all_vanish;
-use crate::model::{Inertia, Model, Workspace};
+use crate::model::Workspace;
 use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
 use super::free_rotation::unit;
+use super::solid::Solid;
 
 /// Moments of inertia across and along axes about which the body is symmetric, and unit vectors
 /// along them: of a spherical one, along one of these directions, if it is known, and the axes of
 /// the body.
 pub fn axes_of_symmetry(
-    model: &Model,
+    solid: &Solid,
     work: &mut Workspace,
     directions: &[Components],
 ) -> Vec<([Id; 2], Components)> {
-    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
-        return Vec::new();
-    };
+    let rows = &solid.rows;
     let units = work.graph.unit_vectors();
-    let moments = match work.graph.spectrum(&rows) {
+    let moments = match work.graph.spectrum(rows) {
         None => {
             let axes: Vec<usize> = (0..3)
-                .filter(|axis| is_symmetric(work, &rows, *axis))
+                .filter(|axis| is_symmetric(work, rows, *axis))
                 .collect();
             if axes.len() < 2 {
                 let across = |axis: usize| rows[(axis + 1) % 3][(axis + 1) % 3];

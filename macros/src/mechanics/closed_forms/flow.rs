@@ -23,6 +23,7 @@ use super::axis_of_symmetry::axes_of_symmetry;
 use super::forms::{Contribution, Flow, Rotation, dependence};
 use super::free_rotation::free;
 use super::lagrange_top::lagrange_top;
+use super::solid::Solid;
 
 /// The closed form. All that is in its way is reported at the place where it is asked for.
 pub fn derive_flow(
@@ -133,20 +134,25 @@ pub fn rotation(
             return Some(Rotation::GreatCircle);
         }
     } else if is_free {
-        return free(model, work).map(Rotation::Free);
-    } else if let Some(rotation) = symmetric(model, work, total) {
+        let solid = Solid::of(model, work)?;
+        return Some(Rotation::Free(free(&solid, work)));
+    } else if let Some(rotation) = symmetric_body(model, work, total) {
         return Some(rotation);
     }
     report_moments(model, work, contributions, obstacles);
     None
 }
 
+fn symmetric_body(model: &Model, work: &mut Workspace, moment: Components) -> Option<Rotation> {
+    symmetric(&Solid::of(model, work)?, work, moment)
+}
+
 /// How a symmetric body turns under a moment.
-fn symmetric(model: &Model, work: &mut Workspace, moment: Components) -> Option<Rotation> {
-    if let Some(top) = lagrange_top(model, work, moment) {
+pub fn symmetric(solid: &Solid, work: &mut Workspace, moment: Components) -> Option<Rotation> {
+    if let Some(top) = lagrange_top(solid, work, moment) {
         return Some(Rotation::Top(top));
     }
-    axial_torque(model, work, moment).map(Rotation::Axial)
+    axial_torque(solid, work, moment).map(Rotation::Axial)
 }
 
 /// What is in the way of free rotation, and does not make a top or a spin that is linear in time
@@ -163,13 +169,14 @@ fn report_moments(
         "G"
     };
     let is_rod = model.motion.is_line();
-    let is_symmetric = !is_rod && !axes_of_symmetry(model, work, &[]).is_empty();
+    let solid = Solid::of(model, work);
+    let is_symmetric = solid.is_some_and(|solid| !axes_of_symmetry(&solid, work, &[]).is_empty());
     let (mut harmless, before) = (Vec::new(), obstacles.len());
     for load in contributions {
         if all_vanish(work, &load.moment) {
             continue;
         }
-        if !is_rod && symmetric(model, work, load.moment).is_some() {
+        if !is_rod && symmetric_body(model, work, load.moment).is_some() {
             harmless.push(format!("`{}`", load.name));
             continue;
         }

@@ -5,6 +5,7 @@ use crate::symbolic::{Components, Id};
 
 use super::axial_torque::AxialTorque;
 use super::free_rotation::Free;
+use super::gyrostat::Gyrostat;
 use super::lagrange_top::Top;
 
 /// The motion of a body in closed form.
@@ -33,25 +34,7 @@ impl Flow {
     /// Which motion it is, line by line.
     pub fn describe(&self, motion: Motion) -> Vec<String> {
         let center = motion.translates().then_some("G moves on a parabola");
-        let rotation = match &self.rotation {
-            Rotation::None => None,
-            Rotation::Free(Free::Steady) => Some("the body turns at a constant rate"),
-            Rotation::Free(Free::Symmetric(..)) => Some("the body precesses steadily"),
-            Rotation::Free(Free::Principal(..)) => Some("the body turns by elliptic functions"),
-            Rotation::Free(Free::Along(_) | Free::Tensor(_)) => {
-                Some("the body turns freely, in a way that its moments of inertia decide")
-            }
-            Rotation::Top(_) => Some("the body turns as Lagrange's top, by elliptic functions"),
-            Rotation::Axial(_) => Some(
-                "the spin about the axis of symmetry is linear in time, the attitude goes by parabolic cylinder functions",
-            ),
-            Rotation::GreatCircle => Some("the axis turns along a great circle"),
-            Rotation::Uniform(_) => Some("the angle is quadratic in time"),
-            Rotation::Pendulum { .. } => {
-                Some("the angle is that of a pendulum, by elliptic functions")
-            }
-        };
-        let lines = center.into_iter().chain(rotation);
+        let lines = center.into_iter().chain(self.rotation.describe());
         lines.map(str::to_owned).collect()
     }
 }
@@ -66,6 +49,8 @@ pub enum Rotation {
     Top(Top),
     /// In space, under a constant moment along its axis of symmetry.
     Axial(AxialTorque),
+    /// In space, with rotors.
+    Gyrostat(Gyrostat),
     /// As a rod, without a moment.
     GreatCircle,
     /// About an axis, with a constant acceleration.
@@ -81,9 +66,36 @@ impl Rotation {
             Self::Free(free) => free.roots(),
             Self::Top(top) => top.roots(),
             Self::Axial(axial) => axial.roots(),
+            Self::Gyrostat(gyrostat) => gyrostat.roots(),
             Self::Uniform(acceleration) => vec![*acceleration],
             Self::Pendulum { rate, hanging } => vec![*rate, *hanging],
         }
+    }
+
+    /// Which motion it is.
+    pub fn describe(&self) -> Option<&'static str> {
+        Some(match self {
+            Self::None => return None,
+            Self::Free(Free::Steady) => "the body turns at a constant rate",
+            Self::Free(Free::Symmetric(..)) => "the body precesses steadily",
+            Self::Free(Free::Principal(..)) => "the body turns by elliptic functions",
+            Self::Free(Free::Along(_) | Free::Tensor(_)) => {
+                "the body turns freely, in a way that its moments of inertia decide"
+            }
+            Self::Top(_) => "the body turns as Lagrange's top, by elliptic functions",
+            Self::Axial(_) => {
+                "the spin about the axis of symmetry is linear in time, the attitude goes by parabolic cylinder functions"
+            }
+            Self::Gyrostat(gyrostat) if gyrostat.drift == gyrostat.along => {
+                "the body precesses steadily, as a gyrostat"
+            }
+            Self::Gyrostat(_) => {
+                "the body turns as a gyrostat, whose momentum along its axis is linear in time, by parabolic cylinder functions"
+            }
+            Self::GreatCircle => "the axis turns along a great circle",
+            Self::Uniform(_) => "the angle is quadratic in time",
+            Self::Pendulum { .. } => "the angle is that of a pendulum, by elliptic functions",
+        })
     }
 }
 
@@ -107,7 +119,7 @@ pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
 }
 
 /// A rank and a word for what changes in time.
-pub fn cause(meaning: Meaning) -> Option<(u8, &'static str)> {
+fn cause(meaning: Meaning) -> Option<(u8, &'static str)> {
     use Variable::{Angle, AngularVelocity, Axis, AxisRate, Position, Quaternion, Velocity};
     Some(match meaning {
         Meaning::Input(..) => (0, "an input (make it a parameter if it is held)"),

@@ -1,8 +1,9 @@
 //! Free rotation in closed form: by the moments of inertia, where these are known.
 
-use crate::mechanics::balances::inertia_about_center;
-use crate::model::{Inertia, Model, Workspace};
+use crate::model::Workspace;
 use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
+
+use super::solid::Solid;
 
 /// What the free rotation of a body depends on.
 pub enum Free {
@@ -31,24 +32,19 @@ impl Free {
 }
 
 /// The principal axes of a tensor of numbers are found here, at any precision.
-pub fn free(model: &Model, work: &mut Workspace) -> Option<Free> {
-    let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
-        return None;
-    };
-    let graph = &mut work.graph;
-    let Some(spectrum) = graph.spectrum(&rows) else {
+pub fn free(solid: &Solid, work: &mut Workspace) -> Free {
+    let (graph, rows) = (&mut work.graph, &solid.rows);
+    let Some(spectrum) = graph.spectrum(rows) else {
         let [xx, yy, zz] = [0, 1, 2].map(|i| rows[i][i]);
         if [rows[0][1], rows[1][2], rows[2][0]]
             .into_iter()
             .all(|entry| graph.is_zero(entry))
         {
-            return Some(Free::Along([xx, yy, zz]));
+            return Free::Along([xx, yy, zz]);
         }
-        return Some(Free::Tensor([
-            xx, yy, zz, rows[0][1], rows[1][2], rows[2][0],
-        ]));
+        return Free::Tensor([xx, yy, zz, rows[0][1], rows[1][2], rows[2][0]]);
     };
-    Some(match spectrum {
+    match spectrum {
         Spectrum::Spherical(_) => Free::Steady,
         Spectrum::Symmetric(symmetry) => {
             let axis = unit(graph, &symmetry.axis);
@@ -61,7 +57,7 @@ pub fn free(model: &Model, work: &mut Workspace) -> Option<Free> {
                 .axes
                 .map(|axis| axis.map(|component| graph.number(component))),
         ),
-    })
+    }
 }
 
 /// The unit vector along an axis.

@@ -14,10 +14,11 @@
 //! computed.
 
 use crate::mechanics::proofs::{all_vanish, cancels_in_half_turns};
-use crate::model::{Attitude, Frame, Model, Workspace};
+use crate::model::{Attitude, Frame, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
 use super::axis_of_symmetry::axes_of_symmetry;
+use super::solid::Solid;
 
 /// What the motion of a top depends on.
 pub struct Top {
@@ -36,11 +37,11 @@ impl Top {
 }
 
 /// The top that a body is under a moment, body axes; none if it is no top.
-pub fn lagrange_top(model: &Model, work: &mut Workspace, moment: Components) -> Option<Top> {
-    let arms = arms(model, work, moment)?;
-    for (moments, axis) in axes_of_symmetry(model, work, &arms) {
+pub fn lagrange_top(solid: &Solid, work: &mut Workspace, moment: Components) -> Option<Top> {
+    let arms = arms(solid, work, moment)?;
+    for (moments, axis) in axes_of_symmetry(solid, work, &arms) {
         let couple = work.graph.transform(&arms, axis);
-        let expected = couple_on(model, work, couple, axis);
+        let expected = couple_on(solid, work, couple, axis);
         let graph = &mut work.graph;
         let rest = [0, 1, 2].map(|i| graph.subtract(moment[i], expected[i]));
         if all_vanish(work, &rest) {
@@ -57,24 +58,24 @@ pub fn lagrange_top(model: &Model, work: &mut Workspace, moment: Components) -> 
 
 /// `k x e` in body axes.
 fn couple_on(
-    model: &Model,
+    solid: &Solid,
     work: &mut Workspace,
     couple: Components,
     axis: Components,
 ) -> Components {
-    let seen = seen_from_body(model, work, couple);
+    let seen = seen_from_body(solid, work, couple);
     work.graph.cross(seen, axis)
 }
 
 /// A vector in world axes, in those of the body.
-fn seen_from_body(model: &Model, work: &mut Workspace, world: Components) -> Components {
+fn seen_from_body(solid: &Solid, work: &mut Workspace, world: Components) -> Components {
     let vector = work.vector(Frame::WORLD, world);
-    work.components(vector, model.state.body)
+    work.components(vector, solid.body)
 }
 
 /// The vectors `W_l`, if the moment depends on nothing but the attitude.
-fn arms(model: &Model, work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
-    let Attitude::Quaternion { scalar, vector } = work.attitude(model.state.body) else {
+fn arms(solid: &Solid, work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
+    let Attitude::Quaternion { scalar, vector } = work.attitude(solid.body) else {
         return None;
     };
     let parts = [[scalar].as_slice(), vector.as_slice()].concat();
@@ -87,7 +88,7 @@ fn arms(model: &Model, work: &mut Workspace, moment: Components) -> Option<[Comp
     }
     let mut roots = moment.to_vec();
     for axis in work.graph.unit_vectors() {
-        roots.extend(seen_from_body(model, work, axis));
+        roots.extend(seen_from_body(solid, work, axis));
     }
     let graph = &mut work.graph;
     let mut arms = [graph.zeros(); 3];

@@ -9,6 +9,8 @@ pub struct RandomState {
     pub number: u64,
     /// That of the first body; others are turned in their own way.
     pub quaternion: [Residue; 4],
+    /// The axis of each body about which it is half a turn further.
+    half_turn: Option<usize>,
     pub axis: [Residue; 3],
     pub axis_rate: [Residue; 3],
 }
@@ -21,34 +23,40 @@ impl RandomState {
         Self {
             number,
             quaternion: [scalar, x, y, z],
+            half_turn: None,
             axis,
             axis_rate: cross(axis, [5, 6, 7].map(free)),
         }
     }
 
-    /// With the attitude half a turn about an axis of the body further: its quaternion times i, j
+    /// With attitudes half a turn about an axis of the body further: their quaternions times i, j
     /// or k.
     pub fn turned(self, about: Option<usize>) -> Self {
-        let [s, x, y, z] = self.quaternion;
-        let quaternion = match about {
+        Self {
+            half_turn: about,
+            ..self
+        }
+    }
+
+    fn half_turned(&self, [s, x, y, z]: [Residue; 4]) -> [Residue; 4] {
+        match self.half_turn {
             None => [s, x, y, z],
             Some(0) => [-x, s, z, -y],
             Some(1) => [-y, -z, s, x],
             Some(_) => [-z, y, -x, s],
-        };
-        Self { quaternion, ..self }
+        }
     }
 
     /// The value of a symbol.
     pub fn of(&self, work: &Workspace, id: Id) -> Residue {
         match work.meaning(id) {
             Some(Meaning::Of(body, Variable::Quaternion, part)) => match body.index() {
-                0 | 1 => self.quaternion[part],
+                0 | 1 => self.half_turned(self.quaternion)[part],
                 further => {
                     let free =
                         |index: u8| Residue::stand_in(&("attitude", index, further, self.number));
                     let quaternion: [Residue; 4] = unit_vector([0, 1, 2].map(free));
-                    quaternion[part]
+                    self.half_turned(quaternion)[part]
                 }
             },
             Some(Meaning::Of(_, Variable::Axis, part)) => self.axis[part],

@@ -2,9 +2,9 @@
 //! functions are those of doubles.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
-use crate::emit::code::{Method, PRINCIPAL_AXES, Shapes, Site, Values, Writer, local};
+use crate::emit::code::{Method, Shapes, Site, Values, Writer, local};
 use crate::emit::items::{Addition, Best};
 use crate::lower::Offer;
 use crate::mechanics::{self, Free, Report, Rotation, derive_flow};
@@ -12,6 +12,7 @@ use crate::model::{Model, Orientation, Outline, Workspace};
 use crate::symbolic::Id;
 
 use crate::outputs::output::{Basis, Output};
+use crate::outputs::paths::{Start, rotation_type};
 
 const OFFER: Offer = Offer {
     obstacle: |description| {
@@ -77,19 +78,7 @@ impl Output<Model> for Flow {
 
 /// `Flight<FreeRotation, 3>`, `Pendulum`, ...
 fn path_type(shapes: &Shapes, rotation: &Rotation) -> TokenStream {
-    let private = &shapes.private;
-    with_center(
-        shapes,
-        match rotation {
-            Rotation::None => None,
-            Rotation::Free(_) => Some(quote!(#private::FreeRotation)),
-            Rotation::Top(_) => Some(quote!(#private::LagrangeTop)),
-            Rotation::Axial(_) => Some(quote!(#private::AxialTorque)),
-            Rotation::GreatCircle => Some(quote!(#private::GreatCircle)),
-            Rotation::Uniform(_) => Some(quote!(#private::Parabola<1>)),
-            Rotation::Pendulum { .. } => Some(quote!(#private::Pendulum)),
-        },
-    )
+    with_center(shapes, rotation_type(shapes, rotation))
 }
 
 /// A path of this kind of motion, for a body that has none.
@@ -124,7 +113,14 @@ fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
     let outputs = [linear, &path_roots(writer.outline, &flow.rotation)].concat();
     Method::write(writer, &outputs, |values| {
         let center = shapes.motion.translates().then(|| center(shapes, values));
-        let rotation = rotation(shapes, &flow.rotation, values);
+        let state = local("state");
+        let start = Start {
+            shapes,
+            place: quote!(#state),
+            reference: quote!(#state),
+            translates: shapes.motion.translates(),
+        };
+        let rotation = start.rotation(&flow.rotation, values);
         match (center, rotation) {
             (Some(center), Some(rotation)) => {
                 let private = &shapes.private;
@@ -147,85 +143,4 @@ fn path_roots(outline: &Outline, rotation: &Rotation) -> Vec<Id> {
 fn center(shapes: &Shapes, values: &mut Values<'_>) -> TokenStream {
     let (private, state, acceleration) = (&shapes.private, local("state"), shapes.vector(values));
     quote!(#private::Parabola { position: #state.position, velocity: #state.velocity, acceleration: #acceleration })
-}
-
-fn rotation(shapes: &Shapes, rotation: &Rotation, values: &mut Values<'_>) -> Option<TokenStream> {
-    let (private, state) = (&shapes.private, local("state"));
-    Some(match rotation {
-        Rotation::None => return None,
-        Rotation::GreatCircle => quote!(#private::GreatCircle::new(#state.axis, #state.axis_rate)),
-        Rotation::Uniform(_) => {
-            let acceleration = values.next();
-            quote!(#private::Parabola {
-                position: [#state.angle].into(),
-                velocity: [#state.angular_velocity].into(),
-                acceleration: [#acceleration].into(),
-            })
-        }
-        Rotation::Pendulum { .. } => {
-            let (rate, hanging) = (values.next(), values.next());
-            let state = turning_state(shapes, "Hinge", "angle");
-            quote!(#private::Pendulum::new(#rate, #hanging, #state))
-        }
-        Rotation::Free(free) => free_rotation(shapes, free, values),
-        Rotation::Top(_) => {
-            let (moments, axis, couple) = (list(values, 2), list(values, 3), list(values, 3));
-            let state = turning_state(shapes, "Rotation", "attitude");
-            quote!(#private::lagrange_top(#moments, #axis, #couple, #state))
-        }
-        Rotation::Axial(_) => {
-            let (moments, axis, torque) = (list(values, 2), list(values, 3), values.next());
-            let state = turning_state(shapes, "Rotation", "attitude");
-            quote!(#private::axial_torque(#moments, #axis, #torque, #state))
-        }
-    })
-}
-
-/// `state`, or of a body that moves too `&Rotation { attitude: state.attitude, angular_velocity:
-/// state.angular_velocity }`
-fn turning_state(shapes: &Shapes, kind: &str, coordinate: &str) -> TokenStream {
-    let (private, state) = (&shapes.private, local("state"));
-    let (kind, coordinate) = (format_ident!("{kind}"), format_ident!("{coordinate}"));
-    if shapes.motion.translates() {
-        quote!(&#private::#kind { #coordinate: #state.#coordinate, angular_velocity: #state.angular_velocity })
-    } else {
-        quote!(#state)
-    }
-}
-
-/// `FreeRotation::principal([..], [[..], [..], [..]], state)` and so on.
-fn free_rotation(shapes: &Shapes, free: &Free, values: &mut Values<'_>) -> TokenStream {
-    let private = &shapes.private;
-    let state = turning_state(shapes, "Rotation", "attitude");
-    let is_stored = values.len() == 0;
-    let mut next = |count| list(values, count);
-    match free {
-        Free::Steady => quote!(#private::FreeRotation::steady(#state)),
-        Free::Symmetric(..) => {
-            let (moments, axis) = (next(2), next(3));
-            quote!(#private::symmetric_rotation(#moments, #axis, #state))
-        }
-        Free::Along(_) => {
-            let moments = next(3);
-            quote!(#private::rotation_along(#moments, #state))
-        }
-        Free::Principal(..) => {
-            let (moments, axes) = (next(3), [next(3), next(3), next(3)]);
-            quote!(#private::principal_rotation(#moments, [#(#axes),*], #state))
-        }
-        Free::Tensor(_) if is_stored => {
-            let axes = local(PRINCIPAL_AXES);
-            quote!(#private::rotation_about(&self.#axes, #state))
-        }
-        Free::Tensor(_) => {
-            let entries = next(6);
-            quote!(#private::rotation_about(&#private::principal_axes(#entries), #state))
-        }
-    }
-}
-
-/// `[..]` of the values that follow.
-fn list(values: &mut Values<'_>, count: usize) -> TokenStream {
-    let part = values.take(count);
-    quote!([#(#part),*])
 }

@@ -1,5 +1,6 @@
 //! The outputs of a system. One that is new is a file, and a line in the list.
 
+mod flow;
 mod inverse;
 mod jacobian;
 mod mass_matrix;
@@ -27,6 +28,7 @@ impl Listed for System {
             Box::<inverse::Inverse>::default(),
             Box::<mass_matrix::MassMatrix>::default(),
             Box::<jacobian::Jacobian>::default(),
+            Box::<flow::Flow>::default(),
             Box::<Taylor>::default(),
             Box::<Linearization>::default(),
             Box::<Sensitivity>::default(),

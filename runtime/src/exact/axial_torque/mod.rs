@@ -94,18 +94,14 @@ impl Path for AxialTorque {
     fn pace(&self, time: f64) -> f64 {
         match &self.0 {
             Case::Free(free) => free.pace(time),
-            Case::Spinning(spinning) => {
-                let w = spinning.angular_velocity(time, [0.0, 1.0]);
-                // from rest it turns by half a radian in 1/√(N/C)
-                1.0 / (w.norm() + math::sqrt(spinning.acceleration))
-            }
+            Case::Spinning(spinning) => spinning.pace(time),
         }
     }
 }
 
 /// The motion under a torque that is not zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Spinning {
+pub(super) struct Spinning {
     start: Quaternion<f64>,
     /// a, e × a and e, body axes.
     axes: [Vector3<f64>; 3],
@@ -132,10 +128,7 @@ impl Spinning {
             .fold(w.amax(), f64::max);
         let exponent = scale::exponent(quickest);
 
-        let part = axis * axis.dot(&w);
-        let off = |vector: Vector3<f64>| vector - axis * axis.dot(&vector);
-        // twice: what is left of the first may not be across the axis
-        let rest = off(off(w));
+        let (part, rest) = parts(&axis, &w);
         let (length, direction) = scale::direction(&rest);
 
         let torque = Twofold::from(torque).scaled(-2 * exponent);
@@ -165,7 +158,50 @@ impl Spinning {
         }
     }
 
-    fn at(&self, time: f64) -> Rotation {
+    /// About an axis towards which u grows: from κ θ, which is the first rate times t and half the
+    /// second times t², and the acceleration along the axis.
+    pub(super) fn swept(
+        axis: Vector3<f64>,
+        [spin, drift]: [f64; 2],
+        acceleration: f64,
+        state: &Rotation,
+    ) -> Self {
+        let w = state.angular_velocity;
+        let grows = Twofold::sum(acceleration, -drift);
+        let quickest = [acceleration, drift]
+            .map(|change| math::sqrt(change.abs()))
+            .into_iter()
+            .fold(w.amax().max(spin.abs()), f64::max);
+        let exponent = scale::exponent(quickest);
+        let (part, rest) = parts(&axis, &w);
+        let (length, direction) = scale::direction(&rest);
+        let rate = Twofold::from(axis.dot(&scale::scaled(&w, -exponent)));
+        let spin = Twofold::from(spin).scaled(-exponent);
+        let passage = (length.value() > 0.0).then(|| {
+            Passage::new(Sweep::new(
+                length.scaled(-exponent),
+                rate - spin,
+                grows.scaled(-2 * exponent),
+            ))
+        });
+        let (first, second) = if passage.is_some() {
+            (spin, drift)
+        } else {
+            (rate, acceleration)
+        };
+        Self {
+            start: *state.attitude.quaternion(),
+            axes: [direction, axis.cross(&direction), axis],
+            along: part,
+            across: rest,
+            acceleration,
+            exponent,
+            spin: [first, Twofold::from(second).scaled(-2 * exponent - 1)],
+            passage,
+        }
+    }
+
+    pub(super) fn at(&self, time: f64) -> Rotation {
         let faster = libm::scalbn(time, self.exponent);
         let t = Twofold::from(faster);
         let [first, second] = self.spin;
@@ -186,6 +222,12 @@ impl Spinning {
         }
     }
 
+    pub(super) fn pace(&self, time: f64) -> f64 {
+        let w = self.angular_velocity(time, [0.0, 1.0]);
+        // from rest it turns by half a radian in 1/√(N/C)
+        1.0 / (w.norm() + math::sqrt(self.acceleration.abs()))
+    }
+
     /// With the sine and the cosine of κ θ.
     fn angular_velocity(&self, time: f64, [sine, cosine]: [f64; 2]) -> Vector3<f64> {
         let e = &self.axes[2];
@@ -193,4 +235,11 @@ impl Spinning {
             + e * (self.acceleration * time)
             + (self.across * cosine + self.across.cross(e) * sine)
     }
+}
+
+/// What of a vector is along an axis, and across it.
+fn parts(axis: &Vector3<f64>, w: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+    let off = |vector: Vector3<f64>| vector - axis * axis.dot(&vector);
+    // twice: what is left of the first may not be across the axis
+    (axis * axis.dot(w), off(off(*w)))
 }

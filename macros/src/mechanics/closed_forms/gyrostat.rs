@@ -1,0 +1,106 @@
+//! A gyrostat: a body with rotors, symmetric about an axis e, of which all rotors turn.
+//!
+//! ```text
+//! w' = n w x e + r' e        r = w . e; n' and r' constant
+//! ```
+//!
+//! With A the moment of inertia across the axis and h the angular momentum along it, rotors and all,
+//! `n = r - h/A`. All of it is read off the acceleration.
+
+use crate::mechanics::proofs::all_vanish;
+use crate::model::Workspace;
+use crate::symbolic::{Components, Id};
+
+use super::constants::{at_rest, constants};
+
+/// What the motion of a gyrostat depends on.
+pub struct Gyrostat {
+    /// e, a unit vector, body axes.
+    pub axis: Components,
+    /// n, in a state.
+    pub spin: Id,
+    /// n', constant.
+    pub drift: Id,
+    /// r', constant.
+    pub along: Id,
+}
+
+/// How a body turns, and what its acceleration may depend on.
+pub struct Turning<'a> {
+    /// Body axes.
+    pub angular_velocity: Components,
+    pub angular_acceleration: Components,
+    /// The rates of a state, with their accelerations.
+    pub rates: &'a [(Id, Id)],
+}
+
+impl Turning<'_> {
+    /// Of a rate.
+    fn acceleration(&self, rate: Id) -> Option<Id> {
+        let mut rates = self.rates.iter();
+        let found = rates.find(|(symbol, _)| *symbol == rate);
+        found.map(|(_, acceleration)| *acceleration)
+    }
+}
+
+impl Gyrostat {
+    pub fn roots(&self) -> Vec<Id> {
+        [&self.axis[..], &[self.spin, self.drift, self.along]].concat()
+    }
+
+    /// That about the first of these axes about which there is one.
+    pub fn find(work: &mut Workspace, turning: &Turning<'_>, axes: &[Components]) -> Option<Self> {
+        axes.iter()
+            .find_map(|axis| Self::about(work, turning, *axis))
+    }
+
+    fn about(work: &mut Workspace, turning: &Turning<'_>, axis: Components) -> Option<Self> {
+        let (w, acceleration) = (turning.angular_velocity, turning.angular_acceleration);
+        let spin = spin(work, turning, axis)?;
+        let graph = &mut work.graph;
+        let along = graph.dot(acceleration, axis);
+        let pushed = graph.scale_vector(along, axis);
+        let across = graph.cross(w, axis);
+        let turned = graph.scale_vector(spin, across);
+        let known = graph.add_vectors(turned, pushed);
+        let rest = graph.subtract_vectors(acceleration, known);
+        if !all_vanish(work, &rest) {
+            return None;
+        }
+        let drift = work.graph.change(&[spin], |id| turning.acceleration(id))[0];
+        let excess = work.graph.subtract(along, drift);
+        let along = if all_vanish(work, &[excess]) {
+            drift
+        } else {
+            along
+        };
+        let known = constants(work, &[drift, along])?;
+        work.labels.name(spin, "spin");
+        Some(Self {
+            axis,
+            spin,
+            drift: known[0],
+            along: known[1],
+        })
+    }
+}
+
+/// n, if there is one: by how much w' changes along f as w does along e x f, where w is along e and only
+/// rates are not zero.
+fn spin(work: &mut Workspace, turning: &Turning<'_>, axis: Components) -> Option<Id> {
+    let w = turning.angular_velocity;
+    let place = |id: Id| w.iter().position(|component| *component == id);
+    let graph = &mut work.graph;
+    let across = graph.unit_vectors().map(|unit| graph.cross(axis, unit));
+    let first = across.iter().find(|across| !graph.is_zero_vector(across))?;
+    let second = graph.cross(axis, *first);
+    let part = graph.dot(turning.angular_acceleration, *first);
+    let change = graph.change(&[part], |id| Some(second[place(id)?]))[0];
+    let square = graph.norm_squared(second);
+    let spin = graph.divide(change, square);
+    let along = graph.dot(w, axis);
+    let along = graph.scale_vector(along, axis);
+    let spin = graph.substitute(&[spin], |id| Some(along[place(id)?]));
+    let is_rate = |id: Id| turning.acceleration(id).is_some();
+    Some(at_rest(work, &spin, is_rate)[0])
+}

@@ -1,0 +1,27 @@
+//! What turns as one body.
+
+use crate::mechanics::balances::inertia_about_center;
+use crate::model::{Frame, Inertia, Model, Workspace};
+use crate::symbolic::Components;
+
+/// What turns as one body in space.
+#[derive(Clone, Copy)]
+pub struct Solid {
+    /// Its axes.
+    pub body: Frame,
+    /// Its inertia about G, or about the point that is held, in its axes.
+    pub rows: [Components; 3],
+}
+
+impl Solid {
+    /// A body that turns in space.
+    pub fn of(model: &Model, work: &mut Workspace) -> Option<Self> {
+        let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
+            return None;
+        };
+        Some(Self {
+            body: model.state.body,
+            rows,
+        })
+    }
+}

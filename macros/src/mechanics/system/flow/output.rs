@@ -1,0 +1,96 @@
+//! The motion of a system in closed form, or what is in the way of it.
+
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, Extent};
+use crate::model::{Shape, System, Workspace};
+
+use super::course::{Course, Moving};
+use super::obstacles::{CHANGING, CLOSED, Obstacles};
+use crate::mechanics::system::equations::SystemEquations;
+
+/// The motion of a system in closed form: that of each joint, in the order in which the state has
+/// them.
+pub struct SystemFlow {
+    pub joints: Vec<(Ident, &'static Shape, Course)>,
+}
+
+/// The closed form. What is in its way is reported where it is asked for: once for all that one
+/// joint to the ground carries.
+pub fn derive_system_flow(
+    system: &System,
+    work: &mut Workspace,
+    place: Extent,
+    equations: &SystemEquations,
+    errors: &mut Errors,
+) -> Option<SystemFlow> {
+    if !system.is_tree() {
+        return errors.report(place, CLOSED);
+    }
+    let substances = system.bodies.iter();
+    let known = substances.flat_map(|body| {
+        let entries = body.inertia.distinct_entries();
+        entries.into_iter().chain([body.mass])
+    });
+    if !work.graph.are_early(&known.collect::<Vec<_>>()) {
+        return errors.report(place, CHANGING);
+    }
+    let mut courses: Vec<Option<Course>> = (0..system.joints.len()).map(|_| None).collect();
+    for number in &system.written {
+        let moving = Moving {
+            system,
+            equations,
+            number: *number,
+        };
+        courses[*number] = moving.course(work);
+    }
+    let obstacles = Obstacles {
+        system,
+        equations,
+        work,
+        failing: system
+            .written
+            .iter()
+            .filter(|number| courses[**number].is_none())
+            .copied()
+            .collect(),
+    };
+    let mut sound = Some(());
+    for obstacle in obstacles.all() {
+        sound = errors.report(
+            place,
+            format!("no closed form: {obstacle}; leave out `flow`, and the motion is integrated"),
+        );
+    }
+    sound?;
+    let joints = system.written.iter().map(|number| {
+        let joint = &system.joints[*number];
+        Some((
+            joint.name.clone(),
+            joint.kind.shape?,
+            courses[*number].take()?,
+        ))
+    });
+    Some(SystemFlow {
+        joints: joints.collect::<Option<_>>()?,
+    })
+}
+
+impl SystemFlow {
+    /// Which motions they are, line by line.
+    pub fn describe(&self) -> Vec<String> {
+        let lines = self.joints.iter().map(|(name, _, course)| {
+            let motion = match course {
+                Course::Uniform(_) => "at constant acceleration".to_owned(),
+                Course::Turning(rotation, center) => {
+                    let center = center.as_ref();
+                    let center = center.map(|_| "the center of mass moves on a parabola");
+                    let parts: Vec<&str> = center.into_iter().chain(rotation.describe()).collect();
+                    parts.join(", ")
+                }
+            };
+            format!("`{name}`: {motion}")
+        });
+        lines.collect()
+    }
+}

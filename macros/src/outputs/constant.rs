@@ -76,7 +76,7 @@ impl<S: Subject> Output<S> for Constant {
             return Addition::default();
         };
         let docs = [
-            " The accelerations in a constant, with the defaults of all params.".to_owned(),
+            " The accelerations, for use in constants, with the defaults of all params.".to_owned(),
             String::new(),
             format!(" State: {}.", listed(&state)),
             format!(" Input: {}.", listed(&input)),

@@ -45,7 +45,7 @@ impl<S: Subject> Output<S> for Regressor {
             site,
             (
                 "Regressor",
-                "What the motion takes of the inertial parameters of each body",
+                "The loads of the motion by the inertial parameters of each body",
             ),
             [rows(site.outline), names.len()],
             |body| body.columns.concat(),

@@ -82,8 +82,8 @@ impl<S: Subject> Output<S> for Taylor {
                 #body
             }
         };
-        let remark = " Its series have many products: `integrate` takes Runge–Kutta steps, which are faster, \
-                      and `.method(TaylorSeries { tolerance })` takes series.";
+        let remark = " Its series have many products: `integrate` takes Runge–Kutta steps, which are faster; \
+                      `.method(TaylorSeries { tolerance })` selects series.";
         Addition {
             best: if is_wide {
                 Best::RungeKutta

@@ -28,7 +28,7 @@ pub fn open_drives(outline: &Outline) -> Record {
     Record {
         suffix: "Drives",
         doc: format!(
-            " The unknown drives of [`{}`], in the axes in which they are written.",
+            " The unknown drives of [`{}`], in the axes of the description.",
             outline.name
         ),
         fields: open_fields(outline, &outline.drives),

@@ -52,7 +52,7 @@ fn open_fields(outline: &Outline, open: &[(Ident, LoadKind)]) -> Vec<Field> {
     fields.collect()
 }
 
-/// `BodyReactions { pin: .., guide: .. }`, of `open` loads.
+/// `BodyReactions { pin: .., guide: .. }`, for `open` loads.
 pub fn write_open(
     writer: &Writer<'_>,
     record: &Record,

@@ -11,7 +11,7 @@ use super::docs::{Documentation, declared_doc};
 use super::open::{open_drives, open_reactions};
 use super::record::{Field, Record, snake_case};
 
-/// One field for each quantity that is declared.
+/// One field for each declared quantity.
 fn declared_fields(outline: &Outline, declared: &[Declared]) -> Vec<Field> {
     let shapes = Shapes::of(outline);
     let fields = declared.iter().map(|declared| Field {
@@ -78,7 +78,8 @@ pub fn emit_items(
     }
 }
 
-/// The state of a system and its acceleration, joint by joint; and of a body with states of its own.
+/// The state of a system and its acceleration, joint by joint; also of a body with user-defined
+/// states.
 fn emit_state(outline: &Outline) -> Option<TokenStream> {
     if !outline.has_parts() {
         return None;

@@ -1,5 +1,5 @@
 //! `flow`: the motion in closed form, as a path of the runtime that begins at a state. Elliptic
-//! functions are those of doubles.
+//! functions are computed in doubles.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -116,8 +116,8 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
     }
 }
 
-/// `Flight { center: Parabola { .. }, rotation: FreeRotation::principal(..) }`, or the one part
-/// that there is.
+/// `Flight { center: Parabola { .. }, rotation: FreeRotation::principal(..) }`, or a single
+/// part.
 fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
     let shapes = &writer.shapes;
     let linear = &flow.linear[shapes.motion.linear_axes()];
@@ -135,7 +135,7 @@ fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
     })
 }
 
-/// What the path reads of a body: entries of a tensor only where it has no principal axes.
+/// The expressions that the path reads: entries of a tensor only if there are no principal axes.
 fn path_roots(outline: &Outline, rotation: &Rotation) -> Vec<Id> {
     match rotation {
         Rotation::Free(Free::Tensor(entries)) if outline.scalar.is_some() => entries.to_vec(),
@@ -181,8 +181,8 @@ fn rotation(shapes: &Shapes, rotation: &Rotation, values: &mut Values<'_>) -> Op
     })
 }
 
-/// `state`, or of a body that moves too `&Rotation { attitude: state.attitude, angular_velocity:
-/// state.angular_velocity }`
+/// `state`, or for a body that also translates `&Rotation { attitude: state.attitude,
+/// angular_velocity: state.angular_velocity }`
 fn turning_state(shapes: &Shapes, kind: &str, coordinate: &str) -> TokenStream {
     let (private, state) = (&shapes.private, local("state"));
     let (kind, coordinate) = (format_ident!("{kind}"), format_ident!("{coordinate}"));
@@ -224,7 +224,7 @@ fn free_rotation(shapes: &Shapes, free: &Free, values: &mut Values<'_>) -> Token
     }
 }
 
-/// `[..]` of the values that follow.
+/// `[..]` of the next values.
 fn list(values: &mut Values<'_>, count: usize) -> TokenStream {
     let part = values.take(count);
     quote!([#(#part),*])

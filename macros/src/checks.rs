@@ -111,7 +111,8 @@ fn decide(
     }
 }
 
-/// Adds the missing symbols of a value that follows from the motion.
+/// The symbols that a value lacks; those that follow from the motion are replaced by what they
+/// lack.
 fn followed(value: Exact, without: &BTreeMap<Id, Exact>) -> Exact {
     let Exact::Open(symbols) = value else {
         return value;

@@ -5,7 +5,7 @@ use crate::syntax::expression::{Expression, Kind};
 
 use super::System;
 
-/// Units of mass.
+/// Units in which a zero mass may be written.
 const UNITS: [&str; 2] = ["kg", "g"];
 
 impl System {

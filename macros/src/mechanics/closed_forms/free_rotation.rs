@@ -1,10 +1,10 @@
-//! Free rotation in closed form: by the moments of inertia, where these are known.
+//! Free rotation in closed form, classified by the moments of inertia if these are known.
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::model::{Inertia, Model, Workspace};
 use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
-/// What the free rotation of a body depends on.
+/// The parameters of the free rotation of a body.
 pub enum Free {
     /// All moments of inertia are equal.
     Steady,
@@ -15,7 +15,7 @@ pub enum Free {
     /// Three principal moments, and unit vectors of their axes, body axes.
     Principal([Id; 3], [Components; 3]),
     /// The entries xx, yy, zz, xy, yz, zx of a tensor that is known when the body is built; its
-    /// principal axes are found then.
+    /// principal axes are computed then.
     Tensor([Id; 6]),
 }
 
@@ -30,7 +30,7 @@ impl Free {
     }
 }
 
-/// The principal axes of a tensor of numbers are found here, at any precision.
+/// The principal axes of a tensor of numbers are computed here, at any precision.
 pub fn free(model: &Model, work: &mut Workspace) -> Option<Free> {
     let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
         return None;

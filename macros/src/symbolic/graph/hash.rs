@@ -1,5 +1,5 @@
 //! The hash of nodes. Keys are short and numerous; a user who makes them collide only slows down
-//! his own build.
+//! their own build.
 
 use core::hash::Hasher;
 
